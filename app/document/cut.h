@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+#include "clipping/algorithm.h"
+
+namespace app {
+
+enum class Keep : std::uint8_t { Inside, Outside };
+
+struct CutOptions {
+    const clipping::Uses<clipping::Segment, clipping::Window>* algorithm = nullptr; ///< not null
+    clipping::Window window{};
+    Keep keep = Keep::Inside;
+    double tolerance = 0;       ///< user units, flattening of curves; 0: 0.05 mm on paper
+    bool keepContacts = false;  ///< single points of a longer line (CSV keeps them)
+    bool onlyShown = true;      ///< hidden shapes and layers are left out (export); else kept as is
+};
+
+/// What a cut did, for the report.
+struct CutCounts {
+    std::size_t whole = 0;   ///< shapes that came back unchanged
+    std::size_t cut = 0;     ///< shapes of which a part is left
+    std::size_t gone = 0;    ///< shapes of which nothing is left
+    std::size_t opened = 0;  ///< closed paths that are open now
+    std::size_t unfilled = 0; ///< shapes that lost their fill (outlined in it if without stroke)
+    std::size_t segmentsBefore = 0, segmentsAfter = 0;
+};
+
+struct Cut {
+    Sheet sheet; ///< same page, layers and window
+    CutCounts counts;
+};
+
+/// The drawing really cut at the window, as the project's design says: consecutive visible parts
+/// of one path form one path (across a closed path's start as well); shapes wholly kept come back
+/// unchanged, closed and filled; cut ones are open and unfilled; cut curves are split, not replaced
+/// by chords; every end made by a cut lies on the window's edge, bit for bit inside the window.
+Cut cut(const Sheet& sheet, const CutOptions& options);
+
+} // namespace app

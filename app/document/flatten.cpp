@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/flatten.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr int mostChords = 10'000; // of one curve, however large it is
+
+Point pointAt(const Point& a, const Stretch& curve, double t)
+{
+    const double s = 1 - t;
+    return s * s * s * a + 3 * s * s * t * curve.control1 + 3 * s * t * t * curve.control2
+           + t * t * t * curve.to;
+}
+
+// Wang's bound: n chords of equal parameter stay within |second difference| * 6 / (8 n^2).
+int chordCount(const Point& a, const Stretch& c, double tolerance)
+{
+    const double bend = std::max(glm::length(a - 2.0 * c.control1 + c.control2),
+                                 glm::length(c.control1 - 2.0 * c.control2 + c.to));
+    const double n = std::ceil(std::sqrt(0.75 * bend / tolerance));
+    return n > 1 ? int(std::min<double>(n, mostChords)) : 1; // also for NaN
+}
+
+} // namespace
+
+void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
+{
+    Point last = path.start;
+    for (std::size_t i = 0; i < path.stretches.size(); ++i) {
+        const Stretch& stretch = path.stretches[i];
+        const Point begin = last;
+        const int n = stretch.curved ? chordCount(begin, stretch, tolerance) : 1;
+        for (int k = 1; k <= n; ++k) {
+            const double t = double(k) / n;
+            const Point next = k == n ? stretch.to : pointAt(begin, stretch, t);
+            chords.push_back({{last, next}, i, double(k - 1) / n, t});
+            last = next;
+        }
+    }
+    if (path.stretches.empty() || (path.closed && last != path.start))
+        chords.push_back({{last, path.start}, path.stretches.size(), 0, 1});
+}
+
+} // namespace app

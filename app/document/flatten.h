@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+#include <functional>
+
+namespace app {
+
+/// The curves' usual tolerance, on paper.
+constexpr double flatteningMillimetres = 0.05;
+
+/// Where a chord of a flattened path comes from: `stretch` (== stretches.size(): the closing line)
+/// and the part [t0, t1] of it.
+struct Chord {
+    clipping::Segment segment;
+    std::size_t stretch;
+    double t0, t1;
+};
+
+/// The path as chords no farther than `tolerance` (user units, > 0) from it, in order; consecutive
+/// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
+void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
+
+} // namespace app

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/session.h"
+
+#include <algorithm>
+
+namespace app {
+
+Session::Session(QObject* parent) : QObject(parent)
+{
+    display_.algorithm = clipping::findAlgorithm("matthes-drakopoulos");
+    connect(&drawing, &Drawing::changed, this, &Session::follow);
+    connect(&scene, &Scene::outdated, this, [this] {
+        if (inspected_ && *inspected_ >= scene.segments().size())
+            inspect(std::nullopt);
+    });
+}
+
+void Session::setDisplay(const Display& display)
+{
+    if (display == display_)
+        return;
+    display_ = display;
+    emit displayChanged();
+}
+
+const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
+{
+    const auto* uses = clipping::usesOf(*display_.algorithm, display_.form);
+    return uses ? *uses : display_.algorithm->corrected;
+}
+
+void Session::select(std::set<std::size_t> shapes)
+{
+    if (shapes == selection_)
+        return;
+    selection_ = std::move(shapes);
+    emit selectionChanged();
+}
+
+void Session::inspect(std::optional<std::size_t> segment)
+{
+    if (segment == inspected_)
+        return;
+    inspected_ = segment;
+    emit inspectedChanged();
+}
+
+void Session::load(Imported imported, const QString& path)
+{
+    losses_ = std::move(imported.report);
+    path_ = path;
+    history.clear();
+    pen.layer = std::uint32_t(imported.sheet.layers.size() - 1);
+    drawing.load(std::move(imported.sheet));
+    emit fileChanged();
+    emit loaded();
+}
+
+bool Session::mustSaveAs() const
+{
+    return path_.isEmpty()
+           || std::ranges::any_of(losses_, [](const Loss& loss) { return !loss.remark; });
+}
+
+std::optional<QString> Session::save(const QString& path)
+{
+    if (auto error = writeFile(sheet(), path))
+        return error;
+    path_ = path;
+    losses_.clear();
+    history.setClean();
+    emit fileChanged();
+    return std::nullopt;
+}
+
+void Session::follow(const Change& change)
+{
+    if (change.kind == Change::Kind::Everything)
+        select({});
+    if (change.kind == Change::Kind::Shapes && change.removed != change.added) {
+        std::set<std::size_t> moved;
+        for (const std::size_t shape : selection_)
+            if (shape < change.first)
+                moved.insert(shape);
+            else if (shape >= change.first + change.removed)
+                moved.insert(shape - change.removed + change.added);
+        select(std::move(moved));
+    }
+    if (change.kind != Change::Kind::Window)
+        inspect(std::nullopt);
+}
+
+} // namespace app

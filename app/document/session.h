@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/cut.h"
+#include "app/document/scene.h"
+#include "app/formats/format.h"
+
+#include <QUndoStack>
+
+#include <set>
+
+namespace app {
+
+enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
+
+/// How the drawing is being looked at: never part of the document, never undone.
+struct Display {
+    const clipping::Algorithm* algorithm = nullptr; ///< never null in a session
+    clipping::Form form = clipping::Form::Corrected;
+    Keep keep = Keep::Inside;
+    RemovedPart removed = RemovedPart::Ghosted;
+    bool regions = false;      ///< the nine outcodes over the drawing
+    bool asPrinted = false;    ///< dark theme: the true page and inks
+    friend bool operator==(const Display&, const Display&) = default;
+};
+
+/// How new shapes are drawn, and where.
+struct Pen {
+    Style style{.stroke = Colour{}, .width = 1};
+    std::uint32_t layer = 0;
+};
+
+/// One open drawing with everything an editor window keeps about it, without a screen.
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(QObject* parent = nullptr);
+
+    Drawing drawing;
+    QUndoStack history;
+    Scene scene{drawing};
+    Pen pen;
+
+    const Sheet& sheet() const { return drawing.sheet(); }
+
+    const Display& display() const { return display_; }
+    void setDisplay(const Display& display);
+    /// What clips: the chosen form of the chosen algorithm.
+    const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
+
+    /// Indices into Sheet::shapes; follows insertions and removals.
+    const std::set<std::size_t>& selection() const { return selection_; }
+    void select(std::set<std::size_t> shapes);
+
+    /// The line in the inspector: an index into scene.segments(); dropped when the scene changes.
+    std::optional<std::size_t> inspected() const { return inspected_; }
+    void inspect(std::optional<std::size_t> segment);
+
+    /// Opens a drawing: clears history, selection, file name and losses first.
+    void load(Imported imported, const QString& path = {});
+    QString path() const { return path_; }         ///< empty: never saved
+    const std::vector<Loss>& losses() const { return losses_; }
+    bool mustSaveAs() const;                       ///< no path, or the import lost something
+    /// Saves to `path` (or where it came from) and remembers it; nothing, or the error.
+    std::optional<QString> save(const QString& path);
+
+signals:
+    void displayChanged();
+    void selectionChanged();
+    void inspectedChanged();
+    void fileChanged();
+    void loaded(); ///< a different drawing: fit the view
+
+private:
+    void follow(const Change& change);
+
+    Display display_;
+    std::set<std::size_t> selection_;
+    std::optional<std::size_t> inspected_;
+    QString path_;
+    std::vector<Loss> losses_;
+};
+
+} // namespace app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/sheet.h"
+
+namespace app {
+
+double Page::millimetresPerUnit() const
+{
+    const auto scale = [](Length length, double units) {
+        const double millimetres = infoOf(length.unit).millimetres * length.value;
+        return units > 0 && millimetres > 0 ? millimetres / units : 0.0;
+    };
+    const double x = scale(width, size.x), y = scale(height, size.y);
+    if (x > 0 && y > 0)
+        return x < y ? x : y; // the SVG's "meet"
+    return x > 0 ? x : y > 0 ? y : infoOf(Unit::Px).millimetres;
+}
+
+} // namespace app

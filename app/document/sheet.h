@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/length.h"
+#include "clipping/geometry.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+// The drawing as plain data. All coordinates are the drawing's user units, y down (the SVG's),
+// transforms already applied. Everything compares with ==, which is how round trips are tested.
+
+namespace app {
+
+using Point = glm::dvec2;
+
+struct Colour {
+    std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
+    friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+enum class Cap : std::uint8_t { Butt, Round, Square };
+enum class Join : std::uint8_t { Miter, Round, Bevel };
+enum class FillRule : std::uint8_t { NonZero, EvenOdd };
+
+/// How a shape is painted; SVG's meaning and defaults. Widths and dashes are in user units.
+struct Style {
+    std::optional<Colour> stroke{};
+    std::optional<Colour> fill{};
+    double width = 1;
+    double miterLimit = 4;
+    double dashOffset = 0;
+    std::vector<double> dashes{};
+    Cap cap = Cap::Butt;
+    Join join = Join::Miter;
+    FillRule fillRule = FillRule::NonZero;
+    friend bool operator==(const Style&, const Style&) = default;
+};
+
+/// One stretch of a path, from where the last one ended: a line, or a cubic Bézier curve.
+struct Stretch {
+    Point to;
+    Point control1{}, control2{}; ///< zero for a line
+    bool curved = false;
+    friend bool operator==(const Stretch&, const Stretch&) = default;
+};
+
+/// A connected run of stretches. A closed one returns to `start` by a line if it is not there yet.
+/// No stretches at all: a single point.
+struct Path {
+    Point start;
+    std::vector<Stretch> stretches;
+    bool closed = false;
+    friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// What is selected, styled, moved and deleted as one: an SVG element.
+struct Shape {
+    std::vector<Path> paths;
+    Style style;
+    QString id;              ///< the SVG's, kept through cut and export; may be empty
+    std::uint32_t layer = 0; ///< index into Sheet::layers
+    bool hidden = false;     ///< stays hidden and is not exported
+    friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+struct Layer {
+    QString name;
+    bool visible = true;
+    bool locked = false;
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// The page: its rectangle in user units (the SVG's viewBox) and its size on paper.
+struct Page {
+    Point min{0, 0};
+    Point size{297, 210};
+    Length width{297, Unit::Mm}, height{210, Unit::Mm};
+    friend bool operator==(const Page&, const Page&) = default;
+
+    /// The physical size of a user unit; 1 px (25.4 / 96 mm) where the file does not say.
+    double millimetresPerUnit() const;
+    clipping::Window rectangle() const { return {min, min + size}; }
+};
+
+/// A whole drawing.
+struct Sheet {
+    Page page;
+    std::vector<Layer> layers{{QStringLiteral("Drawing")}}; ///< bottom to top, never empty
+    std::vector<Shape> shapes; ///< bottom to top; `layer` never decreases
+    clipping::Window window = page.rectangle(); ///< the clip window
+    friend bool operator==(const Sheet&, const Sheet&) = default;
+
+    bool shown(const Shape& shape) const { return !shape.hidden && layers[shape.layer].visible; }
+};
+
+} // namespace app

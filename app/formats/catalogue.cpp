@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/format.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+// Each is defined in the file of its format.
+Format svgFormat();
+
+// THE CATALOGUE. To add a format: write its file here, in app/formats/, and name it in both lists.
+std::span<const Format> formats()
+{
+    static const std::array all{svgFormat()};
+    return all;
+}
+
+const Format* findFormat(QStringView key)
+{
+    const auto found = std::ranges::find_if(formats(), [&](const Format& format) {
+        return key.compare(QLatin1StringView(format.key), Qt::CaseInsensitive) == 0;
+    });
+    return found == formats().end() ? nullptr : &*found;
+}
+
+const Format* formatOfFile(const QString& path) { return findFormat(QFileInfo(path).suffix()); }
+
+bool Imported::lossy() const
+{
+    return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark; });
+}
+
+Result<Imported> readFile(const QString& path)
+{
+    const auto failure = [&](const QString& why) {
+        return Result<Imported>::failure(
+            QCoreApplication::translate("formats", "Cannot open %1: %2").arg(path, why));
+    };
+    const QFileInfo info(path);
+    if (info.isDir())
+        return failure(QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
+    const Format* format = formatOfFile(path);
+    if (!format || !format->read)
+        return failure(QCoreApplication::translate("formats", "this type of file is not read here."));
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(file.errorString() + u'.');
+    Result<Imported> result = format->read(file);
+    return result ? std::move(result) : failure(result.error);
+}
+
+std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
+                                 const WriteOptions& options)
+{
+    const auto failure = [&](const QString& why) {
+        return QCoreApplication::translate("formats", "Cannot write %1: %2").arg(path, why);
+    };
+    const Format* format = formatOfFile(path);
+    if (!format || !format->write)
+        return failure(QCoreApplication::translate("formats", "this type of file is not written here."));
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return failure(file.errorString() + u'.');
+    if (auto error = format->write(sheet, file, options)) {
+        file.cancelWriting();
+        return failure(*error);
+    }
+    if (!file.commit())
+        return failure(file.errorString() + u'.');
+    return std::nullopt;
+}
+
+} // namespace app

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+#include "app/result.h"
+
+#include <QIODevice>
+#include <QStringList>
+
+#include <span>
+#include <string_view>
+
+namespace app {
+
+/// One kind of thing that an import could not keep, and how many of it ("text", 3). A thing that
+/// was kept in another way (a clipPath really cut) is a remark, not a loss.
+struct Loss {
+    QString what;
+    int count = 1;
+    bool remark = false;
+};
+
+/// A drawing as it came out of a file, with what the document could not hold.
+struct Imported {
+    Sheet sheet;
+    std::vector<Loss> report;
+    bool lossy() const; ///< any that is not a remark: Save becomes Save as
+};
+
+struct WriteOptions {
+    int precision = -1;        ///< decimals; -1: the shortest text that reads back bit for bit
+    double dpi = 96;           ///< PNG
+    double tolerance = 0;      ///< user units; flattening where the format has no curves; 0: usual
+    /// With a limited precision, numbers are rounded and then moved inward so that the decimals
+    /// themselves lie in this rectangle.
+    std::optional<clipping::Window> bounds;
+    /// CSV: the column `source`, one number a segment in drawing order; empty: no such column.
+    std::vector<std::uint32_t> sources;
+};
+
+/// One row of the catalogue of file formats. A null function: cannot.
+struct Format {
+    std::string_view key; ///< "svg": the file name's ending and --from/--to
+    QString name;         ///< "SVG drawing", translated
+    Result<Imported> (*read)(QIODevice& in);
+    /// Nothing, or the sentence that says what went wrong. Hidden shapes and layers are written
+    /// only where they can stay hidden (SVG).
+    std::optional<QString> (*write)(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
+};
+
+/// Every format, in menu order; the first is the native one.
+std::span<const Format> formats();
+const Format* findFormat(QStringView key);
+const Format* formatOfFile(const QString& path); ///< by its ending, any case
+
+/// Opens and reads a file; the sentence names the file. Refuses directories and unknown endings.
+Result<Imported> readFile(const QString& path);
+
+/// Writes through QSaveFile: an existing file is replaced only by a whole new one.
+std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
+                                 const WriteOptions& options = {});
+
+} // namespace app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+#include <vector>
+
+namespace app {
+
+/// Which part of the drawing a canvas shows: pure numbers, no screen. Screen points are logical
+/// pixels of the canvas, y down.
+class View {
+public:
+    glm::dvec2 size{1, 1}; ///< of the canvas, logical pixels
+    Point centre{0, 0};    ///< the drawing's point in the middle of the canvas
+    double zoom = 1;       ///< logical pixels per user unit
+
+    Point toScreen(const Point& p) const { return (p - centre) * zoom + size * 0.5; }
+    Point toDrawing(const Point& s) const { return (s - size * 0.5) / zoom + centre; }
+    clipping::Window visible() const { return {toDrawing({0, 0}), toDrawing(size)}; }
+
+    void pan(const glm::dvec2& pixels) { centre -= pixels / zoom; }
+    /// Zooms by `factor` and keeps the drawing's point under `screen` where it is.
+    void zoomAt(const Point& screen, double factor);
+    /// Shows a rectangle as large as fits, with a margin in pixels.
+    void fit(const clipping::Window& rectangle, double margin = 24);
+};
+
+} // namespace app

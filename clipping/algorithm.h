@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/trace.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace clipping {
+
+/// What can be done with one form of an algorithm on segments S and windows W.
+///
+/// `corrected` keeps this contract, for every row of the catalogue:
+/// 1. For finite input and `min <= max` it returns the part of the segment inside the closed
+///    window, from a's side to b's side; a single common point is a zero-length segment.
+///    Otherwise nothing. `min > max` or a number that is not finite, anywhere: nothing.
+/// 2. It always ends; never NaN, never infinite, never a point outside the window (bitwise).
+///    An end that was inside comes back bit for bit.
+/// 3. A wrong visibility is possible only where the exact clearance is at most k ulps of the
+///    largest |coordinate| of segment and window; ends are off by at most k of them. k is the
+///    row's `ulps`, derived in the algorithm's file, at most 64.
+///
+/// `published` is what the authors printed, faults included, and is exempt from 1 to 3, but its
+/// iterations are capped: then nothing is visible and the trace says DidNotEnd.
+template <class S, class W>
+struct Uses {
+    std::optional<S> (*clip)(const S& segment, const W& window);
+
+    /// Clips many into the caller's buffer: `out.size() >= in.size()`, no overlap. Keeps the
+    /// order, drops the invisible, returns how many were written. Allocates nothing.
+    std::size_t (*clipAll)(std::span<const S> in, const W& window, std::span<BasicClipped<S>> out);
+
+    /// The arithmetic that clipping these segments takes.
+    OperationCounts (*count)(std::span<const S> in, const W& window);
+
+    /// How one segment is clipped, step by step.
+    Trace (*trace)(const S& segment, const W& window);
+};
+
+/// The two forms of an algorithm: with its published defects mended, and as its authors printed it.
+enum class Form : std::uint8_t { Corrected, Published };
+
+/// One row of the catalogue. A null pointer: there is no such form.
+struct Algorithm {
+    std::string_view key;          ///< in files and on the command line; never changes
+    std::string_view abbreviation; ///< CS LB CB NLN Skala KWC MD; any case is taken
+    std::string_view name;
+    int year;
+    std::string_view idea; ///< one sentence
+    double ulps;           ///< k of the contract
+    Uses<Segment, Window> corrected;
+    const Uses<Segment, Window>* published;
+    const Uses<BasicSegment<float>, BasicWindow<float>>* single;
+    const Uses<Segment, ConvexPolygon>* polygon;
+    const Uses<BasicSegment<double, 3>, BasicWindow<double, 3>>* box;
+};
+
+/// What a row does in one form; null if there is no such form.
+constexpr const Uses<Segment, Window>* usesOf(const Algorithm& algorithm, Form form)
+{
+    return form == Form::Corrected ? &algorithm.corrected : algorithm.published;
+}
+
+/// Every algorithm, in the order of every menu, table and chart.
+std::span<const Algorithm> algorithms();
+
+/// The algorithm with that key or abbreviation (any case), or null.
+const Algorithm* findAlgorithm(std::string_view keyOrAbbreviation);
+
+} // namespace clipping

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clipping/algorithm.h"
+
+#include <QDir>
+#include <QTest>
+
+class CatalogueTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void namesEveryFileInAlgorithms()
+    {
+        const auto files = QDir(SOURCE_DIR "/clipping/algorithms").entryList({"*.cpp"});
+        QCOMPARE(std::size_t(files.size()), clipping::algorithms().size());
+    }
+
+    void findsKeysAndAbbreviationsInAnyCase()
+    {
+        const auto* found = clipping::findAlgorithm("md");
+        QVERIFY(found);
+        QCOMPARE(found, clipping::findAlgorithm("Matthes-Drakopoulos"));
+        QVERIFY(!clipping::findAlgorithm("nobody"));
+    }
+};
+
+QTEST_APPLESS_MAIN(CatalogueTest)
+#include "catalogue_test.moc"

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+#include "app/view/view.h"
+
+#include <QCursor>
+#include <QKeySequence>
+#include <QPainter>
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace ui {
+
+/// The pointer over the canvas.
+struct Pointer {
+    app::Point position; ///< in the drawing, after snapping
+    app::Point raw;      ///< in the drawing, as it is
+    app::Point screen;   ///< logical pixels of the canvas
+    Qt::MouseButtons buttons;
+    Qt::KeyboardModifiers modifiers;
+};
+
+/// What a tool works on. It changes the drawing by pushing commands on session.history, and in no
+/// other way; it pans and zooms through `view`.
+struct Workbench {
+    app::Session& session;
+    app::View& view;
+};
+
+/// Turns what the pointer and keys do into commands: one gesture, one command. The canvas calls it;
+/// it never calls the canvas, which repaints after every call.
+class Tool {
+public:
+    virtual ~Tool() = default;
+    virtual void press(const Pointer&, Workbench&) {}
+    virtual void move(const Pointer&, Workbench&) {} ///< also without a button: hovering
+    virtual void release(const Pointer&, Workbench&) {}
+    virtual void doubleClick(const Pointer&, Workbench&) {}
+    virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: used up
+    virtual void cancel(Workbench&) {}                         ///< Esc, or another tool is chosen
+    virtual bool busy() const { return false; }                ///< in the middle of a gesture
+
+    virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
+    /// The window to clip with while a gesture changes it; nothing: the drawing's own.
+    virtual std::optional<clipping::Window> window() const { return std::nullopt; }
+    /// What to draw over the drawing, in logical pixels of the canvas.
+    virtual void paint(QPainter&, const Workbench&) const {}
+};
+
+/// One row of the catalogue of tools.
+struct ToolInfo {
+    std::string_view key; ///< the icon is :/icons/KEY.svg
+    QString name;
+    QString hint;         ///< in the status bar while the tool is chosen
+    QKeySequence shortcut;
+    std::unique_ptr<Tool> (*make)();
+};
+
+/// Every tool, in the order of the tool bar.
+std::span<const ToolInfo> tools();
+const ToolInfo* findTool(std::string_view key);
+
+} // namespace ui
