@@ -1,7 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the release preset and runs every test. tests/run.sh [PRESET] [CTEST ARGUMENTS]
+# Builds a preset and runs every test, with or without a display: tests/run.sh [PRESET [CTEST ARGUMENT...]]
+# The preset is `release`; what is missing is installed.
 set -euo pipefail
-cd "$(dirname "$0")/.."
-preset=${1:-release}; shift || true
-cmake --preset "$preset" && cmake --build --preset "$preset" && ctest --preset "$preset" -j "$(nproc)" "$@"
+root=$(cd "$(dirname "$0")/.." && pwd)
+preset=${1:-release}
+shift || true
+
+# The program's own packages; boost: the oracle's exact numbers; xvfb, xauth: tests with OpenGL;
+# librsvg2-bin, poppler-utils: independent readers of the files we write.
+bash "$root/app/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libglm-dev \
+    libboost-dev xvfb xauth librsvg2-bin poppler-utils
+cd "$root"
+export QT_LOGGING_RULES='*.debug=false'
+cmake --preset "$preset"
+cmake --build --preset "$preset"
+runtime=$(mktemp -d)
+trap 'rm -rf "$runtime"' EXIT
+chmod 700 "$runtime"
+XDG_RUNTIME_DIR=$runtime XDG_CONFIG_HOME=$runtime/config ctest --preset "$preset" -j "$(nproc)" "$@"
