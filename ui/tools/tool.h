@@ -5,6 +5,7 @@
 #include "app/view/view.h"
 
 #include <QCursor>
+#include <QKeyEvent>
 #include <QKeySequence>
 #include <QPainter>
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+#include "app/view/view.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace ui {
+
+enum class Backend : std::uint8_t { Automatic, OpenGL, Raster };
+
+/// What the last frame took. `drawMs` is everything but the clipping: building the picture and
+/// painting it.
+struct FrameTimes {
+    double clipMs = 0, drawMs = 0;
+    std::uint64_t clipNanoseconds = 0;
+    std::size_t visible = 0, total = 0;
+};
+
+/// The drawing on the screen, with its rulers, and the tool that works on it. All segments are
+/// clipped at every frame. Colours follow the palette (canvas_colours.h). The widget that takes
+/// the keyboard is focusProxy().
+class Canvas : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Automatic: OpenGL where a graphics card does it, else the raster canvas.
+    explicit Canvas(app::Session& session, Backend backend = Backend::Automatic,
+                    QWidget* parent = nullptr);
+    ~Canvas() override;
+
+    Backend backend() const;       ///< the one in use, never Automatic
+    QString backendReason() const; ///< a sentence: which one, and why
+
+    const app::View& view() const;
+    double zoom() const; ///< 1: 100 %, a millimetre on paper is one on the screen's logical scale
+
+    void setTool(std::string_view key); ///< one of ui::tools()
+    std::string_view tool() const;
+
+    void fitDrawing();   ///< the page and everything that is drawn
+    void fitSelection(); ///< nothing selected: the drawing
+    void fitWindow();
+    void zoomBy(double factor);
+    void setZoom(double zoom); ///< as zoom()
+    void previousView();
+    void nextView();
+
+    /// Waits until the picture is shown in full quality (tests, screenshots).
+    void settle();
+
+signals:
+    void frameShown(const ui::FrameTimes& times);
+    void pointerMoved(std::optional<app::Point> position); ///< in the drawing; nothing: left
+    void hint(const QString& text); ///< what the tool says now; empty: its usual hint
+    void toolChanged();
+    void viewChanged();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    class Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace ui
