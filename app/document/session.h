@@ -19,6 +19,7 @@ struct Display {
     clipping::Form form = clipping::Form::Corrected;
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
+    Unit unit = Unit::Mm;      ///< of every length in the window: rulers, labels, fields
     bool regions = false;      ///< the nine outcodes over the drawing
     bool asPrinted = false;    ///< dark theme: the true page and inks
     friend bool operator==(const Display&, const Display&) = default;
