@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/session.h"
 
+#include "app/view/reading.h"
+
 #include <algorithm>
 
 namespace app {
@@ -52,6 +54,9 @@ void Session::load(Imported imported, const QString& path)
     history.clear();
     pen.layer = std::uint32_t(imported.sheet.layers.size() - 1);
     drawing.load(std::move(imported.sheet));
+    Display display = display_;
+    display.unit = unitOf(sheet().page);
+    setDisplay(display);
     emit fileChanged();
     emit loaded();
 }

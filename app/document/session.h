@@ -22,6 +22,7 @@ struct Display {
     Unit unit = Unit::Mm;      ///< of every length in the window: rulers, labels, fields
     bool regions = false;      ///< the nine outcodes over the drawing
     bool asPrinted = false;    ///< dark theme: the true page and inks
+    Unit unit = Unit::Mm;      ///< of rulers, labels and fields; a drawing that is opened brings its own
     friend bool operator==(const Display&, const Display&) = default;
 };
 

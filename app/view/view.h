@@ -24,6 +24,8 @@ public:
     void zoomAt(const Point& screen, double factor);
     /// Shows a rectangle as large as fits, with a margin in pixels.
     void fit(const clipping::Window& rectangle, double margin = 24);
+
+    friend bool operator==(const View&, const View&) = default;
 };
 
 } // namespace app

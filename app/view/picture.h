@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+#include "app/view/view.h"
+
+#include <QPointF>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// A run of points on the screen, in logical pixels from the canvas' top left corner.
+struct Chain {
+    std::uint32_t first, count; ///< of Plate::points; at least two
+    bool closed;                ///< the last point is the first: a join there, no caps
+    bool capAtStart, capAtEnd;  ///< the stroke's own ends get its cap; those made by a cut are butt
+};
+
+/// How a stroke is painted; the width in logical pixels.
+struct Ink {
+    Colour colour;
+    double width = 1;
+    Cap cap = Cap::Butt;
+    Join join = Join::Miter;
+    double miterLimit = 4;
+    friend bool operator==(const Ink&, const Ink&) = default;
+};
+
+/// Chains painted alike, one after the other: stroked with an ink, or filled together as one area.
+struct Coat {
+    std::optional<Ink> stroke;
+    Colour fill{};
+    FillRule rule = FillRule::NonZero;
+    std::uint32_t firstChain = 0, chains = 0;
+};
+
+/// What is painted, bottom to top.
+struct Plate {
+    std::vector<Coat> coats;
+    std::vector<Chain> chains;
+    std::vector<QPointF> points;
+
+    std::span<const Chain> chainsOf(const Coat& coat) const
+    {
+        return std::span(chains).subspan(coat.firstChain, coat.chains);
+    }
+    std::span<const QPointF> pointsOf(const Chain& chain) const
+    {
+        return std::span(points).subspan(chain.first, chain.count);
+    }
+};
+
+/// One frame as simple things to paint: the ghost first, as a whole with the ghost's opacity (so
+/// that overlapping ghosts do not add up), and the kept part over it.
+struct Picture {
+    Plate ghost, kept;
+};
+
+/// What a frame is made for.
+struct PictureOptions {
+    View view;
+    Keep keep = Keep::Inside;
+    RemovedPart removed = RemovedPart::Ghosted;
+    std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
+    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
+};
+
+/// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never
+/// hands them huge numbers; dashes are cut up; shapes of which all is kept are filled, cut ones are
+/// outlines. Strokes move by less than a quarter of a pixel where many points fall into one.
+Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
+                const PictureOptions& options);
+
+} // namespace app

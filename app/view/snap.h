@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+#include <optional>
+#include <span>
+
+namespace app {
+
+/// What the pointer snaps to.
+enum class SnapTo : std::uint8_t { Nothing = 0, Ends = 1, Middles = 2, WindowEdges = 4, All = 7 };
+constexpr bool operator&(SnapTo a, SnapTo b) { return (std::uint8_t(a) & std::uint8_t(b)) != 0; }
+
+struct Snap {
+    Point point;
+    SnapTo what; ///< one of them
+    friend bool operator==(const Snap&, const Snap&) = default;
+};
+
+/// The nearest end or middle of `segments` within `radius` of the pointer, and failing that the
+/// window's nearest edge (its corner, if two are near).
+std::optional<Snap> snap(const Point& pointer, double radius,
+                         std::span<const clipping::Segment> segments,
+                         const clipping::Window& window, SnapTo to);
+
+} // namespace app

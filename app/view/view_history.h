@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/view.h"
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// The views before and after the present one, as a browser keeps pages. Views that follow one
+/// another at once (a drag, wheel notches) are one stay.
+class ViewHistory {
+public:
+    /// The view is about to leave `view` at that time (milliseconds of any clock).
+    void leave(const View& view, long long now);
+    std::optional<View> back(const View& present);
+    std::optional<View> forth(const View& present);
+
+private:
+    std::vector<View> before_, after_;
+    long long last_ = -1'000'000;
+};
+
+} // namespace app
