@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/session.h"
 
-#include "app/view/reading.h"
-
 #include <algorithm>
 
 namespace app {
@@ -55,7 +53,7 @@ void Session::load(Imported imported, const QString& path)
     pen.layer = std::uint32_t(imported.sheet.layers.size() - 1);
     drawing.load(std::move(imported.sheet));
     Display display = display_;
-    display.unit = unitOf(sheet().page);
+    display.unit = sheet().page.usualUnit();
     setDisplay(display);
     emit fileChanged();
     emit loaded();

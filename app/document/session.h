@@ -19,10 +19,9 @@ struct Display {
     clipping::Form form = clipping::Form::Corrected;
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
-    Unit unit = Unit::Mm;      ///< of every length in the window: rulers, labels, fields
+    Unit unit = Unit::Mm;      ///< of rulers, labels and fields; a drawing that is opened brings its own
     bool regions = false;      ///< the nine outcodes over the drawing
     bool asPrinted = false;    ///< dark theme: the true page and inks
-    Unit unit = Unit::Mm;      ///< of rulers, labels and fields; a drawing that is opened brings its own
     friend bool operator==(const Display&, const Display&) = default;
 };
 

@@ -83,6 +83,8 @@ struct Page {
 
     /// The physical size of a user unit; 1 px (25.4 / 96 mm) where the file does not say.
     double millimetresPerUnit() const;
+    /// The unit in which its drawing is read: that of its width, pixels where it has none.
+    Unit usualUnit() const;
     clipping::Window rectangle() const { return {min, min + size}; }
 };
 
