@@ -12,6 +12,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 
 from drawings.hilbert import hilbert
+from drawings.landscape import landscape
 from drawings.paper import nine_regions, random_lines, rejected_lines
 from drawings.rosette import rosette
 
@@ -20,6 +21,7 @@ HERE = Path(__file__).parent
 # In the order in which the program offers them.
 SAMPLES = {
     "rosette": rosette,
+    "landscape": landscape,
     "hilbert": hilbert,
     "random-lines": random_lines,
     "nine-regions": nine_regions,
