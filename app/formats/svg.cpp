@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/format.h"
+#include "app/formats/svg_reader.h"
+#include "app/formats/svg_writer.h"
 
 #include <QCoreApplication>
 
@@ -7,7 +8,7 @@ namespace app {
 
 Format svgFormat()
 {
-    return {"svg", QCoreApplication::translate("formats", "SVG drawing"), nullptr, nullptr};
+    return {"svg", QCoreApplication::translate("formats", "SVG drawing"), svg::read, svg::write};
 }
 
 } // namespace app

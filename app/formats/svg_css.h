@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/svg_tree.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace app::svg {
+
+/// "stroke-width: 2px !important"
+struct Declaration {
+    std::string_view property, value;
+    bool important = false;
+};
+
+/// The declarations of a rule or of an attribute "style"; what is not one is left out.
+std::vector<Declaration> parseDeclarations(std::string_view text);
+
+/// One part of a selector, without combinators: "path.thin#a[d]".
+struct Compound {
+    std::string_view tag, id; ///< "" where any will do
+    std::vector<std::string_view> classes;
+    struct Attribute {
+        std::string_view name, value;
+        bool anyValue = false;
+    };
+    std::vector<Attribute> attributes;
+    char before = ' '; ///< how it is joined to the part on its left: ' ' descendant, '>' child
+};
+
+struct Rule {
+    std::vector<Compound> selector; ///< from left to right, never empty
+    std::vector<Declaration> declarations;
+    int specificity = 0;
+};
+
+/// The rules of the <style> elements that are understood: tags, classes, ids, attributes, `*`,
+/// lists of them, descendants and children. Others (pseudo-classes, siblings, at-rules) are
+/// counted.
+class StyleSheet {
+public:
+    explicit StyleSheet(std::string_view text);
+    StyleSheet(const StyleSheet&) = delete;
+
+    int ignored() const { return ignored_; }
+    bool empty() const { return rules_.empty(); }
+
+    /// The rules for an element, the weakest first. Throws Refused when far too much was tried.
+    std::vector<const Rule*> matching(const Tree& tree, Node node);
+
+private:
+    using Index = std::unordered_map<std::string_view, std::vector<std::uint32_t>>;
+
+    void addRules(std::string_view selectors, std::string_view body);
+    void index(std::uint32_t rule);
+    bool matches(const Tree& tree, Node node, const std::vector<Compound>& selector,
+                 std::size_t last);
+
+    std::string text_; ///< without comments; what all views point into
+    std::vector<Rule> rules_;
+    Index byId_, byClass_, byTag_; ///< of the rightmost part
+    int ignored_ = 0;
+    std::size_t tried_ = 0;
+};
+
+} // namespace app::svg

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+#include <optional>
+#include <string_view>
+
+namespace app::svg {
+
+constexpr double pixel = 25.4 / 96; ///< millimetres of a user unit where no viewBox changes it
+
+/// What lengths refer to at one place of a drawing.
+struct Lengths {
+    Point viewport{}; ///< the size that percents are of
+    double fontSize = 16;
+
+    /// In user units; nothing for what is not a length. `of` is what 100 % means.
+    std::optional<double> parse(std::string_view text, double of) const;
+    std::optional<double> x(std::string_view text) const { return parse(text, viewport.x); }
+    std::optional<double> y(std::string_view text) const { return parse(text, viewport.y); }
+    std::optional<double> other(std::string_view text) const { return parse(text, diagonal()); }
+    double diagonal() const; ///< what 100 % of a radius or a stroke's width means
+};
+
+} // namespace app::svg

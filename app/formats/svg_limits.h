@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+// How much a drawing may ask for before it is refused in one sentence. Each is far above what real
+// drawings need and low enough that the worst file ends within seconds and about a gigabyte.
+
+namespace app::svg {
+
+constexpr int deepestNesting = 500; ///< elements within elements, `use` followed; recursion is safe
+constexpr std::size_t mostElements = 5'000'000; ///< in the file
+constexpr std::size_t mostText = 1'000'000'000; ///< bytes of attributes and style sheets
+constexpr std::size_t mostNames =
+    10'000; ///< different ones of elements and attributes; SVG has 400
+constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
+constexpr std::size_t mostParts = 10'000'000;        ///< shapes, stretches and dashes together
+constexpr std::size_t mostDeclarations = 50'000'000; ///< style rules times elements, tried
+constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
+constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one
+constexpr double largestCoordinate = 1e300;          ///< so that sums and differences stay finite
+
+} // namespace app::svg

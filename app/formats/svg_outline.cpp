@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg_outline.h"
+
+#include "app/formats/svg_arc.h"
+#include "app/formats/svg_scanner.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app::svg {
+namespace {
+
+// The lengths of one element. A value that is there and no length makes the outline damaged.
+class Attributes {
+public:
+    Attributes(const Tree& tree, Node node, const Lengths& lengths)
+        : tree_(tree), node_(node), lengths_(lengths)
+    {
+    }
+    std::optional<double> x(std::string_view name) { return get(name, lengths_.viewport.x); }
+    std::optional<double> y(std::string_view name) { return get(name, lengths_.viewport.y); }
+    std::optional<double> other(std::string_view name) { return get(name, lengths_.diagonal()); }
+    Outline outline(std::vector<Path> paths) const { return {std::move(paths), damaged_}; }
+
+private:
+    std::optional<double> get(std::string_view name, double of)
+    {
+        const auto text = trimmed(tree_.attribute(node_, name));
+        if (text.empty() || text == "auto")
+            return std::nullopt;
+        const auto length = lengths_.parse(text, of);
+        damaged_ = damaged_ || !length;
+        return length;
+    }
+    const Tree& tree_;
+    Node node_;
+    const Lengths& lengths_;
+    bool damaged_ = false;
+};
+
+Path ellipse(const Point& centre, const Point& radii)
+{
+    const Point right{centre.x + radii.x, centre.y}, bottom{centre.x, centre.y + radii.y};
+    const Point left{centre.x - radii.x, centre.y}, top{centre.x, centre.y - radii.y};
+    Path path{right, {}, true};
+    Point from = right;
+    for (const Point& to : {bottom, left, top, right}) {
+        appendArc(path.stretches, {from, to, radii, 0, false, true});
+        from = to;
+    }
+    return path;
+}
+
+Path roundedRectangle(const Point& min, const Point& max, const Point& radii)
+{
+    const auto [rx, ry] = std::pair(radii.x, radii.y);
+    Path path{{min.x + rx, min.y}, {}, true};
+    Point at = path.start;
+    const auto side = [&](const Point& end, const Point& corner) {
+        if (end != at)
+            path.stretches.push_back({end});
+        appendArc(path.stretches, {end, corner, radii, 0, false, true});
+        at = corner;
+    };
+    side({max.x - rx, min.y}, {max.x, min.y + ry});
+    side({max.x, max.y - ry}, {max.x - rx, max.y});
+    side({min.x + rx, max.y}, {min.x, max.y - ry});
+    side({min.x, min.y + ry}, path.start);
+    return path;
+}
+
+Outline rectangle(const Tree& tree, Node node, const Lengths& lengths)
+{
+    Attributes a(tree, node, lengths);
+    const Point min{a.x("x").value_or(0), a.y("y").value_or(0)};
+    const Point size{a.x("width").value_or(0), a.y("height").value_or(0)};
+    const auto rx = a.x("rx"), ry = a.y("ry");
+    const Point radii{std::clamp(rx ? *rx : ry.value_or(0), 0.0, std::max(size.x / 2, 0.0)),
+                      std::clamp(ry ? *ry : rx.value_or(0), 0.0, std::max(size.y / 2, 0.0))};
+    if (!(size.x > 0 && size.y > 0))
+        return a.outline({});
+    const Point max = min + size;
+    if (radii.x > 0 && radii.y > 0)
+        return a.outline({roundedRectangle(min, max, radii)});
+    return a.outline({{min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true}});
+}
+
+Outline round(Attributes& a, const Point& radii)
+{
+    const Point centre{a.x("cx").value_or(0), a.y("cy").value_or(0)};
+    if (!(radii.x > 0 && radii.y > 0))
+        return a.outline({});
+    return a.outline({ellipse(centre, radii)});
+}
+
+Outline circleElement(const Tree& tree, Node node, const Lengths& lengths)
+{
+    Attributes a(tree, node, lengths);
+    return round(a, Point(a.other("r").value_or(0)));
+}
+
+Outline ellipseElement(const Tree& tree, Node node, const Lengths& lengths)
+{
+    Attributes a(tree, node, lengths);
+    const auto rx = a.x("rx"), ry = a.y("ry");
+    return round(a, {rx ? *rx : ry.value_or(0), ry ? *ry : rx.value_or(0)});
+}
+
+Outline line(const Tree& tree, Node node, const Lengths& lengths)
+{
+    Attributes a(tree, node, lengths);
+    const Point from{a.x("x1").value_or(0), a.y("y1").value_or(0)};
+    const Point to{a.x("x2").value_or(0), a.y("y2").value_or(0)};
+    return a.outline({lineBetween(from, to)});
+}
+
+Outline polyline(const Tree& tree, Node node, const Lengths&)
+{
+    return parsePoints(tree.attribute(node, "points"), Ending::Open);
+}
+
+Outline polygon(const Tree& tree, Node node, const Lengths&)
+{
+    return parsePoints(tree.attribute(node, "points"), Ending::Closed);
+}
+
+Outline path(const Tree& tree, Node node, const Lengths&)
+{
+    return parsePathData(tree.attribute(node, "d"));
+}
+
+} // namespace
+
+const OutlineKind* findOutlineKind(std::string_view element)
+{
+    static constexpr std::array all{
+        OutlineKind{"path", path, true},
+        OutlineKind{"line", line, true},
+        OutlineKind{"polyline", polyline, true},
+        OutlineKind{"polygon", polygon, true},
+        OutlineKind{"rect", rectangle, false},
+        OutlineKind{"circle", circleElement, false},
+        OutlineKind{"ellipse", ellipseElement, false},
+    };
+    const auto found = std::ranges::find(all, element, &OutlineKind::element);
+    return found == all.end() ? nullptr : &*found;
+}
+
+} // namespace app::svg

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/svg_length.h"
+#include "app/formats/svg_path_data.h"
+#include "app/formats/svg_tree.h"
+
+namespace app::svg {
+
+/// One row of SVG's basic shapes: <rect>, <circle> ... <path>.
+struct OutlineKind {
+    std::string_view element;
+    Outline (*outline)(const Tree&, Node, const Lengths&); ///< in the element's own coordinates
+    bool takesMarkers;
+};
+const OutlineKind* findOutlineKind(std::string_view element); ///< null: it is none of them
+
+} // namespace app::svg

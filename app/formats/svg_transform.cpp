@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg_transform.h"
+
+#include "app/formats/svg_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace app::svg {
+namespace {
+
+using Arguments = std::span<const double>;
+
+struct Function {
+    std::string_view name;
+    Matrix (*matrix)(Arguments v); ///< v holds six numbers; those not given are 0
+    std::uint8_t fewest, most;     ///< numbers; a single one between them is not legal
+};
+
+// sin and cos that are exact at the quarter turns, so that rotate(90) keeps round coordinates.
+double sine(double degrees)
+{
+    const double turn = std::remainder(degrees, 360.0);
+    if (turn == 0 || std::abs(turn) == 180)
+        return 0;
+    if (std::abs(turn) == 90)
+        return turn > 0 ? 1 : -1;
+    return std::sin(turn * std::numbers::pi / 180);
+}
+double cosine(double degrees) { return sine(degrees + 90); }
+double tangent(double degrees) { return sine(degrees) / cosine(degrees); }
+
+Matrix rotation(Arguments v)
+{
+    const double s = sine(v[0]), c = cosine(v[0]);
+    return translation({v[1], v[2]}) * Matrix{c, s, -s, c, 0, 0} * translation({-v[1], -v[2]});
+}
+
+constexpr std::array functions{
+    Function{"matrix", [](Arguments v) { return Matrix{v[0], v[1], v[2], v[3], v[4], v[5]}; }, 6,
+             6},
+    Function{"translate",
+             [](Arguments v) {
+                 return translation({v[0], v[1]});
+             },
+             1, 2},
+    Function{"scale", [](Arguments v) { return Matrix{v[0], 0, 0, v[1], 0, 0}; }, 1, 2},
+    Function{"rotate", rotation, 1, 3},
+    Function{"skewX", [](Arguments v) { return Matrix{1, 0, tangent(v[0]), 1, 0, 0}; }, 1, 1},
+    Function{"skewY", [](Arguments v) { return Matrix{1, tangent(v[0]), 0, 1, 0, 0}; }, 1, 1},
+    Function{"translateX",
+             [](Arguments v) {
+                 return translation({v[0], 0});
+             },
+             1, 1},
+    Function{"translateY",
+             [](Arguments v) {
+                 return translation({0, v[0]});
+             },
+             1, 1},
+    Function{"scaleX", [](Arguments v) { return Matrix{v[0], 0, 0, 1, 0, 0}; }, 1, 1},
+    Function{"scaleY", [](Arguments v) { return Matrix{1, 0, 0, v[0], 0, 0}; }, 1, 1},
+};
+
+std::optional<Matrix> parseFunction(Scanner& in)
+{
+    const auto name = in.word();
+    const auto found = std::ranges::find(functions, name, &Function::name);
+    in.skipBlanks();
+    if (found == functions.end() || !in.take('('))
+        return std::nullopt;
+    std::array<double, 6> v{};
+    std::size_t count = 0;
+    for (in.skipBlanks(); !in.take(')'); in.skipSeparator()) {
+        const auto number = in.number();
+        if (!number || count == found->most)
+            return std::nullopt;
+        v[count++] = *number;
+        const auto unit = in.word(); // CSS writes units here
+        if (!unit.empty() && unit != "px" && unit != "deg")
+            return std::nullopt;
+    }
+    if (count < found->fewest || (found->name == "rotate" && count == 2))
+        return std::nullopt;
+    if (found->name == "scale" && count == 1)
+        v[1] = v[0];
+    return found->matrix(v);
+}
+
+// "xMidYMin" -> where the free space goes: 0, 1/2 or 1 of it before the drawing.
+Point alignment(std::string_view word)
+{
+    const auto part = [](std::string_view s) { return s == "Min" ? 0.0 : s == "Max" ? 1.0 : 0.5; };
+    return word.size() == 8 ? Point{part(word.substr(1, 3)), part(word.substr(5, 3))}
+                            : Point{0.5, 0.5};
+}
+
+} // namespace
+
+double Matrix::scale() const { return std::sqrt(std::abs(determinant())); }
+
+bool Matrix::keepsShapes() const
+{
+    const double slack = 1e-6 * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d));
+    const auto same = [&](double x, double y) { return std::abs(x - y) <= slack; };
+    return (same(a, d) && same(b, -c)) || (same(a, -d) && same(b, c));
+}
+
+Matrix operator*(const Matrix& outer, const Matrix& inner)
+{
+    const auto& [a, b, c, d, e, f] = inner;
+    return {outer.a * a + outer.c * b,           outer.b * a + outer.d * b,
+            outer.a * c + outer.c * d,           outer.b * c + outer.d * d,
+            outer.a * e + outer.c * f + outer.e, outer.b * e + outer.d * f + outer.f};
+}
+
+Matrix translation(const Point& by) { return {1, 0, 0, 1, by.x, by.y}; }
+
+std::optional<Matrix> parseTransform(std::string_view text)
+{
+    Matrix result;
+    if (trimmed(text) == "none")
+        return result;
+    Scanner in(text);
+    for (in.skipBlanks(); !in.atEnd(); in.skipSeparator()) {
+        const auto next = parseFunction(in);
+        if (!next)
+            return std::nullopt;
+        result = result * *next;
+    }
+    return result;
+}
+
+void transform(Path& path, const Matrix& matrix)
+{
+    path.start = matrix(path.start);
+    for (Stretch& stretch : path.stretches) {
+        stretch.to = matrix(stretch.to);
+        if (stretch.curved) {
+            stretch.control1 = matrix(stretch.control1);
+            stretch.control2 = matrix(stretch.control2);
+        }
+    }
+}
+
+std::optional<Box> parseViewBox(std::string_view text)
+{
+    std::array<double, 4> v{};
+    Scanner in(trimmed(text));
+    for (double& number : v) {
+        const auto read = in.number();
+        if (!read)
+            return std::nullopt;
+        number = *read;
+        in.skipSeparator();
+    }
+    if (!(v[2] > 0 && v[3] > 0))
+        return std::nullopt;
+    return Box{{v[0], v[1]}, {v[2], v[3]}};
+}
+
+Matrix viewBoxTransform(const Box& viewBox, const Box& viewport,
+                        std::string_view preserveAspectRatio)
+{
+    Point scale = viewport.size / viewBox.size;
+    Scanner words(trimmed(preserveAspectRatio));
+    auto align = words.word();
+    if (align == "defer") {
+        words.skipBlanks();
+        align = words.word();
+    }
+    words.skipBlanks();
+    if (align != "none")
+        scale = Point(words.word() == "slice" ? std::max(scale.x, scale.y)
+                                              : std::min(scale.x, scale.y));
+    const Point free = viewport.size - viewBox.size * scale;
+    return translation(viewport.min + free * alignment(align))
+           * Matrix{scale.x, 0, 0, scale.y, 0, 0} * translation(-viewBox.min);
+}
+
+} // namespace app::svg

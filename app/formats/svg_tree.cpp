@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg_tree.h"
+
+#include "app/formats/svg_limits.h"
+#include "app/formats/svg_refused.h"
+#include "app/formats/svg_scanner.h"
+
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <array>
+
+namespace app::svg {
+namespace {
+
+struct Namespace {
+    QLatin1StringView uri;
+    std::string_view prefix;
+};
+constexpr std::array namespaces{
+    Namespace{QLatin1StringView("http://www.w3.org/2000/svg"), ""},
+    Namespace{QLatin1StringView("http://www.w3.org/1999/xlink"), "xlink:"},
+    Namespace{QLatin1StringView("http://www.inkscape.org/namespaces/inkscape"), "inkscape:"},
+    Namespace{QLatin1StringView("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"), "sodipodi:"},
+    Namespace{QLatin1StringView("urn:clearcut:1"), "clearcut:"},
+};
+
+void append(std::string& text, QStringView added)
+{
+    const auto ascii = std::ranges::all_of(added, [](QChar c) { return c.unicode() < 0x80; });
+    if (ascii)
+        std::ranges::transform(added, std::back_inserter(text), &QChar::toLatin1);
+    else
+        text += added.toUtf8().toStdString();
+    if (text.size() > mostText)
+        throw Refused{tr("it holds more than %1 bytes of text.").arg(mostText), Refused::wholeFile};
+}
+
+// The sentence for a file that is not XML to its end.
+Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
+{
+    const qint64 line = xml.lineNumber();
+    if (xml.error() == QXmlStreamReader::PrematureEndOfDocumentError)
+        return elements == 0 ? Refused{tr("it is empty."), Refused::wholeFile}
+                             : Refused{tr("is not complete; the file ends too early."), line};
+    QString reason = xml.errorString().trimmed();
+    while (reason.endsWith(u'.'))
+        reason.chop(1);
+    if (elements == 0)
+        return {tr("it is not an SVG drawing (%1).").arg(reason), Refused::wholeFile};
+    return {tr("is not correct XML (%1).").arg(reason), line};
+}
+
+} // namespace
+
+class TreeBuilder {
+public:
+    explicit TreeBuilder(QIODevice& in) : xml_(&in)
+    {
+        tree_.text_.reserve(1000); // on the heap, so that views of it survive a move
+        tree_.names_ = {otherName};
+    }
+
+    Tree build()
+    {
+        while (!xml_.atEnd())
+            take(xml_.readNext());
+        if (xml_.hasError())
+            throw whyNot(xml_, tree_.elements_.size());
+        tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
+        tree_.attributes_.emplace_back(); // so that the end of the last ones has an address
+        tree_.elements_.shrink_to_fit();
+        return std::move(tree_);
+    }
+
+private:
+    void take(QXmlStreamReader::TokenType token)
+    {
+        if (token == QXmlStreamReader::StartElement)
+            open();
+        else if (token == QXmlStreamReader::EndElement)
+            close();
+        else if (token == QXmlStreamReader::Characters && inStyle_)
+            append(tree_.styleSheet_, xml_.text());
+    }
+
+    void open()
+    {
+        const auto name = nameIndex(xml_.namespaceUri(), xml_.name());
+        if (tree_.elements_.empty() && tree_.names_[name] != "svg")
+            throw Refused{
+                tr("it is not an SVG drawing; its first element is <%1>.").arg(xml_.name()),
+                Refused::wholeFile};
+        if (open_.size() == deepestNesting)
+            throw Refused{
+                tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting),
+                xml_.lineNumber()};
+        if (tree_.elements_.size() == mostElements)
+            throw Refused{tr("it has more than %1 elements.").arg(mostElements),
+                          Refused::wholeFile};
+        const Node parent = open_.empty() ? noNode : open_.back();
+        open_.push_back(Node(tree_.elements_.size()));
+        tree_.elements_.push_back({name, parent, 0, std::uint32_t(tree_.attributes_.size()),
+                                   std::uint32_t(xml_.lineNumber())});
+        for (const QXmlStreamAttribute& attribute : xml_.attributes())
+            addAttribute(attribute);
+        inStyle_ = tree_.names_[name] == "style";
+    }
+
+    void addAttribute(const QXmlStreamAttribute& attribute)
+    {
+        const auto name = nameIndex(attribute.namespaceUri(), attribute.name());
+        if (tree_.names_[name] == otherName)
+            return;
+        const auto offset = tree_.text_.size();
+        append(tree_.text_, attribute.value());
+        tree_.attributes_.push_back(
+            {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
+    }
+
+    void close()
+    {
+        tree_.elements_[open_.back()].end = Node(tree_.elements_.size());
+        open_.pop_back();
+        if (inStyle_)
+            tree_.styleSheet_ += '\n';
+        inStyle_ = false;
+    }
+
+    std::uint32_t nameIndex(QStringView uri, QStringView local)
+    {
+        std::string_view prefix = "";
+        if (!uri.empty()) {
+            const auto found = std::ranges::find_if(
+                namespaces, [&](const Namespace& known) { return known.uri == uri; });
+            if (found == namespaces.end())
+                return intern(otherName);
+            prefix = found->prefix;
+        }
+        key_ = prefix;
+        append(key_, local);
+        return intern(key_);
+    }
+
+    std::uint32_t intern(const std::string& name)
+    {
+        if (indices_.size() == mostNames && !indices_.contains(name))
+            return intern(otherName);
+        const auto [at, isNew] = indices_.try_emplace(name, std::uint32_t(tree_.names_.size()));
+        if (isNew)
+            tree_.names_.push_back(name);
+        return at->second;
+    }
+
+    static inline const std::string otherName = "other";
+
+    QXmlStreamReader xml_;
+    Tree tree_;
+    std::vector<Node> open_;
+    std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
+    std::string key_;
+    bool inStyle_ = false;
+};
+
+Tree Tree::read(QIODevice& in)
+{
+    Tree tree = TreeBuilder(in).build();
+    for (Node node = 0; node + 1 < tree.elements_.size(); ++node)
+        if (const auto id = tree.attribute(node, "id"); !id.empty())
+            tree.ids_.try_emplace(id, node);
+    return tree;
+}
+
+std::string_view Tree::attribute(Node node, std::string_view name) const
+{
+    const auto found = std::find_if(begin(node), last(node), [&](const Attribute& attribute) {
+        return names_[attribute.name] == name;
+    });
+    return found == last(node) ? std::string_view() : valueOf(*found);
+}
+
+Node Tree::find(std::string_view id) const
+{
+    const auto found = ids_.find(id);
+    return found == ids_.end() ? noNode : found->second;
+}
+
+Node Tree::findReference(std::string_view reference) const
+{
+    reference = trimmed(reference);
+    if (reference.starts_with("url(") && reference.ends_with(')'))
+        reference = trimmed(reference.substr(4, reference.size() - 5));
+    const auto isQuote = [](char c) { return c == '"' || c == '\''; };
+    if (reference.size() >= 2 && isQuote(reference.front())
+        && reference.back() == reference.front())
+        reference = trimmed(reference.substr(1, reference.size() - 2));
+    return reference.starts_with('#') ? find(reference.substr(1)) : noNode;
+}
+
+} // namespace app::svg

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QIODevice>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace app::svg {
+
+/// An element: its place in document order. 0 is the root.
+using Node = std::uint32_t;
+constexpr Node noNode = ~Node(0);
+
+/// The elements of a file and their attributes, as compact as they can be: 100,000 lines take
+/// about as much memory as their file. Names are those of SVG's own namespace; those of Inkscape,
+/// Sodipodi, XLink and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
+class Tree {
+public:
+    /// Throws Refused for what is not well-formed, not SVG or beyond the limits. External entities
+    /// are never fetched.
+    static Tree read(QIODevice& in);
+
+    Tree(Tree&&) = default;
+
+    struct Attribute {
+        std::uint32_t name; ///< for nameOf()
+        std::uint32_t length;
+        std::uint32_t offset;
+    };
+
+    std::string_view name(Node node) const { return names_[elements_[node].name]; }
+    Node parent(Node node) const { return elements_[node].parent; } ///< noNode: it is the root
+    /// One past the last descendant, which is where the next sibling begins.
+    Node end(Node node) const { return elements_[node].end; }
+    qint64 line(Node node) const { return elements_[node].line; }
+
+    /// "" if there is none.
+    std::string_view attribute(Node node, std::string_view name) const;
+    const Attribute* begin(Node node) const { return &attributes_[elements_[node].attributes]; }
+    const Attribute* last(Node node) const { return &attributes_[elements_[node + 1].attributes]; }
+    std::string_view valueOf(const Attribute& attribute) const
+    {
+        return std::string_view(text_).substr(attribute.offset, attribute.length);
+    }
+    const std::string& nameOf(std::uint32_t name) const { return names_[name]; }
+    std::size_t nameCount() const { return names_.size(); }
+
+    /// The text of all <style> elements.
+    const std::string& styleSheet() const { return styleSheet_; }
+
+    /// The first element of that id, or noNode.
+    Node find(std::string_view id) const;
+    /// What "url(#id)", "#id" or "url('#id')" refers to.
+    Node findReference(std::string_view reference) const;
+
+private:
+    friend class TreeBuilder;
+    Tree() = default;
+    struct Element {
+        std::uint32_t name;
+        Node parent, end;
+        std::uint32_t attributes; ///< the first of them; the next element's is the end
+        std::uint32_t line;
+    };
+    std::vector<Element> elements_; ///< and one more, which closes the attributes
+    std::vector<Attribute> attributes_;
+    std::vector<std::string> names_;
+    std::string text_, styleSheet_;
+    std::unordered_map<std::string_view, Node> ids_;
+};
+
+/// The children of an element, for range-based loops.
+class Children {
+public:
+    Children(const Tree& tree, Node parent) : tree_(tree), parent_(parent) {}
+
+    struct Iterator {
+        const Tree* tree;
+        Node node;
+        Node operator*() const { return node; }
+        Iterator& operator++() { return node = tree->end(node), *this; }
+        friend bool operator==(const Iterator& a, const Iterator& b) { return a.node == b.node; }
+    };
+    Iterator begin() const { return {&tree_, parent_ + 1}; }
+    Iterator end() const { return {&tree_, tree_.end(parent_)}; }
+
+private:
+    const Tree& tree_;
+    Node parent_;
+};
+
+} // namespace app::svg

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements that draw others elsewhere (<use>, <symbol>) or in a viewport of their own (<svg>).
+#include "app/formats/svg_refused.h"
+#include "app/formats/svg_scanner.h"
+#include "app/formats/svg_walk.h"
+
+namespace app::svg {
+
+void Walk::drawUse(Node node, const Place& around)
+{
+    Place place = inside(node, around);
+    reportEffects(place.properties, true);
+    auto href = tree_.attribute(node, "href");
+    if (href.empty())
+        href = tree_.attribute(node, "xlink:href");
+    const Node target = tree_.findReference(href);
+    if (target == noNode) {
+        if (!trimmed(href).starts_with('#'))
+            report_.lost(tr("references to other files"));
+        return;
+    }
+    const bool ownAncestor = target <= node && node < tree_.end(target);
+    if (ownAncestor || std::ranges::find(used_, target) != used_.end())
+        throw Refused{tr("has a <use> that repeats itself for ever.")};
+    const Point shift{place.lengths.x(tree_.attribute(node, "x")).value_or(0),
+                      place.lengths.y(tree_.attribute(node, "y")).value_or(0)};
+    place.matrix = place.matrix * translation(shift);
+    place.useId = around.repeated ? around.useId : tree_.attribute(node, "id");
+    place.repeated = true;
+    used_.push_back(target);
+    drawUsed(node, target, place);
+    used_.pop_back();
+}
+
+void Walk::drawUsed(Node use, Node target, const Place& place)
+{
+    const auto name = tree_.name(target);
+    if (name != "symbol" && name != "svg") {
+        draw(target, place);
+        return;
+    }
+    node_ = target;
+    drawViewport(target, use, inside(target, place));
+}
+
+void Walk::drawNestedSvg(Node node, const Place& around)
+{
+    const Place place = inside(node, around);
+    reportEffects(place.properties, true);
+    drawViewport(node, node, place);
+}
+
+// `sizes` is the element that says how large the viewport is: a <use> overrides what it draws.
+void Walk::drawViewport(Node node, Node sizes, const Place& around)
+{
+    const Lengths& lengths = around.lengths;
+    const auto size = [&](std::string_view name, double whole) {
+        auto text = trimmed(tree_.attribute(sizes, name));
+        if (text.empty() || text == "auto")
+            text = trimmed(tree_.attribute(node, name));
+        return lengths.parse(text, whole).value_or(whole);
+    };
+    Box viewport{{}, {size("width", lengths.viewport.x), size("height", lengths.viewport.y)}};
+    if (tree_.name(node) == "svg")
+        viewport.min = {lengths.x(tree_.attribute(node, "x")).value_or(0),
+                        lengths.y(tree_.attribute(node, "y")).value_or(0)};
+    if (!(viewport.size.x > 0 && viewport.size.y > 0))
+        return;
+    Place place = around;
+    const auto box = parseViewBox(tree_.attribute(node, "viewBox"));
+    if (box)
+        place.matrix =
+            place.matrix
+            * viewBoxTransform(*box, viewport, tree_.attribute(node, "preserveAspectRatio"));
+    else
+        place.matrix = place.matrix * translation(viewport.min);
+    place.lengths.viewport = box ? box->size : viewport.size;
+    drawChildren(node, place);
+}
+
+} // namespace app::svg

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg_walk.h"
+
+#include "app/formats/svg_limits.h"
+#include "app/formats/svg_refused.h"
+#include "app/formats/svg_scanner.h"
+
+#include <array>
+#include <cmath>
+
+namespace app::svg {
+namespace {
+
+// What is drawn by others and cannot be kept. Everything else draws nothing by itself.
+struct Foreign {
+    std::string_view element;
+    const char* what;
+};
+constexpr std::array foreigners{
+    Foreign{"text", QT_TRANSLATE_NOOP("svg", "texts")},
+    Foreign{"flowRoot", QT_TRANSLATE_NOOP("svg", "texts")},
+    Foreign{"image", QT_TRANSLATE_NOOP("svg", "images")},
+    Foreign{"foreignObject", QT_TRANSLATE_NOOP("svg", "foreign objects")},
+    Foreign{"animate", QT_TRANSLATE_NOOP("svg", "animations")},
+    Foreign{"animateTransform", QT_TRANSLATE_NOOP("svg", "animations")},
+    Foreign{"animateMotion", QT_TRANSLATE_NOOP("svg", "animations")},
+    Foreign{"animateColor", QT_TRANSLATE_NOOP("svg", "animations")},
+    Foreign{"set", QT_TRANSLATE_NOOP("svg", "animations")},
+    Foreign{"script", QT_TRANSLATE_NOOP("svg", "scripts")},
+};
+
+bool finite(const Path& path)
+{
+    const auto small = [](const Point& p) {
+        return std::abs(p.x) <= largestCoordinate && std::abs(p.y) <= largestCoordinate;
+    };
+    return small(path.start) && std::ranges::all_of(path.stretches, [&](const Stretch& stretch) {
+               return small(stretch.to) && small(stretch.control1) && small(stretch.control2);
+           });
+}
+
+} // namespace
+
+const Walk::Row* Walk::find(std::string_view element)
+{
+    static constexpr std::array all{
+        Row{"g", &Walk::drawGroup},         Row{"a", &Walk::drawGroup},
+        Row{"svg", &Walk::drawNestedSvg},   Row{"use", &Walk::drawUse},
+        Row{"switch", &Walk::drawSwitch},   Row{"path", &Walk::drawOutline},
+        Row{"line", &Walk::drawOutline},    Row{"polyline", &Walk::drawOutline},
+        Row{"polygon", &Walk::drawOutline}, Row{"rect", &Walk::drawOutline},
+        Row{"circle", &Walk::drawOutline},  Row{"ellipse", &Walk::drawOutline},
+    };
+    const auto found = std::ranges::find(all, element, &Row::element);
+    return found == all.end() ? nullptr : &*found;
+}
+
+Walk::Walk(const Tree& tree, Sheet& sheet, Report& report)
+    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report), layers_(sheet)
+{
+}
+
+void Walk::drawAll(const Matrix& rootMatrix, const Point& viewport)
+{
+    Place place;
+    place.matrix = rootMatrix;
+    place.lengths.viewport = viewport;
+    drawChildren(0, inside(0, place));
+    layers_.finish();
+    report_.lost(tr("style rules"), styles_.ignoredRules());
+    report_.lost(tr("layers above the first 999 (put into one)"), layers_.merged() ? 1 : 0);
+}
+
+void Walk::draw(Node node, const Place& around)
+{
+    node_ = node;
+    if (around.depth > deepestNesting)
+        throw Refused{
+            tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
+    if (around.repeated && ++repeated_ > mostRepeated)
+        throw Refused{
+            tr("is where elements repeated by <use> become more than %1.").arg(mostRepeated)};
+    const auto name = tree_.name(node);
+    if (const Row* row = find(name)) {
+        (this->*row->draw)(node, around);
+        return;
+    }
+    const auto foreign = std::ranges::find(foreigners, name, &Foreign::element);
+    if (foreign != foreigners.end())
+        report_.lost(tr(foreign->what));
+}
+
+void Walk::drawChildren(Node node, const Place& place)
+{
+    for (const Node child : Children(tree_, node))
+        draw(child, place);
+}
+
+Place Walk::inside(Node node, const Place& around)
+{
+    Place place = around;
+    place.properties = styles_.of(node, around.properties, around.lengths);
+    place.lengths.fontSize = place.properties.fontSize;
+    place.opacity *= place.properties.opacity;
+    place.hidden = place.hidden || !place.properties.displayed;
+    place.useId = {};
+    ++place.depth;
+    if (const auto matrix = parseTransform(place.properties.transform))
+        place.matrix = place.matrix * *matrix;
+    else
+        report_.lost(tr("transforms that are not understood"));
+    return place;
+}
+
+void Walk::reportEffects(const Properties& properties, bool group)
+{
+    if (!properties.mask.empty())
+        report_.lost(tr("masks"));
+    if (!properties.filter.empty())
+        report_.lost(tr("filters"));
+    if (!properties.blending.empty())
+        report_.lost(tr("blend modes"));
+    if (!properties.clipPath.empty())
+        report_.lost(tr("clip paths"));
+    if (group && properties.opacity < 1)
+        report_.remark(tr("group opacities (given to each shape)"));
+}
+
+void Walk::drawGroup(Node node, const Place& around)
+{
+    const Place place = inside(node, around);
+    reportEffects(place.properties, true);
+    if (tree_.attribute(node, "inkscape:groupmode") == "layer" && !around.repeated)
+        drawLayer(node, place, around);
+    else
+        drawChildren(node, place);
+}
+
+void Walk::drawLayer(Node node, Place place, const Place& around)
+{
+    auto label = tree_.attribute(node, "inkscape:label");
+    if (label.empty())
+        label = tree_.attribute(node, "id");
+    const bool locked = tree_.attribute(node, "sodipodi:insensitive") == "true";
+    place.hidden = around.hidden; // where the layer itself is hidden, its shapes need not be
+    layers_.open({QString::fromUtf8(label), place.properties.displayed, locked});
+    drawChildren(node, place);
+    layers_.close();
+}
+
+void Walk::drawSwitch(Node node, const Place& around)
+{
+    const Place place = inside(node, around);
+    reportEffects(place.properties, true);
+    for (const Node child : Children(tree_, node)) {
+        const bool conditional = !tree_.attribute(child, "requiredExtensions").empty()
+                                 || !tree_.attribute(child, "systemLanguage").empty();
+        if (!conditional && find(tree_.name(child))) {
+            draw(child, place);
+            return;
+        }
+    }
+}
+
+void Walk::drawOutline(Node node, const Place& around)
+{
+    const Place place = inside(node, around);
+    const Properties& properties = place.properties;
+    const OutlineKind* kind = findOutlineKind(tree_.name(node));
+    Shape shape;
+    shape.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
+    if (shape.paths.empty() || place.matrix.determinant() == 0)
+        return;
+    reportEffects(properties, false);
+    shape.style =
+        paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());
+    if (properties.longDashes)
+        report_.lost(tr("dash patterns that are too long"));
+    if (kind->takesMarkers
+        && !(properties.markerStart.empty() && properties.markerMid.empty()
+             && properties.markerEnd.empty()))
+        report_.lost(tr("markers"));
+    if (shape.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
+        report_.lost(tr("unevenly stretched strokes (made even)"));
+    shape.hidden = place.hidden || !properties.visible;
+    shape.id = QString::fromUtf8(
+        around.useId.empty() && !place.repeated ? tree_.attribute(node, "id") : around.useId);
+    countParts(shape);
+    layers_.add(std::move(shape));
+}
+
+std::vector<Path> Walk::placed(Outline outline, const Matrix& matrix)
+{
+    if (outline.damaged)
+        report_.lost(tr("damaged shapes (kept as far as they are clear)"));
+    for (Path& path : outline.paths) {
+        transform(path, matrix);
+        if (!finite(path))
+            throw Refused{tr("has a coordinate that is too large to be drawn.")};
+    }
+    return std::move(outline.paths);
+}
+
+void Walk::countParts(const Shape& shape)
+{
+    const Style& style = shape.style;
+    if (!(style.width <= largestCoordinate && std::abs(style.dashOffset) <= largestCoordinate))
+        throw Refused{tr("has a stroke that is too large to be drawn.")};
+    parts_ += 1 + style.dashes.size();
+    for (const Path& path : shape.paths)
+        parts_ += 1 + path.stretches.size();
+    if (parts_ > mostParts)
+        throw Refused{tr("is where the drawing has more than %1 points.").arg(mostParts)};
+}
+
+} // namespace app::svg

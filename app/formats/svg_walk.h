@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/svg_layers.h"
+#include "app/formats/svg_outline.h"
+#include "app/formats/svg_paint.h"
+#include "app/formats/svg_transform.h"
+
+namespace app::svg {
+
+/// Where an element is drawn: what it gets from those around it.
+struct Place {
+    Matrix matrix{};         ///< to the sheet's coordinates
+    Properties properties{}; ///< of the element around it
+    Lengths lengths{};
+    double opacity = 1;       ///< the product of those around it
+    bool hidden = false;      ///< display="none" around it
+    bool repeated = false;    ///< inside a <use>
+    std::string_view useId{}; ///< of a <use> that draws just this element
+    int depth = 0;
+};
+
+/// Draws the tree into a sheet: one row of a list for each element that SVG can paint.
+class Walk {
+public:
+    Walk(const Tree& tree, Sheet& sheet, Report& report);
+
+    /// Everything under the root. Throws Refused.
+    void drawAll(const Matrix& rootMatrix, const Point& viewport);
+
+    qint64 line() const { return tree_.line(node_); } ///< of the element being drawn
+
+private:
+    struct Row {
+        std::string_view element;
+        void (Walk::*draw)(Node, const Place&);
+    };
+    static const Row* find(std::string_view element);
+
+    void draw(Node node, const Place& around);
+    void drawChildren(Node node, const Place& place);
+    /// The place of an element's content, its own transform and properties applied.
+    Place inside(Node node, const Place& around);
+    void reportEffects(const Properties& properties, bool group);
+
+    void drawGroup(Node node, const Place& around);
+    void drawLayer(Node node, Place place, const Place& around);
+    void drawSwitch(Node node, const Place& around);
+    void drawNestedSvg(Node node, const Place& around);
+    void drawUse(Node node, const Place& around);
+    void drawOutline(Node node, const Place& around);
+    void drawUsed(Node use, Node target, const Place& place);
+    void drawViewport(Node node, Node sizes, const Place& place);
+
+    std::vector<Path> placed(Outline outline, const Matrix& matrix);
+    void countParts(const Shape& shape);
+
+    const Tree& tree_;
+    Report& report_;
+    Styles styles_;
+    Paints paints_;
+    Layers layers_;
+    Node node_ = 0;
+    std::vector<Node> used_;   ///< the targets of the <use>s that are being drawn
+    std::size_t repeated_ = 0; ///< elements drawn through <use>
+    std::size_t parts_ = 0;
+};
+
+} // namespace app::svg

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+namespace app::svg {
+
+/// Writes a sheet so that read() gives the same sheet bit for bit (unless the precision is
+/// limited): layers as Inkscape's, runs of shapes of one style in a group that carries the style,
+/// the clip window in the metadata. Nothing, or the sentence that says what went wrong.
+std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
+
+} // namespace app::svg
