@@ -15,6 +15,7 @@ from drawings.hilbert import hilbert
 from drawings.landscape import landscape
 from drawings.paper import nine_regions, random_lines, rejected_lines
 from drawings.rosette import rosette
+from drawings.street_map import street_map
 
 HERE = Path(__file__).parent
 
@@ -22,6 +23,7 @@ HERE = Path(__file__).parent
 SAMPLES = {
     "rosette": rosette,
     "landscape": landscape,
+    "street-map": street_map,
     "hilbert": hilbert,
     "random-lines": random_lines,
     "nine-regions": nine_regions,

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: CC0-1.0
+"""Convex polygons as lists of points, the inside at the right of each edge on a page with y down."""
+
+from math import hypot
+
+
+def area(polygon):
+    around = zip(polygon, polygon[1:] + polygon[:1])
+    return sum(x1 * y2 - x2 * y1 for (x1, y1), (x2, y2) in around) / 2
+
+
+def centre(polygon):
+    return sum(x for x, _ in polygon) / len(polygon), sum(y for _, y in polygon) / len(polygon)
+
+
+def cut(polygon, place, inward):
+    """The part that lies on the inward side of the line through a place."""
+    kept = []
+    heights = [(x - place[0]) * inward[0] + (y - place[1]) * inward[1] for x, y in polygon]
+    for k, (x2, y2) in enumerate(polygon):
+        x1, y1 = polygon[k - 1]
+        low, high = heights[k - 1], heights[k]
+        if (low < 0) != (high < 0):
+            t = low / (low - high)
+            kept.append((x1 + t * (x2 - x1), y1 + t * (y2 - y1)))
+        if high >= 0:
+            kept.append((x2, y2))
+    return kept
+
+
+def edges(polygon):
+    """Start, unit direction and length of each edge that is long enough to have a direction."""
+    for k, (x, y) in enumerate(polygon):
+        nextx, nexty = polygon[(k + 1) % len(polygon)]
+        length = hypot(nextx - x, nexty - y)
+        if length > 1e-6:
+            yield (x, y), ((nextx - x) / length, (nexty - y) / length), length
+
+
+def inset(polygon, distance):
+    """What is at least so far from every edge; empty if nothing is."""
+    left = polygon
+    for (x, y), (ux, uy), _ in edges(polygon):
+        left = cut(left, (x - distance * uy, y + distance * ux), (-uy, ux))
+    return left
+
+
+def extent(polygon, direction):
+    along = [x * direction[0] + y * direction[1] for x, y in polygon]
+    return min(along), max(along)
+
+
+def apart(one, other, tolerance=1e-3):
+    """Whether an edge of either one has the other wholly beyond it: they touch at most."""
+    for first, second in ((one, other), (other, one)):
+        for (x, y), (ux, uy), _ in edges(first):
+            if all((py - y) * ux - (px - x) * uy < tolerance for px, py in second):
+                return True
+    return False
+
+
+def holds(polygon, point, tolerance=1e-3):
+    px, py = point
+    return all((py - y) * ux - (px - x) * uy > -tolerance for (x, y), (ux, uy), _ in edges(polygon))
