@@ -8,7 +8,7 @@ is short and the same on every machine, whatever the last bit of its sine.
 import math
 
 DECIMALS = 2
-CLEARCUT = "https://clearcut.example/ns"
+CLEARCUT = "urn:clearcut:1"
 
 HEAD = """<?xml version="1.0" encoding="UTF-8"?>
 <!-- SPDX-License-Identifier: CC0-1.0 -->
@@ -17,7 +17,7 @@ HEAD = """<?xml version="1.0" encoding="UTF-8"?>
  xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" xmlns:clearcut="{namespace}"
  width="{width}" height="{height}" viewBox="{view}" fill="none" stroke-linecap="round" stroke-linejoin="round">
 <title>{title}</title>
-<metadata><clearcut:window x="{window[0]}" y="{window[1]}" width="{window[2]}" height="{window[3]}"/></metadata>
+<metadata><clearcut:window xmin="{window[0]}" ymin="{window[1]}" xmax="{window[2]}" ymax="{window[3]}"/></metadata>
 """
 
 
@@ -84,12 +84,13 @@ class Artwork:
         return sum(layer.lines for layer in self.layers)
 
     def svg(self):
+        x, y, width, height = self.window
         head = HEAD.format(
             namespace=CLEARCUT,
             width=self.size[0],
             height=self.size[1],
             view=" ".join(number(value) for value in self.view),
-            window=[number(value) for value in self.window],
+            window=[number(value) for value in (x, y, x + width, y + height)],
             title=self.title,
         )
         return head + "\n".join(layer.svg() for layer in self.layers) + "\n</svg>\n"
