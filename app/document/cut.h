@@ -12,17 +12,17 @@ struct CutOptions {
     const clipping::Uses<clipping::Segment, clipping::Window>* algorithm = nullptr; ///< not null
     clipping::Window window{};
     Keep keep = Keep::Inside;
-    double tolerance = 0;       ///< user units, flattening of curves; 0: 0.05 mm on paper
-    bool keepContacts = false;  ///< single points of a longer line (CSV keeps them)
-    bool onlyShown = true;      ///< hidden shapes and layers are left out (export); else kept as is
+    double tolerance = 0;      ///< user units, flattening of curves; 0: 0.05 mm on paper
+    bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
+    bool onlyShown = true;     ///< hidden shapes and layers are left out (export); else kept as is
 };
 
 /// What a cut did, for the report.
 struct CutCounts {
-    std::size_t whole = 0;   ///< shapes that came back unchanged
-    std::size_t cut = 0;     ///< shapes of which a part is left
-    std::size_t gone = 0;    ///< shapes of which nothing is left
-    std::size_t opened = 0;  ///< closed paths that are open now
+    std::size_t whole = 0;    ///< shapes that came back unchanged
+    std::size_t cut = 0;      ///< shapes of which a part is left
+    std::size_t gone = 0;     ///< shapes of which nothing is left
+    std::size_t opened = 0;   ///< closed paths that are open now
     std::size_t unfilled = 0; ///< shapes that lost their fill (outlined in it if without stroke)
     std::size_t segmentsBefore = 0, segmentsAfter = 0;
 };

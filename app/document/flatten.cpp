@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/flatten.h"
 
+#include "app/document/bezier.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -10,13 +12,6 @@ namespace app {
 namespace {
 
 constexpr int mostChords = 10'000; // of one curve, however large it is
-
-Point pointAt(const Point& a, const Stretch& curve, double t)
-{
-    const double s = 1 - t;
-    return s * s * s * a + 3 * s * s * t * curve.control1 + 3 * s * t * t * curve.control2
-           + t * t * t * curve.to;
-}
 
 // Wang's bound: n chords of equal parameter stay within |second difference| * 6 / (8 n^2).
 int chordCount(const Point& a, const Stretch& c, double tolerance)
@@ -38,7 +33,9 @@ void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
         const int n = stretch.curved ? chordCount(begin, stretch, tolerance) : 1;
         for (int k = 1; k <= n; ++k) {
             const double t = double(k) / n;
-            const Point next = k == n ? stretch.to : pointAt(begin, stretch, t);
+            const Point next =
+                k == n ? stretch.to
+                       : Bezier{begin, stretch.control1, stretch.control2, stretch.to}.at(t);
             chords.push_back({{last, next}, i, double(k - 1) / n, t});
             last = next;
         }

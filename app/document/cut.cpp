@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/cut.h"
+
+#include "app/document/runs.h"
+#include "clipping/outside.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace app {
+namespace {
+
+using clipping::Clipped;
+
+/// All shapes as chords in one array, so that one call of the algorithm clips them all.
+struct Chords {
+    std::vector<Chord> all;
+    std::vector<std::size_t> first; ///< of each path in drawing order, and the end
+
+    std::span<const Chord> of(std::size_t path) const
+    {
+        return std::span(all).subspan(first[path], first[path + 1] - first[path]);
+    }
+};
+
+Chords chordsOf(const Sheet& sheet, double tolerance)
+{
+    Chords chords;
+    for (const Shape& shape : sheet.shapes)
+        for (const Path& path : shape.paths) {
+            chords.first.push_back(chords.all.size());
+            if (sheet.shown(shape))
+                flatten(path, tolerance, chords.all);
+        }
+    chords.first.push_back(chords.all.size());
+    return chords;
+}
+
+std::vector<Clipped> keptPieces(const std::vector<Chord>& chords, const CutOptions& options)
+{
+    std::vector<clipping::Segment> segments(chords.size());
+    std::ranges::transform(chords, segments.begin(), &Chord::segment);
+    std::vector<Clipped> inside(segments.size());
+    inside.resize(options.algorithm->clipAll(segments, options.window, inside));
+    if (options.keep == Keep::Inside)
+        return inside;
+    std::vector<Clipped> outside(segments.size() + inside.size());
+    outside.resize(clipping::outsideAll(segments, inside, outside));
+    return outside;
+}
+
+class Cutter {
+public:
+    Cutter(const Sheet& sheet, const CutOptions& options)
+        : options_(options), sheet_(sheet),
+          chords_(chordsOf(sheet, options.tolerance > 0
+                                      ? options.tolerance
+                                      : flatteningMillimetres / sheet.page.millimetresPerUnit())),
+          pieces_(keptPieces(chords_.all, options)), next_(pieces_.begin())
+    {
+        result_.sheet.page = sheet.page;
+        result_.sheet.layers = sheet.layers;
+        result_.sheet.window = sheet.window;
+    }
+
+    Cut cut()
+    {
+        for (const Shape& shape : sheet_.shapes) {
+            if (sheet_.shown(shape)) {
+                cutShape(shape);
+            } else {
+                path_ += shape.paths.size();
+                if (!options_.onlyShown)
+                    result_.sheet.shapes.push_back(shape);
+            }
+        }
+        result_.counts.segmentsBefore = chords_.all.size();
+        return std::move(result_);
+    }
+
+private:
+    // The pieces of the next path, without contacts unless they are wanted.
+    std::vector<KeptPart> partsOfNextPath()
+    {
+        const std::size_t first = chords_.first[path_], end = chords_.first[path_ + 1];
+        std::vector<KeptPart> parts;
+        for (; next_ != pieces_.end() && next_->source < end; ++next_) {
+            const auto& [a, b] = next_->segment;
+            const auto& chord = chords_.all[next_->source].segment;
+            if (a == b && chord.a != chord.b && !options_.keepContacts)
+                continue;
+            parts.push_back({next_->source - first, next_->segment,
+                             clipping::cutEdgeOfA(next_->cut), clipping::cutEdgeOfB(next_->cut)});
+        }
+        result_.counts.segmentsAfter += parts.size();
+        return parts;
+    }
+
+    void cutShape(const Shape& shape)
+    {
+        const OverStart overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
+        std::vector<Run> runs;
+        bool whole = true;
+        std::size_t opened = 0;
+        for (const Path& path : shape.paths) {
+            const auto parts = partsOfNextPath();
+            const auto kept =
+                joinRuns(path, chords_.of(path_++), parts, options_.window, overStart);
+            const bool unchanged = kept.size() == 1 && kept.front().path == path;
+            whole = whole && unchanged;
+            opened += path.closed && !unchanged && !kept.empty();
+            runs.insert(runs.end(), kept.begin(), kept.end());
+        }
+        CutCounts& counts = result_.counts;
+        if (whole) {
+            ++counts.whole;
+            result_.sheet.shapes.push_back(shape);
+        } else if (runs.empty()) {
+            ++counts.gone;
+        } else {
+            ++counts.cut;
+            counts.opened += opened;
+            counts.unfilled += shape.style.fill.has_value();
+            addCutShape(shape, runs);
+        }
+    }
+
+    // A cut shape has no inside to fill any more, so a shape that was only filled is outlined. A
+    // cap would reach over the window's edge, so its ends are butt. Dashes go on where they were,
+    // and as a shape has one dash offset, each dashed run becomes a shape of its own.
+    void addCutShape(const Shape& shape, std::vector<Run>& runs)
+    {
+        Shape cut{{}, shape.style, shape.id, shape.layer, false};
+        if (!cut.style.stroke)
+            cut.style.stroke = cut.style.fill;
+        cut.style.fill.reset();
+        cut.style.cap = Cap::Butt;
+        for (Run& run : runs) {
+            cut.paths.push_back(std::move(run.path));
+            if (shape.style.dashes.empty())
+                continue;
+            cut.style.dashOffset = shape.style.dashOffset + run.before;
+            result_.sheet.shapes.push_back(cut);
+            cut.paths.clear();
+            cut.id.clear(); // an id names one element
+        }
+        if (!cut.paths.empty())
+            result_.sheet.shapes.push_back(std::move(cut));
+    }
+
+    const CutOptions& options_;
+    const Sheet& sheet_;
+    const Chords chords_;
+    const std::vector<Clipped> pieces_;
+    std::vector<Clipped>::const_iterator next_;
+    std::size_t path_ = 0;
+    Cut result_;
+};
+
+} // namespace
+
+Cut cut(const Sheet& sheet, const CutOptions& options)
+{
+    assert(options.algorithm);
+    return Cutter(sheet, options).cut();
+}
+
+} // namespace app

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/runs.h"
+
+#include "app/document/bezier.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using clipping::Edge;
+
+/// The parameter and the point where a run begins or ends.
+struct End {
+    double t;
+    Point point;
+};
+
+Point startOf(const Path& path, std::size_t stretch)
+{
+    return stretch == 0 ? path.start : path.stretches[stretch - 1].to;
+}
+
+Bezier curveOf(const Path& path, std::size_t stretch)
+{
+    const Stretch& s = path.stretches[stretch];
+    return {startOf(path, stretch), s.control1, s.control2, s.to};
+}
+
+bool isCurve(const Path& path, std::size_t stretch)
+{
+    return stretch < path.stretches.size() && path.stretches[stretch].curved;
+}
+
+// Where the curve itself crosses the line of the edge within its chord's interval, by bisection;
+// where it does not (the chord cuts a corner that the curve misses), the chord's own cut.
+End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
+            const clipping::Window& window)
+{
+    const Point along = chord.segment.b - chord.segment.a;
+    const double length = glm::dot(along, along);
+    const double s = length > 0 ? glm::dot(cut - chord.segment.a, along) / length : 0.0;
+    const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
+    if (edge == Edge::None)
+        return {guess, cut};
+    const int axis = edge == Edge::Left || edge == Edge::Right ? 0 : 1;
+    const auto beyond = [&](double t) { return curve.at(t)[axis] > cut[axis]; };
+    double low = chord.t0, high = chord.t1;
+    const bool atLow = beyond(low);
+    if (atLow == beyond(high))
+        return {guess, cut};
+    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
+        (beyond(middle) == atLow ? low : high) = middle;
+    Point point = glm::clamp(curve.at(low), window.min, window.max);
+    point[axis] = cut[axis];
+    return {low, point};
+}
+
+class Runs {
+public:
+    Runs(const Path& path, std::span<const Chord> chords, const clipping::Window& window)
+        : path_(path), chords_(chords), window_(window)
+    {
+    }
+
+    void add(const KeptPart& part)
+    {
+        const Chord& chord = chords_[part.chord];
+        const bool curve = isCurve(path_, chord.stretch);
+        End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
+        const bool fresh = part.segment.a != chord.segment.a;
+        const bool over = part.segment.b != chord.segment.b;
+        if (curve && fresh)
+            begin = refined(curveOf(path_, chord.stretch), chord, begin.point, part.edgeA, window_);
+        if (curve && over)
+            end = refined(curveOf(path_, chord.stretch), chord, end.point, part.edgeB, window_);
+        if (fresh || !open_ || part.chord != next_) {
+            finishCurve();
+            runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});
+        }
+        if (curve)
+            extendCurve(chord.stretch, begin, end);
+        else if (finishCurve(); part.segment.a != part.segment.b || !path_.stretches.empty())
+            runs_.back().path.stretches.push_back({part.segment.b});
+        open_ = !over;
+        next_ = part.chord + 1;
+    }
+
+    std::vector<Run> take(bool join)
+    {
+        finishCurve();
+        if (join && open_ && next_ == chords_.size() && runs_.size() > 1
+            && runs_.front().path.start == chords_.front().segment.a && startsAtChord0_) {
+            auto& first = runs_.front().path.stretches;
+            auto& last = runs_.back().path.stretches;
+            last.insert(last.end(), first.begin(), first.end());
+            runs_.erase(runs_.begin());
+        }
+        return std::move(runs_);
+    }
+
+    void noteFirst(const KeptPart& part)
+    {
+        startsAtChord0_ = part.chord == 0 && part.segment.a == chords_[0].segment.a;
+    }
+
+private:
+    // Chords of one curve are gathered, so that the curve comes back as one.
+    void extendCurve(std::size_t stretch, const End& begin, const End& end)
+    {
+        if (curveStretch_ != stretch || begin.t != curveEnd_.t)
+            finishCurve();
+        if (curveStretch_ == path_.stretches.size() + 1) {
+            curveStretch_ = stretch;
+            curveBegin_ = begin;
+        }
+        curveEnd_ = end;
+    }
+
+    void finishCurve()
+    {
+        const std::size_t none = path_.stretches.size() + 1;
+        if (curveStretch_ == none)
+            return;
+        const bool whole = curveBegin_.t == 0 && curveEnd_.t == 1;
+        const Bezier part = curveOf(path_, curveStretch_).part(curveBegin_.t, curveEnd_.t);
+        runs_.back().path.stretches.push_back(
+            whole ? path_.stretches[curveStretch_]
+                  : Stretch{curveEnd_.point, part.control1, part.control2, true});
+        curveStretch_ = none;
+    }
+
+    double lengthBefore(const KeptPart& part)
+    {
+        for (; measured_ < part.chord; ++measured_) {
+            const auto& s = chords_[measured_].segment;
+            length_ += glm::distance(s.a, s.b);
+        }
+        return length_ + glm::distance(chords_[part.chord].segment.a, part.segment.a);
+    }
+
+    const Path& path_;
+    std::span<const Chord> chords_;
+    const clipping::Window& window_;
+    std::vector<Run> runs_;
+    bool open_ = false; ///< the last part reached its chord's end, `next_` would continue it
+    bool startsAtChord0_ = false;
+    std::size_t next_ = 0;
+    std::size_t curveStretch_ = path_.stretches.size() + 1; ///< this value: none is being gathered
+    End curveBegin_{}, curveEnd_{};
+    std::size_t measured_ = 0;
+    double length_ = 0;
+};
+
+bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
+{
+    return std::ranges::equal(chords, parts, [](const Chord& chord, const KeptPart& part) {
+        return chord.segment == part.segment;
+    });
+}
+
+} // namespace
+
+std::vector<Run> joinRuns(const Path& path, std::span<const Chord> chords,
+                          std::span<const KeptPart> parts, const clipping::Window& window,
+                          OverStart overStart)
+{
+    if (parts.empty())
+        return {};
+    if (isWhole(chords, parts))
+        return {{path, 0}};
+    Runs runs(path, chords, window);
+    runs.noteFirst(parts.front());
+    for (const KeptPart& part : parts)
+        runs.add(part);
+    return runs.take(path.closed && overStart == OverStart::Join);
+}
+
+} // namespace app
