@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: CC0-1.0
 """Smooth chance that is the same on every machine: gradient noise over an integer hash."""
 
+from functools import lru_cache
 from math import cos, floor, pi, sin
 
 _GRADIENTS = [(cos(2 * pi * k / 64), sin(2 * pi * k / 64)) for k in range(64)]
@@ -19,14 +20,19 @@ def unit(i, j, seed=0):
     return chance(i, j, seed) / 4294967296
 
 
+@lru_cache(maxsize=None)
+def _gradient(i, j, seed):
+    return _GRADIENTS[chance(i, j, seed) & 63]
+
+
 def noise(x, y, seed=0):
     """About -0.7 to 0.7, zero on whole coordinates."""
     i, j = floor(x), floor(y)
     u, v = x - i, y - j
-    g00 = _GRADIENTS[chance(i, j, seed) & 63]
-    g10 = _GRADIENTS[chance(i + 1, j, seed) & 63]
-    g01 = _GRADIENTS[chance(i, j + 1, seed) & 63]
-    g11 = _GRADIENTS[chance(i + 1, j + 1, seed) & 63]
+    g00 = _gradient(i, j, seed)
+    g10 = _gradient(i + 1, j, seed)
+    g01 = _gradient(i, j + 1, seed)
+    g11 = _gradient(i + 1, j + 1, seed)
     su, sv = u * u * u * (u * (6 * u - 15) + 10), v * v * v * (v * (6 * v - 15) + 10)
     low = g00[0] * u + g00[1] * v
     low += su * (g10[0] * (u - 1) + g10[1] * v - low)

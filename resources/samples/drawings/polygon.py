@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: CC0-1.0
 """Convex polygons as lists of points, the inside at the right of each edge on a page with y down."""
 
-from math import hypot
+from math import fsum, hypot
 
 
 def area(polygon):
     around = zip(polygon, polygon[1:] + polygon[:1])
-    return sum(x1 * y2 - x2 * y1 for (x1, y1), (x2, y2) in around) / 2
+    return fsum(x1 * y2 - x2 * y1 for (x1, y1), (x2, y2) in around) / 2
 
 
 def centre(polygon):
-    return sum(x for x, _ in polygon) / len(polygon), sum(y for _, y in polygon) / len(polygon)
+    return fsum(x for x, _ in polygon) / len(polygon), fsum(y for _, y in polygon) / len(polygon)
 
 
 def cut(polygon, place, inward):

@@ -5,7 +5,7 @@ A place is (x, depth) in mm. The page shows it at (x, SHORE - TILT * depth - hei
 """
 
 from bisect import bisect_left
-from math import exp, hypot
+from math import exp, fsum, hypot
 
 from .noise import fractal, ridged
 
@@ -26,7 +26,7 @@ MASSIFS = (
 
 
 def height(x, depth):
-    swell = sum(h * exp(-(((x - mx) / wx) ** 2) - ((depth - md) / wd) ** 2) for mx, md, wx, wd, h in MASSIFS)
+    swell = fsum(h * exp(-(((x - mx) / wx) ** 2) - ((depth - md) / wd) ** 2) for mx, md, wx, wd, h in MASSIFS)
     warp = 14 * fractal(x / 70, depth / 70, 2, 40)
     crest = ridged((x + warp) / 64 + 11.5, (depth - warp) / 64 + 46.7, 6, 7)
     shoulder = fractal(x / 45, depth / 45, 4, 90)
