@@ -33,7 +33,7 @@ def band(layer, inner, outer, waves, strands, points=2400):
 
 
 def rosette():
-    art = Artwork("Guilloche rosette", ("297mm", "297mm"), (0, 0, 297, 297), (73.5, 92.5, 150, 112))
+    art = Artwork("Guilloche rosette", ("297mm", "297mm"), (0, 0, 297, 297), (48.5, 73.5, 200, 150))
     plum = art.layer("Plum", PLUM, 0.2)
     blue = art.layer("Blue", BLUE, 0.2)
     ink = art.layer("Black", INK, 0.2)
