@@ -91,6 +91,7 @@ void Session::follow(const Change& change)
     }
     if (change.kind != Change::Kind::Window)
         inspect(std::nullopt);
+    pen.layer = std::min(pen.layer, std::uint32_t(sheet().layers.size() - 1));
 }
 
 } // namespace app

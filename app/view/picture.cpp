@@ -38,15 +38,39 @@ std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segm
     return all;
 }
 
+constexpr double leastLit = 1.5; // pixels
+
+// Whole, whatever of them the window leaves.
+Plate lit(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+{
+    Plating plating(options, options.selection.size());
+    for (const std::size_t index : options.selection) {
+        Shape shape = sheet.shapes[index];
+        const auto first = scene.firstSegmentOf(index), end = scene.firstSegmentOf(index + 1);
+        const auto whole = scene.segments().subspan(first, end - first);
+        if (whole.empty())
+            continue;
+        shape.style.fill.reset();
+        shape.style.stroke = options.light;
+        shape.style.width = std::max(shape.style.width, leastLit / options.view.zoom);
+        const auto pieces = untouched(whole);
+        plating.add(shape, whole, 0, pieces);
+    }
+    return plating.take();
+}
+
 } // namespace
 
 Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
                 const PictureOptions& options)
 {
-    if (options.removed == RemovedPart::Shown)
-        return {{}, plate(sheet, scene, untouched(scene.segments()), options)};
     const bool inside = options.keep == Keep::Inside;
     Picture picture;
+    picture.lit = lit(sheet, scene, options);
+    if (options.removed == RemovedPart::Shown) {
+        picture.kept = plate(sheet, scene, untouched(scene.segments()), options);
+        return picture;
+    }
     if (options.removed == RemovedPart::Ghosted)
         picture.ghost = plate(sheet, scene, inside ? frame.outside : frame.inside, options);
     picture.kept = plate(sheet, scene, inside ? frame.inside : frame.outside, options);

@@ -55,9 +55,9 @@ struct Plate {
 };
 
 /// One frame as simple things to paint: the ghost first, as a whole with the ghost's opacity (so
-/// that overlapping ghosts do not add up), and the kept part over it.
+/// that overlapping ghosts do not add up), the kept part over it, and over both what is selected.
 struct Picture {
-    Plate ghost, kept;
+    Plate ghost, kept, lit;
 };
 
 /// What a frame is made for.
@@ -67,6 +67,8 @@ struct PictureOptions {
     RemovedPart removed = RemovedPart::Ghosted;
     std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
+    std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
+    Colour light{};
 };
 
 /// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never

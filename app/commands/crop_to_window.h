@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/patch.h"
+#include "app/document/cut.h"
+
+#include <QUndoCommand>
+
+namespace app {
+
+/// Really cuts the drawing at its clip window.
+class CropToWindow : public QUndoCommand {
+public:
+    CropToWindow(Drawing& drawing, const CutOptions& options);
+
+    const CutCounts& counts() const { return counts_; }
+    void redo() override { apply(drawing_, patches_); }
+    void undo() override { revert(drawing_, patches_); }
+
+private:
+    Drawing& drawing_;
+    CutCounts counts_;
+    Patches patches_;
+};
+
+} // namespace app

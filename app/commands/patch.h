@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/drawing.h"
+
+#include <functional>
+#include <set>
+
+namespace app {
+
+/// Whether a command joins the one before it of its kind: key repeats are one step to undo.
+enum class Merging : std::uint8_t { Never, WithLast };
+
+/// What undo commands do to the shapes: `count` shapes from `first` on are exchanged for `shapes`.
+struct Patch {
+    std::size_t first = 0, count = 0;
+    std::vector<Shape> shapes;
+};
+
+/// Patches that do not overlap, ascending, all numbered as the drawing is before any is applied.
+using Patches = std::vector<Patch>;
+
+/// Applies them; what comes back, given to `revert`, undoes that, and the other way round.
+void apply(Drawing& drawing, Patches& patches);
+void revert(Drawing& drawing, Patches& patches);
+
+/// One patch for each run of neighbours among `shapes`, with a copy of each after `change`; a shape
+/// for which it says false is left out. Many short runs become one, with what is between them as
+/// it is, because each patch moves all the shapes above it.
+Patches patchesOf(const Sheet& sheet, const std::set<std::size_t>& shapes,
+                  const std::function<bool(Shape&)>& change);
+
+} // namespace app

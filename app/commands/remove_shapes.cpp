@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/remove_shapes.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes,
+                           const QString& text)
+    : QUndoCommand(text), drawing_(drawing),
+      patches_(patchesOf(drawing.sheet(), shapes, [](Shape&) { return false; }))
+{
+}
+
+RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes)
+    : RemoveShapes(
+        drawing, shapes,
+        QCoreApplication::translate("Commands", "Delete %n shape(s)", nullptr, int(shapes.size())))
+{
+}
+
+} // namespace app
