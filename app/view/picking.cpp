@@ -19,6 +19,19 @@ double distance(const Point& point, const clipping::Segment& s)
     return glm::distance(point, s.a + along * t);
 }
 
+std::optional<clipping::Window> boundsOf(const Scene& scene, const std::set<std::size_t>& shapes)
+{
+    std::optional<clipping::Window> all;
+    for (const std::size_t shape : shapes)
+        for (auto i = scene.firstSegmentOf(shape); i < scene.firstSegmentOf(shape + 1); ++i) {
+            const auto& s = scene.segments()[i];
+            const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
+            all = all ? clipping::Window{glm::min(all->min, min), glm::max(all->max, max)}
+                      : clipping::Window{min, max};
+        }
+    return all;
+}
+
 Picking::Picking(const Drawing& drawing, const Scene& scene, QObject* parent)
     : QObject(parent), drawing_(drawing), scene_(scene)
 {

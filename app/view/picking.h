@@ -48,6 +48,9 @@ private:
     mutable std::vector<std::uint32_t> start_, segments_; // of cell i: [start_[i], start_[i + 1])
 };
 
+/// What shapes cover; nothing if they have no segments.
+std::optional<clipping::Window> boundsOf(const Scene& scene, const std::set<std::size_t>& shapes);
+
 /// The distance from a point to a segment.
 double distance(const Point& point, const clipping::Segment& segment);
 

@@ -65,8 +65,8 @@ struct PictureOptions {
     View view;
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
-    std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
-    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
+    std::optional<Colour> page;        ///< make the inks visible on this page; nothing: as they are
+    double leastWidth = 0.75;          ///< logical pixels; thinner strokes are drawn so wide
     std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
     Colour light{};
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/session.h"
+#include "app/view/snap.h"
 #include "app/view/view.h"
 
 #include <QWidget>
@@ -13,6 +14,9 @@
 namespace ui {
 
 enum class Backend : std::uint8_t { Automatic, OpenGL, Raster };
+
+/// What scrolls. Automatic: a touchpad where the system reports its pixels.
+enum class PointingDevice : std::uint8_t { Automatic, Mouse, Touchpad };
 
 /// What the last frame took. `drawMs` is everything but the clipping: building the picture and
 /// painting it.
@@ -42,6 +46,10 @@ public:
 
     void setTool(std::string_view key); ///< one of ui::tools()
     std::string_view tool() const;
+    QString toolHint() const; ///< what it says now
+
+    void setSnapping(app::SnapTo to);
+    void setPointingDevice(PointingDevice device);
 
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< nothing selected: the drawing
@@ -63,9 +71,11 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    class Parts;
+    struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 

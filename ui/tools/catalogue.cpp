@@ -8,33 +8,44 @@
 
 namespace ui {
 
+// Each in the file of its name, KEY_tool.cpp.
+std::unique_ptr<Tool> makeSelectTool();
+std::unique_ptr<Tool> makeHandTool();
+std::unique_ptr<Tool> makeZoomTool();
+std::unique_ptr<Tool> makeLineTool();
+std::unique_ptr<Tool> makePolylineTool();
+std::unique_ptr<Tool> makePencilTool();
+std::unique_ptr<Tool> makeRectangleTool();
+std::unique_ptr<Tool> makeEllipseTool();
+std::unique_ptr<Tool> makeWindowTool();
+
 std::span<const ToolInfo> tools()
 {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Tools", text); };
-    const auto none = [] { return std::make_unique<Tool>(); };
     // THE CATALOGUE. To add a tool: write its file, declare its maker above, and add its row here.
     static const std::array all{
         ToolInfo{"select", tr("Select"),
                  tr("Click a line to select it, drag to box-select. Shift adds."),
-                 QKeySequence("V"), none},
-        ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), none},
+                 QKeySequence("V"), makeSelectTool},
+        ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), makeHandTool},
         ToolInfo{"zoom", tr("Zoom"), tr("Drag to zoom to a rectangle, click to zoom in, Alt: out."),
-                 QKeySequence("Z"), none},
+                 QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
-                 QKeySequence("L"), none},
+                 QKeySequence("L"), makeLineTool},
         ToolInfo{"polyline", tr("Polyline"),
                  tr("Click the corners. Enter or double-click ends, Backspace takes one back, Esc "
                     "cancels."),
-                 QKeySequence("P"), none},
-        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"), none},
+                 QKeySequence("P"), makePolylineTool},
+        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
+                 makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
                  tr("Drag to draw a rectangle. Shift: square, Alt: from the centre."),
-                 QKeySequence("R"), none},
+                 QKeySequence("R"), makeRectangleTool},
         ToolInfo{"ellipse", tr("Ellipse"),
                  tr("Drag to draw an ellipse. Shift: circle, Alt: from the centre."),
-                 QKeySequence("E"), none},
+                 QKeySequence("E"), makeEllipseTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window, Shift: square"),
-                 QKeySequence("W"), none},
+                 QKeySequence("W"), makeWindowTool},
     };
     return all;
 }

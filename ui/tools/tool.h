@@ -2,7 +2,11 @@
 #pragma once
 
 #include "app/document/session.h"
+#include "app/view/grips.h"
+#include "app/view/picking.h"
+#include "app/view/snap.h"
 #include "app/view/view.h"
+#include "ui/canvas/canvas_colours.h"
 
 #include <QCursor>
 #include <QKeyEvent>
@@ -29,7 +33,23 @@ struct Pointer {
 struct Workbench {
     app::Session& session;
     app::View& view;
+    const app::Picking& picking;
+    const CanvasColours& colours;
+
+    QPointF onScreen(const app::Point& p) const
+    {
+        const app::Point s = view.toScreen(p);
+        return {s.x, s.y};
+    }
+    /// A length of the screen in the drawing.
+    double inDrawing(double pixels) const { return pixels / view.zoom; }
 };
+
+/// Pixels: how near the pointer must come to a line, and how far it must go before it drags.
+constexpr double reach = 6, dragDistance = 3;
+
+/// How far an arrow key moves things: a millimetre on paper, with Shift ten.
+double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
 
 /// Turns what the pointer and keys do into commands: one gesture, one command. The canvas calls it;
 /// it never calls the canvas, which repaints after every call.
@@ -47,6 +67,17 @@ public:
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     /// The window to clip with while a gesture changes it; nothing: the drawing's own.
     virtual std::optional<clipping::Window> window() const { return std::nullopt; }
+    virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
+    virtual bool showsGrips() const { return false; } ///< of the clip window
+    /// What a gesture does to the clip window, for the label beside it.
+    enum class WindowGesture : std::uint8_t { None, Sizing, Moving };
+    virtual WindowGesture windowGesture() const { return WindowGesture::None; }
+    /// The grip of the clip window that a press would drag: it is lit.
+    virtual std::optional<app::Grip> litGrip() const { return std::nullopt; }
+    /// The segment that a press would take: it is lit.
+    virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
+    /// What to say in the status bar just now; empty: the tool's usual hint.
+    virtual QString hint() const { return {}; }
     /// What to draw over the drawing, in logical pixels of the canvas.
     virtual void paint(QPainter&, const Workbench&) const {}
 };
@@ -55,7 +86,7 @@ public:
 struct ToolInfo {
     std::string_view key; ///< the icon is :/icons/KEY.svg
     QString name;
-    QString hint;         ///< in the status bar while the tool is chosen
+    QString hint; ///< in the status bar while the tool is chosen
     QKeySequence shortcut;
     std::unique_ptr<Tool> (*make)();
 };

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/controller.h"
+
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <glm/common.hpp>
+
+namespace ui {
+
+constexpr double snapReach = 8; // pixels
+
+Controller::Controller(app::Session& session, QObject* parent)
+    : QObject(parent), session_(session), picking_(session.drawing, session.scene),
+      colours_(canvasColours(QGuiApplication::palette())), bench_{session_, toolView_, picking_,
+                                                                  colours_}
+{
+    setTool(tools().front().key);
+    connect(&session.scene, &app::Scene::outdated, this, &Controller::outdate);
+    connect(&session, &app::Session::displayChanged, this, &Controller::outdate);
+    connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
+    connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
+    connect(&session, &app::Session::loaded, this, [this] {
+        tool_->cancel(bench_);
+        fitDrawing();
+    });
+    connect(&navigation_, &Navigation::moved, this, [this] {
+        toolView_ = view();
+        emit viewChanged();
+        emit changed();
+    });
+    fitDrawing();
+}
+
+void Controller::outdate()
+{
+    ++revision_;
+    emit changed();
+}
+
+void Controller::setColours(const CanvasColours& colours)
+{
+    colours_ = colours;
+    outdate();
+}
+
+void Controller::setTool(std::string_view key)
+{
+    const ToolInfo* info = findTool(key);
+    if (!info || info == toolInfo_)
+        return;
+    if (tool_)
+        tool_->cancel(bench_);
+    tool_ = info->make();
+    toolInfo_ = info;
+    snap_.reset();
+    emit toolChanged();
+    emit hintChanged();
+    emit changed();
+}
+
+QString Controller::hint() const
+{
+    const QString now = tool_->hint();
+    return now.isEmpty() ? toolInfo_->hint : now;
+}
+
+QCursor Controller::cursor() const
+{
+    if (panningFrom_)
+        return Qt::ClosedHandCursor;
+    if (space_)
+        return Qt::OpenHandCursor;
+    return tool_->cursor(bench_);
+}
+
+clipping::Window Controller::window() const
+{
+    return tool_->window().value_or(session_.sheet().window);
+}
+
+QColor Controller::pageColour() const
+{
+    return session_.display().asPrinted ? QColor(Qt::white) : colours_.page;
+}
+
+app::Frame Controller::clip() const
+{
+    const app::Display& display = session_.display();
+    const bool both =
+        display.keep == app::Keep::Outside || display.removed != app::RemovedPart::Hidden;
+    return session_.scene.clip(session_.uses(), window(),
+                               both ? app::Scene::Removed::Kept : app::Scene::Removed::Left);
+}
+
+app::Picture Controller::picture(const app::Frame& frame, double pixelRatio) const
+{
+    const app::Display& display = session_.display();
+    const auto colour = [](const QColor& c) {
+        return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+    };
+    app::PictureOptions options;
+    options.view = view();
+    options.keep = display.keep;
+    options.removed = display.removed;
+    if (colours_.dark && !display.asPrinted)
+        options.page = colour(colours_.page);
+    options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
+    options.selection = session_.selection();
+    options.light = colour(colours_.selection);
+    return app::picture(session_.sheet(), session_.scene, frame, options);
+}
+
+// The page and what is drawn beside it.
+void Controller::fitDrawing()
+{
+    clipping::Window all = session_.sheet().page.rectangle();
+    for (const auto& s : session_.scene.segments()) {
+        all.min = glm::min(all.min, glm::min(s.a, s.b));
+        all.max = glm::max(all.max, glm::max(s.a, s.b));
+    }
+    navigation_.show(all);
+}
+
+void Controller::fitSelection()
+{
+    const auto bounds = app::boundsOf(session_.scene, session_.selection());
+    bounds ? navigation_.show(*bounds) : fitDrawing();
+}
+
+void Controller::fitWindow() { navigation_.show(window()); }
+
+static double pixelsPerUnit(const app::Page& page)
+{
+    return page.millimetresPerUnit() / app::infoOf(app::Unit::Px).millimetres;
+}
+
+double Controller::zoom() const { return view().zoom / pixelsPerUnit(session_.sheet().page); }
+
+void Controller::setZoom(double zoom)
+{
+    const QPointF middle(view().size.x / 2, view().size.y / 2);
+    navigation_.zoomAt(middle, zoom / this->zoom());
+}
+
+void Controller::withTool(const std::function<void()>& call)
+{
+    const QString before = hint();
+    call();
+    navigation_.go(toolView_);
+    if (hint() != before)
+        emit hintChanged();
+    emit changed();
+}
+
+Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
+                              Qt::KeyboardModifiers modifiers)
+{
+    const app::Point at(screen.x(), screen.y()), raw = view().toDrawing(at);
+    snap_.reset();
+    const auto to = app::SnapTo(std::uint8_t(tool_->snapsTo()) & std::uint8_t(snapTo_));
+    if (to != app::SnapTo::Nothing && !(modifiers & Qt::ControlModifier)) {
+        std::vector<clipping::Segment> near;
+        const double radius = bench_.inDrawing(snapReach);
+        for (const std::size_t segment : picking_.near(raw, radius))
+            near.push_back(session_.scene.segments()[segment]);
+        snap_ = app::snap(raw, radius, near, session_.sheet().window, to);
+    }
+    return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
+}
+
+bool Controller::handle(QEvent& event)
+{
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+        pointerEvent(static_cast<QMouseEvent&>(event));
+        return true;
+    case QEvent::Wheel:
+        navigation_.wheel(static_cast<QWheelEvent&>(event));
+        return true;
+    case QEvent::NativeGesture:
+        return navigation_.gesture(static_cast<QNativeGestureEvent&>(event));
+    case QEvent::KeyPress:
+        return keyPress(static_cast<QKeyEvent&>(event));
+    case QEvent::KeyRelease:
+        return keyRelease(static_cast<QKeyEvent&>(event));
+    case QEvent::Leave:
+        pointer_.reset();
+        snap_.reset();
+        emit pointerMoved(std::nullopt);
+        emit changed();
+        return false;
+    case QEvent::FocusOut:
+        space_ = false;
+        return false;
+    default:
+        return false;
+    }
+}
+
+void Controller::pointerEvent(QMouseEvent& event)
+{
+    if (event.type() == QEvent::MouseMove)
+        move(event);
+    else if (event.type() == QEvent::MouseButtonRelease)
+        release(event);
+    else if (event.type() == QEvent::MouseButtonDblClick && event.button() == Qt::MiddleButton)
+        fitDrawing();
+    else
+        press(event);
+    pointer_ = pointerAt(event.position(), event.buttons(), event.modifiers());
+    emit pointerMoved(pointer_->position);
+}
+
+void Controller::press(QMouseEvent& event)
+{
+    if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) {
+        panningFrom_ = event.position();
+        emit changed();
+        return;
+    }
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    if (event.button() != Qt::LeftButton)
+        return;
+    withTool([&] {
+        event.type() == QEvent::MouseButtonDblClick ? tool_->doubleClick(pointer, bench_)
+                                                    : tool_->press(pointer, bench_);
+    });
+}
+
+void Controller::move(QMouseEvent& event)
+{
+    if (panningFrom_) {
+        navigation_.pan(event.position() - *panningFrom_);
+        panningFrom_ = event.position();
+        return;
+    }
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    pointer_ = pointer;
+    withTool([&] { tool_->move(pointer, bench_); });
+}
+
+void Controller::release(QMouseEvent& event)
+{
+    if (panningFrom_ && (event.button() == Qt::MiddleButton || event.button() == Qt::LeftButton)) {
+        panningFrom_.reset();
+        emit changed();
+        return;
+    }
+    if (event.button() != Qt::LeftButton)
+        return;
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    withTool([&] { tool_->release(pointer, bench_); });
+}
+
+} // namespace ui

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/move_shapes.h"
+#include "app/commands/set_window.h"
+#include "ui/canvas/controller.h"
+
+#include <array>
+
+// What the keys do while the canvas has the focus (product.md A4).
+
+namespace ui {
+namespace {
+
+constexpr double zoomStep = 1.25, panStep = 48; // pixels
+constexpr double larger = 10;                   // with Shift
+
+bool has(const QKeyEvent& event, Qt::KeyboardModifiers modifiers)
+{
+    return (event.modifiers() & ~Qt::KeypadModifier) == modifiers;
+}
+
+bool isOneOf(int key, std::initializer_list<int> keys)
+{
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+std::optional<app::Point> directionOf(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        return app::Point(-1, 0);
+    case Qt::Key_Right:
+        return app::Point(1, 0);
+    case Qt::Key_Up:
+        return app::Point(0, -1);
+    case Qt::Key_Down:
+        return app::Point(0, 1);
+    default:
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+bool Controller::keyPress(QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Space && has(event, Qt::NoModifier) && !tool_->busy()) {
+        space_ = true;
+        emit changed();
+        return true;
+    }
+    bool used = false;
+    withTool([&] { used = tool_->key(event, bench_); });
+    return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
+           || navigationKey(event) || toolKey(event);
+}
+
+bool Controller::keyRelease(QKeyEvent& event)
+{
+    if (event.key() != Qt::Key_Space || event.isAutoRepeat())
+        return false;
+    space_ = false;
+    panningFrom_.reset();
+    emit changed();
+    return true;
+}
+
+// Backs out one level: the gesture, the selection, the tool.
+bool Controller::escape()
+{
+    if (tool_->busy()) {
+        withTool([&] { tool_->cancel(bench_); });
+    } else if (!session_.selection().empty() || session_.inspected()) {
+        session_.select({});
+        session_.inspect(std::nullopt);
+    } else {
+        setTool(tools().front().key);
+    }
+    return true;
+}
+
+bool Controller::arrow(const QKeyEvent& event)
+{
+    const auto direction = directionOf(event.key());
+    const auto others =
+        Qt::KeyboardModifiers(Qt::KeypadModifier | Qt::ShiftModifier | Qt::AltModifier);
+    if (!direction || (event.modifiers() & ~others) || tool_->busy())
+        return false;
+    const app::Point by = *direction * nudge(bench_, event.modifiers());
+    if (event.modifiers() & Qt::AltModifier) {
+        const clipping::Window w = session_.sheet().window;
+        session_.history.push(
+            new app::SetWindow(session_.drawing, {w.min + by, w.max + by}, app::Merging::WithLast));
+    } else if (!session_.selection().empty()) {
+        session_.history.push(new app::MoveShapes(session_.drawing, session_.selection(), by,
+                                                  app::Merging::WithLast));
+    } else {
+        navigation_.pan(QPointF(-direction->x, -direction->y)
+                        * (event.modifiers() & Qt::ShiftModifier ? larger : 1) * panStep);
+    }
+    return true;
+}
+
+bool Controller::navigationKey(const QKeyEvent& event)
+{
+    const QPointF middle(view().size.x / 2, view().size.y / 2);
+    const bool control = event.modifiers() & Qt::ControlModifier;
+    const bool shift = event.modifiers() & Qt::ShiftModifier;
+    if (control && isOneOf(event.key(), {Qt::Key_Plus, Qt::Key_Equal}))
+        navigation_.zoomAt(middle, zoomStep);
+    else if (control && isOneOf(event.key(), {Qt::Key_Minus, Qt::Key_Underscore}))
+        navigation_.zoomAt(middle, 1 / zoomStep);
+    else if (control && event.key() == Qt::Key_0)
+        setZoom(1);
+    else if (shift && isOneOf(event.key(), {Qt::Key_1, Qt::Key_Exclam})) // by keyboard layout
+        fitDrawing();
+    else if (shift && isOneOf(event.key(), {Qt::Key_2, Qt::Key_At, Qt::Key_QuoteDbl}))
+        fitSelection();
+    else if (shift
+             && isOneOf(event.key(),
+                        {Qt::Key_3, Qt::Key_NumberSign, Qt::Key_sterling, Qt::Key_section}))
+        fitWindow();
+    else if (event.key() == Qt::Key_QuoteLeft)
+        navigation_.back();
+    else if (event.key() == Qt::Key_AsciiTilde)
+        navigation_.forth();
+    else
+        return false;
+    return true;
+}
+
+bool Controller::toolKey(const QKeyEvent& event)
+{
+    if (!has(event, Qt::NoModifier))
+        return false;
+    for (const ToolInfo& info : tools())
+        if (info.shortcut == QKeySequence(event.key())) {
+            setTool(info.key);
+            return true;
+        }
+    return false;
+}
+
+} // namespace ui

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/navigation.h"
+
+#include <QGuiApplication>
+
+namespace ui {
+
+constexpr double notch = 120;              // of QWheelEvent::angleDelta
+constexpr double pixelsPerNotch = 48;      // panning by the wheel
+constexpr double pinchPerPixel = 1 / 60.0; // notches: Ctrl and a touchpad's scroll
+
+static app::Point point(const QPointF& p) { return {p.x(), p.y()}; }
+
+Navigation::Navigation(QObject* parent) : QObject(parent) { clock_.start(); }
+
+void Navigation::go(const app::View& view)
+{
+    if (view == view_)
+        return;
+    history_.leave(view_, clock_.elapsed());
+    fitted_.reset();
+    replace(view);
+}
+
+void Navigation::replace(const app::View& view)
+{
+    view_ = view;
+    emit moved();
+}
+
+void Navigation::resize(const glm::dvec2& size)
+{
+    if (size == view_.size)
+        return;
+    app::View view = view_;
+    view.size = size;
+    if (fitted_)
+        view.fit(*fitted_);
+    replace(view);
+}
+
+void Navigation::show(const clipping::Window& rectangle)
+{
+    app::View view = view_;
+    view.fit(rectangle);
+    go(view);
+    fitted_ = rectangle;
+}
+
+void Navigation::pan(const QPointF& pixels)
+{
+    app::View view = view_;
+    view.pan(point(pixels));
+    go(view);
+}
+
+void Navigation::zoomAt(const QPointF& screen, double factor)
+{
+    app::View view = view_;
+    view.zoomAt(point(screen), factor);
+    go(view);
+}
+
+void Navigation::back()
+{
+    if (const auto view = history_.back(view_)) {
+        fitted_.reset();
+        replace(*view);
+    }
+}
+
+void Navigation::forth()
+{
+    if (const auto view = history_.forth(view_)) {
+        fitted_.reset();
+        replace(*view);
+    }
+}
+
+// A mouse wheel turns by whole notches and has no phases. X11 gives it pixels all the same.
+bool Navigation::isTouchpad(const QWheelEvent& event) const
+{
+    if (device != PointingDevice::Automatic)
+        return device == PointingDevice::Touchpad;
+    if (event.phase() != Qt::NoScrollPhase)
+        return true;
+    const QPoint angle = event.angleDelta();
+    return !event.pixelDelta().isNull()
+           && (angle.x() % int(notch) != 0 || angle.y() % int(notch) != 0);
+}
+
+void Navigation::wheel(const QWheelEvent& event)
+{
+    const bool touchpad = isTouchpad(event);
+    const QPointF angle = event.angleDelta();
+    const QPointF pixels = touchpad && !event.pixelDelta().isNull()
+                               ? QPointF(event.pixelDelta())
+                               : angle * pixelsPerNotch / notch;
+    if (event.modifiers() & Qt::ShiftModifier) {
+        pan({pixels.x() != 0 ? pixels.x() : pixels.y(), 0});
+        return;
+    }
+    if (touchpad && !(event.modifiers() & Qt::ControlModifier)) {
+        pan(pixels);
+        return;
+    }
+    app::View view = view_;
+    wheel_.turn(view, point(event.position()),
+                touchpad ? pixels.y() * pinchPerPixel : angle.y() / notch);
+    go(view);
+}
+
+bool Navigation::gesture(const QNativeGestureEvent& event)
+{
+    if (event.gestureType() == Qt::ZoomNativeGesture)
+        zoomAt(event.position(), 1 + event.value());
+    else if (event.gestureType() == Qt::PanNativeGesture)
+        pan(event.delta());
+    else
+        return false;
+    return true;
+}
+
+} // namespace ui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/view_history.h"
+#include "app/view/wheel_zoom.h"
+#include "ui/canvas/canvas.h"
+
+#include <QElapsedTimer>
+#include <QNativeGestureEvent>
+#include <QWheelEvent>
+
+namespace ui {
+
+/// The view, and how wheel, touchpad and pinch move it.
+class Navigation : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Navigation(QObject* parent = nullptr);
+
+    const app::View& view() const { return view_; }
+    void go(const app::View& view); ///< remembered for back()
+    void resize(const glm::dvec2& size);
+    void show(const clipping::Window& rectangle); ///< fits it; again when the size changes
+    void pan(const QPointF& pixels);
+    void zoomAt(const QPointF& screen, double factor);
+    void back();
+    void forth();
+
+    void wheel(const QWheelEvent& event);
+    bool gesture(const QNativeGestureEvent& event); ///< whether it was one of ours
+
+    PointingDevice device = PointingDevice::Automatic;
+
+signals:
+    void moved();
+
+private:
+    void replace(const app::View& view);
+    bool isTouchpad(const QWheelEvent& event) const;
+
+    app::View view_;
+    app::ViewHistory history_;
+    app::WheelZoom wheel_;
+    std::optional<clipping::Window> fitted_; ///< as long as nobody moved the view since
+    QElapsedTimer clock_;
+};
+
+} // namespace ui

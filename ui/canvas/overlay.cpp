@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/overlay.h"
+
+#include "ui/canvas/window_overlay.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+using clipping::Segment;
+
+// A segment on the screen, cut to what could be seen.
+std::optional<QLineF> lineOnScreen(const Controller& controller, const Segment& segment)
+{
+    static const auto clip = clipping::algorithms().front().corrected.clip;
+    const app::View& view = controller.view();
+    const double room = 64 / view.zoom;
+    const clipping::Window seen = view.visible();
+    const auto visible = clip(segment, {seen.min - room, seen.max + room});
+    if (!visible)
+        return std::nullopt;
+    return QLineF(controller.bench().onScreen(visible->a), controller.bench().onScreen(visible->b));
+}
+
+void drawLine(QPainter& painter, const Controller& controller, const Segment& segment,
+              const QPen& pen)
+{
+    painter.setPen(pen);
+    if (const auto line = lineOnScreen(controller, segment))
+        painter.drawLine(*line);
+}
+
+void paintLit(QPainter& painter, const Controller& controller)
+{
+    const auto lit = controller.tool().litSegment();
+    const auto segments = controller.session().scene.segments();
+    if (lit && *lit < segments.size())
+        drawLine(painter, controller, segments[*lit],
+                 QPen(controller.colours().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+}
+
+void paintEnd(QPainter& painter, const Controller& controller, const app::Point& end,
+              clipping::Edge cut)
+{
+    const QPointF at = controller.bench().onScreen(end);
+    const QColor blue = controller.colours().selection;
+    painter.setPen(QPen(blue, 1.5));
+    if (cut == clipping::Edge::None) {
+        painter.setBrush(controller.pageColour());
+        painter.drawEllipse(at, 4, 4);
+    } else {
+        painter.setBrush(blue);
+        painter.drawPolygon(QPolygonF{at + QPointF(0, -5), at + QPointF(5, 0), at + QPointF(0, 5),
+                                      at + QPointF(-5, 0)});
+    }
+}
+
+// The line in the inspector: what the algorithm leaves of it strong, the rest dashed.
+void paintInspected(QPainter& painter, const Controller& controller)
+{
+    const app::Session& session = controller.session();
+    if (!session.inspected())
+        return;
+    const Segment whole = session.scene.segments()[*session.inspected()];
+    clipping::Clipped piece[1];
+    const Segment one[1]{whole};
+    const bool visible =
+        session.uses().clipAll(std::span(one), controller.window(), std::span(piece)) == 1;
+    const QColor blue = controller.colours().selection;
+    QPen casing(controller.pageColour(), 7, Qt::SolidLine, Qt::RoundCap);
+    QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
+    dashed.setDashPattern({5 / 1.75, 4 / 1.75});
+    drawLine(painter, controller, whole, dashed);
+    if (visible) {
+        drawLine(painter, controller, piece[0].segment, casing);
+        drawLine(painter, controller, piece[0].segment, QPen(blue, 3, Qt::SolidLine, Qt::FlatCap));
+    }
+    paintEnd(painter, controller, whole.a, clipping::Edge::None);
+    paintEnd(painter, controller, whole.b, clipping::Edge::None);
+    if (visible && clipping::cutEdgeOfA(piece[0].cut) != clipping::Edge::None)
+        paintEnd(painter, controller, piece[0].segment.a, clipping::cutEdgeOfA(piece[0].cut));
+    if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::None)
+        paintEnd(painter, controller, piece[0].segment.b, clipping::cutEdgeOfB(piece[0].cut));
+}
+
+void paintSnap(QPainter& painter, const Controller& controller)
+{
+    if (!controller.snapped() || !controller.pointer())
+        return;
+    const QPointF at = controller.bench().onScreen(controller.snapped()->point);
+    const auto what = controller.snapped()->what;
+    const char* const word = what == app::SnapTo::Ends ? QT_TRANSLATE_NOOP("Canvas", "end")
+                             : what == app::SnapTo::Middles
+                                 ? QT_TRANSLATE_NOOP("Canvas", "middle")
+                                 : QT_TRANSLATE_NOOP("Canvas", "window edge");
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(controller.colours().selection, 1.5));
+    painter.drawEllipse(at, 6, 6);
+    const QString text = QCoreApplication::translate("Canvas", word);
+    QRectF ground = QFontMetricsF(painter.font()).boundingRect(text).adjusted(-3, -1, 3, 1);
+    ground.moveTopLeft(at + QPointF(10, 8));
+    painter.fillRect(ground, controller.pageColour());
+    painter.drawText(ground, Qt::AlignCenter, text);
+}
+
+} // namespace
+
+void paintPaper(QPainter& painter, const Controller& controller)
+{
+    const app::View& view = controller.view();
+    const auto page = controller.session().sheet().page.rectangle();
+    const app::Point least(-2), most = view.size + 2.0;
+    const app::Point min = glm::clamp(view.toScreen(page.min), least, most);
+    const app::Point max = glm::clamp(view.toScreen(page.max), least, most);
+    const double ratio = painter.device()->devicePixelRatioF(), pixel = 1 / ratio;
+    const auto snapped = [&](double v) { return std::round(v * ratio) / ratio; };
+    const QRectF sheet(QPointF(snapped(min.x), snapped(min.y)),
+                       QPointF(snapped(max.x), snapped(max.y)));
+    painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.colours().around);
+    painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.colours().pageBorder);
+    painter.fillRect(sheet, controller.pageColour());
+}
+
+void paintOverlay(QPainter& painter, const Controller& controller)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (controller.session().display().regions)
+        paintRegions(painter, controller);
+    paintLit(painter, controller);
+    paintInspected(painter, controller);
+    painter.save();
+    paintWindow(painter, controller);
+    painter.restore();
+    painter.save();
+    controller.tool().paint(painter, controller.bench());
+    painter.restore();
+    if (controller.tool().snapsTo() != app::SnapTo::Nothing)
+        paintSnap(painter, controller);
+}
+
+} // namespace ui

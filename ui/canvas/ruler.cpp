@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/ruler.h"
+
+#include "app/view/numbers.h"
+#include "app/view/ruler.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double typeSize = 0.77, numbered = 9, half = 7, fine = 4; // pixels of a tick's length
+
+QFont rulerFont(const QWidget& widget)
+{
+    QFont font = widget.font();
+    font.setPointSizeF(font.pointSizeF() * typeSize);
+    return font;
+}
+
+QString tickText(double value)
+{
+    QString text = QLocale().toString(std::abs(value), 'g', 10);
+    return value < 0 ? QChar(0x2212) + text : text;
+}
+
+} // namespace
+
+Ruler::Ruler(const Controller& controller, Qt::Orientation orientation, QWidget* parent)
+    : QWidget(parent), controller_(controller), orientation_(orientation)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+void Ruler::paintEvent(QPaintEvent*)
+{
+    const CanvasColours& colours = controller_.colours();
+    QPainter painter(this);
+    painter.fillRect(rect(), colours.ruler);
+    const int axis = across() ? 0 : 1;
+    const double length = across() ? width() : height(), pixel = 1 / devicePixelRatioF();
+    // Everything is painted as along a horizontal ruler; a vertical one is that, turned.
+    if (!across()) {
+        painter.translate(0, length);
+        painter.rotate(-90);
+    }
+    const auto along = [&](double v) { return across() ? v : length - v; };
+    const clipping::Window window = controller_.window();
+    const double a = along(controller_.view().toScreen(window.min)[axis]);
+    const double b = along(controller_.view().toScreen(window.max)[axis]);
+    QColor tint = colours.accent;
+    tint.setAlphaF(0.18F);
+    const double left = std::clamp(std::min(a, b), -1.0, length + 1),
+                 right = std::clamp(std::max(a, b), -1.0, length + 1);
+    painter.fillRect(QRectF(left, 0, right - left, rulerWidth), tint);
+    paintTicks(painter, length);
+    painter.fillRect(QRectF(0, rulerWidth - pixel, length, pixel), colours.rulerRule);
+    if (const auto& pointer = controller_.pointer())
+        painter.fillRect(QRectF(std::round(along(pointer->screen[axis])), 0, pixel, rulerWidth),
+                         colours.text);
+}
+
+void Ruler::paintTicks(QPainter& painter, double length)
+{
+    const app::Page& page = controller_.session().sheet().page;
+    const app::View& view = controller_.view();
+    const int axis = across() ? 0 : 1;
+    const double perUnit =
+        app::inUnit(1, controller_.session().display().unit, page.millimetresPerUnit());
+    const clipping::Window seen = view.visible();
+    const double from = (seen.min[axis] - page.min[axis]) * perUnit,
+                 to = (seen.max[axis] - page.min[axis]) * perUnit;
+    const double pixels = view.zoom / perUnit, ratio = devicePixelRatioF(), pixel = 1 / ratio;
+    painter.setFont(rulerFont(*this));
+    for (const app::Tick& tick : app::ticks(from, to, pixels)) {
+        const double at = (tick.value - from) * pixels;
+        const double x = std::floor((across() ? at : length - at) * ratio) / ratio;
+        const bool number = tick.rank == app::Tick::Rank::Numbered;
+        const double size = number ? rulerWidth : tick.rank == app::Tick::Rank::Half ? half : fine;
+        painter.fillRect(QRectF(x, rulerWidth - size, pixel, size),
+                         number ? controller_.colours().rulerRule
+                                : controller_.colours().rulerText);
+        if (!number)
+            continue;
+        painter.fillRect(QRectF(x, rulerWidth - numbered, pixel, numbered),
+                         controller_.colours().rulerText);
+        painter.setPen(controller_.colours().rulerText);
+        painter.drawText(QRectF(x + 4, 0, 80, rulerWidth - 6), Qt::AlignLeft | Qt::AlignVCenter,
+                         tickText(tick.value));
+    }
+}
+
+RulerCorner::RulerCorner(const Controller& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller)
+{
+}
+
+void RulerCorner::setFocused(bool focused)
+{
+    focused_ = focused;
+    update();
+}
+
+void RulerCorner::paintEvent(QPaintEvent*)
+{
+    const CanvasColours& colours = controller_.colours();
+    QPainter painter(this);
+    painter.fillRect(rect(), colours.ruler);
+    painter.setFont(rulerFont(*this));
+    painter.setPen(colours.rulerText);
+    const auto suffix = app::infoOf(controller_.session().display().unit).suffix;
+    painter.drawText(rect(), Qt::AlignCenter,
+                     QString::fromUtf8(suffix.data(), qsizetype(suffix.size())));
+    if (!focused_)
+        return;
+    painter.setPen(QPen(colours.selection, 2));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+} // namespace ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/controller.h"
+
+#include <QWidget>
+
+namespace ui {
+
+constexpr int rulerWidth = 20;
+
+/// Ticks in the drawing's unit along an edge of the canvas, the clip window's span tinted, a mark
+/// where the pointer is. 0 is the page's corner.
+class Ruler : public QWidget {
+    Q_OBJECT
+
+public:
+    Ruler(const Controller& controller, Qt::Orientation orientation, QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintTicks(QPainter& painter, double length);
+    bool across() const { return orientation_ == Qt::Horizontal; }
+
+    const Controller& controller_;
+    Qt::Orientation orientation_;
+};
+
+/// Where the rulers meet: the unit, and a ring while the canvas has the focus.
+class RulerCorner : public QWidget {
+    Q_OBJECT
+
+public:
+    RulerCorner(const Controller& controller, QWidget* parent);
+    void setFocused(bool focused);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    const Controller& controller_;
+    bool focused_ = false;
+};
+
+} // namespace ui

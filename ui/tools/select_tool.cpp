@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "ui/tools/shape_drawing.h"
+#include "ui/tools/window_gesture.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr std::size_t mostPreviewed = 4000; // segments of a selection that is being dragged
+
+/// Clicks, boxes and drags shapes; drags the clip window by its handles and outline, too.
+class SelectTool final : public Tool {
+public:
+    void press(const Pointer& pointer, Workbench& bench) override;
+    void move(const Pointer& pointer, Workbench& bench) override;
+    void release(const Pointer& pointer, Workbench& bench) override;
+    bool key(QKeyEvent& event, Workbench& bench) override;
+    void cancel(Workbench&) override
+    {
+        gesture_.cancel();
+        drag_ = Drag::None;
+    }
+    bool busy() const override { return gesture_.going() || drag_ != Drag::None; }
+
+    QCursor cursor(const Workbench& bench) const override;
+    app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
+    bool showsGrips() const override { return true; }
+    std::optional<clipping::Window> window() const override { return gesture_.window(); }
+    Tool::WindowGesture windowGesture() const override { return gesture_.kind(); }
+    std::optional<app::Grip> litGrip() const override { return litGrip_; }
+    std::optional<std::size_t> litSegment() const override { return litSegment_; }
+    void paint(QPainter& painter, const Workbench& bench) const override;
+
+private:
+    enum class Drag : std::uint8_t { None, Press, Box, Move };
+
+    void light(const Pointer& pointer, Workbench& bench);
+    void click(const Pointer& pointer, Workbench& bench);
+    void selectBox(const Pointer& pointer, Workbench& bench);
+    app::Point offset() const { return to_.raw - from_.raw; }
+    void paintBox(QPainter& painter, const Workbench& bench) const;
+    void paintBounds(QPainter& painter, const Workbench& bench, const app::Point& by) const;
+    void paintMoved(QPainter& painter, const Workbench& bench) const;
+
+    ui::WindowGesture gesture_;
+    std::optional<app::Grip> litGrip_;
+    std::optional<std::size_t> litSegment_; ///< of the scene
+    Drag drag_ = Drag::None;
+    Pointer from_{}, to_{};
+};
+
+void SelectTool::light(const Pointer& pointer, Workbench& bench)
+{
+    litGrip_ = app::gripAt(pointer.screen, bench.session.sheet().window, bench.view);
+    litSegment_ =
+        litGrip_ ? std::nullopt : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+}
+
+void SelectTool::press(const Pointer& pointer, Workbench& bench)
+{
+    light(pointer, bench);
+    if (litGrip_) {
+        gesture_.start(*litGrip_, pointer, bench.session.sheet().window);
+        return;
+    }
+    from_ = to_ = pointer;
+    drag_ = Drag::Press;
+}
+
+void SelectTool::move(const Pointer& pointer, Workbench& bench)
+{
+    if (gesture_.going()) {
+        gesture_.proceed(pointer);
+        return;
+    }
+    if (drag_ == Drag::None) {
+        light(pointer, bench);
+        return;
+    }
+    to_ = pointer;
+    if (drag_ != Drag::Press || !dragged(from_.screen, pointer))
+        return;
+    drag_ = litSegment_ ? Drag::Move : Drag::Box;
+    const auto& selection = bench.session.selection();
+    if (litSegment_ && !selection.contains(bench.session.scene.shapeOf(*litSegment_)))
+        click(from_, bench);
+}
+
+void SelectTool::release(const Pointer& pointer, Workbench& bench)
+{
+    if (gesture_.going()) {
+        gesture_.finish(pointer, bench);
+        return;
+    }
+    to_ = pointer;
+    const Drag drag = std::exchange(drag_, Drag::None);
+    if (drag == Drag::Press)
+        click(from_, bench);
+    else if (drag == Drag::Box)
+        selectBox(pointer, bench);
+    else if (drag == Drag::Move)
+        bench.session.history.push(
+            new app::MoveShapes(bench.session.drawing, bench.session.selection(), offset()));
+    litSegment_.reset();
+}
+
+void SelectTool::click(const Pointer& pointer, Workbench& bench)
+{
+    app::Session& session = bench.session;
+    const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    const bool adds = pointer.modifiers & Qt::ShiftModifier;
+    auto selection = adds ? session.selection() : std::set<std::size_t>{};
+    bool chosen = segment.has_value();
+    if (segment) {
+        const std::size_t shape = session.scene.shapeOf(*segment);
+        if (!selection.insert(shape).second) {
+            selection.erase(shape);
+            chosen = false;
+        }
+    }
+    session.select(std::move(selection));
+    session.inspect(chosen ? segment : std::nullopt);
+}
+
+// From left to right what the box contains, from right to left what it touches.
+void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
+{
+    const auto how = pointer.screen.x >= from_.screen.x ? app::Picking::Box::Contains
+                                                        : app::Picking::Box::Touches;
+    auto found = bench.picking.shapesIn(app::between(from_.raw, pointer.raw), how);
+    if (pointer.modifiers & Qt::ShiftModifier)
+        found.insert(bench.session.selection().begin(), bench.session.selection().end());
+    bench.session.select(std::move(found));
+    bench.session.inspect(std::nullopt);
+}
+
+bool SelectTool::key(QKeyEvent& event, Workbench& bench)
+{
+    app::Session& session = bench.session;
+    if ((event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace)
+        || session.selection().empty() || busy())
+        return false;
+    session.history.push(new app::RemoveShapes(session.drawing, session.selection()));
+    litSegment_.reset();
+    return true;
+}
+
+QCursor SelectTool::cursor(const Workbench&) const
+{
+    if (litGrip_ || gesture_.going())
+        return cursorOf(litGrip_.value_or(app::Grip{}));
+    return drag_ == Drag::Move ? Qt::SizeAllCursor : Qt::ArrowCursor;
+}
+
+void SelectTool::paint(QPainter& painter, const Workbench& bench) const
+{
+    if (drag_ == Drag::Box)
+        paintBox(painter, bench);
+    if (drag_ == Drag::Move)
+        paintMoved(painter, bench);
+    if (bench.session.selection().size() > 1
+        || (!bench.session.selection().empty() && !bench.session.inspected()))
+        paintBounds(painter, bench, drag_ == Drag::Move ? offset() : app::Point(0));
+}
+
+void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
+{
+    const bool touches = to_.screen.x < from_.screen.x;
+    QColor veil = bench.colours.selection;
+    veil.setAlphaF(0.08F);
+    painter.setBrush(veil);
+    painter.setPen(QPen(bench.colours.selection, 1, touches ? Qt::DashLine : Qt::SolidLine));
+    painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
+}
+
+// The selection's bounding box with round handles at its corners and sides.
+void SelectTool::paintBounds(QPainter& painter, const Workbench& bench, const app::Point& by) const
+{
+    const auto bounds = app::boundsOf(bench.session.scene, bench.session.selection());
+    if (!bounds)
+        return;
+    const clipping::Window box{bounds->min + by, bounds->max + by};
+    painter.setPen(QPen(bench.colours.selection, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(bench.onScreen(box.min), bench.onScreen(box.max)));
+    painter.setPen(QPen(bench.colours.selection, 1.5));
+    painter.setBrush(bench.colours.page);
+    for (const app::PlacedGrip& placed : app::placedGrips(box, bench.view))
+        painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), 4, 4);
+}
+
+void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
+{
+    const app::Scene& scene = bench.session.scene;
+    std::vector<QLineF> lines;
+    for (const std::size_t shape : bench.session.selection())
+        for (auto i = scene.firstSegmentOf(shape);
+             i < scene.firstSegmentOf(shape + 1) && lines.size() < mostPreviewed; ++i)
+            lines.emplace_back(bench.onScreen(scene.segments()[i].a + offset()),
+                               bench.onScreen(scene.segments()[i].b + offset()));
+    painter.setPen(QPen(bench.colours.selection, 1.5));
+    painter.drawLines(lines.data(), int(lines.size()));
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeSelectTool() { return std::make_unique<SelectTool>(); }
+
+} // namespace ui

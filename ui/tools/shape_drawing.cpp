@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/shape_drawing.h"
+
+#include "app/commands/add_shapes.h"
+#include "app/view/ink.h"
+
+#include <QPainterPath>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace ui {
+
+void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText)
+{
+    app::Session& session = bench.session;
+    app::Shape shape{.paths = std::move(paths),
+                     .style = session.pen.style,
+                     .id = {},
+                     .layer = session.pen.layer};
+    session.history.push(new app::AddShapes(session.drawing, {std::move(shape)}, undoText));
+}
+
+void preview(QPainter& painter, const Workbench& bench, const app::Path& path)
+{
+    QPainterPath outline(bench.onScreen(path.start));
+    for (const app::Stretch& s : path.stretches)
+        s.curved ? outline.cubicTo(bench.onScreen(s.control1), bench.onScreen(s.control2),
+                                   bench.onScreen(s.to))
+                 : outline.lineTo(bench.onScreen(s.to));
+    if (path.closed)
+        outline.closeSubpath();
+    const app::Style& style = bench.session.pen.style;
+    const bool dark = bench.colours.dark && !bench.session.display().asPrinted;
+    const QColor page = bench.colours.page;
+    app::Colour ink = style.stroke.value_or(app::Colour{});
+    if (dark)
+        ink = app::shownInk(
+            ink, {std::uint8_t(page.red()), std::uint8_t(page.green()), std::uint8_t(page.blue())});
+    const double width = std::max(0.75, style.width * bench.view.zoom);
+    painter.setPen(QPen(QColor(ink.red, ink.green, ink.blue, ink.alpha), width, Qt::SolidLine,
+                        Qt::FlatCap, Qt::SvgMiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(outline);
+}
+
+app::Point turned(const app::Point& from, const app::Point& to)
+{
+    constexpr double step = M_PI / 12;
+    const app::Point along = to - from;
+    const double angle = std::round(std::atan2(along.y, along.x) / step) * step;
+    const app::Point direction(std::cos(angle), std::sin(angle));
+    app::Point end = from + direction * glm::dot(along, direction);
+    if (std::abs(direction.x) < 1e-9)
+        end.x = from.x;
+    if (std::abs(direction.y) < 1e-9)
+        end.y = from.y;
+    return end;
+}
+
+bool dragged(const app::Point& from, const Pointer& to)
+{
+    return glm::distance(from, to.screen) >= dragDistance;
+}
+
+app::Proportion proportionOf(Qt::KeyboardModifiers modifiers)
+{
+    return modifiers & Qt::ShiftModifier ? app::Proportion::Square : app::Proportion::Free;
+}
+
+app::Anchor anchorOf(Qt::KeyboardModifiers modifiers)
+{
+    return modifiers & Qt::AltModifier ? app::Anchor::Centre : app::Anchor::Opposite;
+}
+
+double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers)
+{
+    const double millimetres = modifiers & Qt::ShiftModifier ? 10 : 1;
+    return millimetres / bench.session.sheet().page.millimetresPerUnit();
+}
+
+} // namespace ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace ui {
+
+/// What the drawing tools share: a new shape in the session's pen, pushed as one step.
+void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText);
+
+/// The preview of a path, in the pen's ink.
+void preview(QPainter& painter, const Workbench& bench, const app::Path& path);
+
+/// `to`, turned so that the direction from `from` is a multiple of 15 degrees.
+app::Point turned(const app::Point& from, const app::Point& to);
+
+/// Whether the pointer went far enough for a drag.
+bool dragged(const app::Point& from, const Pointer& to);
+
+/// Shift and Alt, for what is drawn from corner to corner.
+app::Proportion proportionOf(Qt::KeyboardModifiers modifiers);
+app::Anchor anchorOf(Qt::KeyboardModifiers modifiers);
+
+} // namespace ui

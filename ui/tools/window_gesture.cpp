@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/window_gesture.h"
+
+#include "app/commands/set_window.h"
+#include "ui/tools/shape_drawing.h"
+
+#include <cmath>
+
+namespace ui {
+
+void WindowGesture::start(app::Grip grip, const Pointer& pointer, const clipping::Window& window)
+{
+    state_ = State{grip, pointer, pointer, window};
+}
+
+void WindowGesture::startNew(const Pointer& pointer)
+{
+    state_ = State{{1, 1}, pointer, pointer, std::nullopt};
+}
+
+void WindowGesture::proceed(const Pointer& pointer)
+{
+    if (!state_)
+        return;
+    state_->to = pointer;
+    state_->drags |= dragged(state_->from.screen, pointer);
+}
+
+void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
+{
+    proceed(pointer);
+    const auto result = window();
+    state_.reset();
+    if (result && *result != bench.session.sheet().window)
+        bench.session.history.push(new app::SetWindow(bench.session.drawing, *result));
+}
+
+std::optional<clipping::Window> WindowGesture::window() const
+{
+    if (!state_ || !state_->drags)
+        return std::nullopt;
+    const auto modifiers = state_->to.modifiers;
+    if (!state_->start)
+        return app::between(state_->from.position, state_->to.position, proportionOf(modifiers),
+                            anchorOf(modifiers));
+    // A grip is not taken exactly where it is: it moves by as much as the pointer does, and to
+    // where the pointer snaps.
+    app::Point by = state_->to.raw - state_->from.raw;
+    const bool moving = state_->grip == app::Grip{};
+    const bool snapped = state_->to.position != state_->to.raw;
+    if (!moving && snapped)
+        for (int axis = 0; axis < 2; ++axis) {
+            const int side = axis == 0 ? state_->grip.x : state_->grip.y;
+            const auto& start = *state_->start;
+            by[axis] = state_->to.position[axis] - (side < 0 ? start.min[axis] : start.max[axis]);
+        }
+    if (moving && modifiers & Qt::ShiftModifier)
+        by = std::abs(by.x) >= std::abs(by.y) ? app::Point(by.x, 0) : app::Point(0, by.y);
+    const auto proportion =
+        modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
+    return app::dragged(*state_->start, state_->grip, by, proportion, anchorOf(modifiers));
+}
+
+std::optional<app::Grip> WindowGesture::grip() const
+{
+    return state_ && state_->start ? std::optional(state_->grip) : std::nullopt;
+}
+
+Tool::WindowGesture WindowGesture::kind() const
+{
+    if (!window())
+        return Tool::WindowGesture::None;
+    const bool moving = state_->start && state_->grip == app::Grip{};
+    return moving ? Tool::WindowGesture::Moving : Tool::WindowGesture::Sizing;
+}
+
+Qt::CursorShape cursorOf(app::Grip grip)
+{
+    if (grip.x == 0 && grip.y == 0)
+        return Qt::SizeAllCursor;
+    if (grip.x == 0)
+        return Qt::SizeVerCursor;
+    if (grip.y == 0)
+        return Qt::SizeHorCursor;
+    return grip.x == grip.y ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+}
+
+} // namespace ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "ui/tools/window_gesture.h"
+
+namespace ui {
+namespace {
+
+/// The clip window: drag outside it to draw another one, inside it to move it, a handle to resize
+/// it.
+class WindowTool final : public Tool {
+public:
+    void press(const Pointer& pointer, Workbench& bench) override
+    {
+        lit_ = gripUnder(pointer, bench);
+        if (lit_)
+            gesture_.start(*lit_, pointer, bench.session.sheet().window);
+        else
+            gesture_.startNew(pointer);
+    }
+    void move(const Pointer& pointer, Workbench& bench) override
+    {
+        if (gesture_.going())
+            gesture_.proceed(pointer);
+        else
+            lit_ = gripUnder(pointer, bench);
+    }
+    void release(const Pointer& pointer, Workbench& bench) override
+    {
+        gesture_.finish(pointer, bench);
+    }
+    bool key(QKeyEvent& event, Workbench& bench) override;
+    void cancel(Workbench&) override { gesture_.cancel(); }
+    bool busy() const override { return gesture_.going(); }
+
+    QCursor cursor(const Workbench&) const override
+    {
+        return lit_ ? cursorOf(*lit_) : Qt::CrossCursor;
+    }
+    app::SnapTo snapsTo() const override
+    {
+        return app::SnapTo(std::uint8_t(app::SnapTo::Ends) | std::uint8_t(app::SnapTo::Middles));
+    }
+    bool showsGrips() const override { return true; }
+    std::optional<clipping::Window> window() const override { return gesture_.window(); }
+    Tool::WindowGesture windowGesture() const override { return gesture_.kind(); }
+    std::optional<app::Grip> litGrip() const override { return lit_; }
+
+private:
+    static std::optional<app::Grip> gripUnder(const Pointer& pointer, const Workbench& bench)
+    {
+        const clipping::Window& w = bench.session.sheet().window;
+        if (const auto grip = app::gripAt(pointer.screen, w, bench.view))
+            return grip;
+        const app::Point p = pointer.raw;
+        const bool inside = p.x >= w.min.x && p.y >= w.min.y && p.x <= w.max.x && p.y <= w.max.y;
+        return inside ? std::optional(app::Grip{}) : std::nullopt;
+    }
+
+    ui::WindowGesture gesture_;
+    std::optional<app::Grip> lit_;
+};
+
+// With this tool the arrows move the window, whatever is selected.
+bool WindowTool::key(QKeyEvent& event, Workbench& bench)
+{
+    const int key = event.key();
+    if (event.modifiers() & (Qt::AltModifier | Qt::ControlModifier) || gesture_.going())
+        return false;
+    app::Point by(int(key == Qt::Key_Right) - int(key == Qt::Key_Left),
+                  int(key == Qt::Key_Down) - int(key == Qt::Key_Up));
+    if (by == app::Point(0))
+        return false;
+    by *= nudge(bench, event.modifiers());
+    const clipping::Window& w = bench.session.sheet().window;
+    bench.session.history.push(new app::SetWindow(bench.session.drawing, {w.min + by, w.max + by},
+                                                  app::Merging::WithLast));
+    return true;
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeWindowTool() { return std::make_unique<WindowTool>(); }
+
+} // namespace ui
