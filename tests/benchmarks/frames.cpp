@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the canvas on many lines of 3 to 17 pixels at 1280 x 800 and prints what issue and
+// README quote: frames [LINES] [raster|gl] [PICTURE.png]
+#include "ui/canvas/canvas.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTextStream>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+app::Sheet shortLines(int count)
+{
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17), angle(0, 2 * M_PI);
+    app::Sheet sheet;
+    sheet.page = {{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
+    sheet.window = {{320, 200}, {960, 600}};
+    for (int i = 0; i < count; ++i) {
+        const app::Point a(x(random), y(random));
+        const double l = length(random), t = angle(random);
+        app::Shape shape;
+        shape.style.stroke = app::Colour{};
+        shape.paths.push_back({a, {{a + l * app::Point(std::cos(t), std::sin(t))}}, false});
+        sheet.shapes.push_back(std::move(shape));
+    }
+    return sheet;
+}
+
+double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) * 1e-6; }
+
+struct Figures {
+    std::vector<double> times;
+    void print(QTextStream& out, const char* what)
+    {
+        std::ranges::sort(times);
+        out << qSetFieldWidth(34) << Qt::left << what << qSetFieldWidth(0) << "median "
+            << times[times.size() / 2] << " ms, worst " << times.back() << " ms\n";
+    }
+};
+
+// One frame as a person sees it: the event, and until everything that it asked for is on the screen.
+template <class Act>
+double frame(QWidget& window, Act act)
+{
+    QElapsedTimer clock;
+    clock.start();
+    act();
+    window.repaint();
+    QCoreApplication::processEvents();
+    return milliseconds(clock);
+}
+
+void wheel(QWidget& surface, int notches)
+{
+    const QPointF at(500, 300);
+    QWheelEvent event(at, surface.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&surface, &event);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    const int lines = argc > 1 ? atoi(argv[1]) : 100'000;
+    const bool gl = argc > 2 && QByteArray(argv[2]) == "gl";
+    QTextStream out(stdout);
+    app::Session session;
+    session.load({shortLines(lines), {}});
+    QElapsedTimer clock;
+    clock.start();
+    ui::Canvas canvas(session, gl ? ui::Backend::OpenGL : ui::Backend::Raster);
+    std::vector<double> clip;
+    QObject::connect(&canvas, &ui::Canvas::frameShown, [&](const ui::FrameTimes& t) { clip.push_back(t.clipMs); });
+    canvas.resize(1280 + 20, 800 + 20);
+    canvas.show();
+    QCoreApplication::processEvents();
+    out << lines << " lines, " << canvas.backendReason() << "\nfirst frame after " << milliseconds(clock) << " ms";
+    canvas.settle();
+    out << ", in full quality after " << milliseconds(clock) << " ms\n";
+
+    QWidget& surface = *canvas.focusProxy();
+    Figures pan, zoom, rest, drag;
+    canvas.setTool("hand");
+    for (int i = 0; i < 60; ++i)
+        pan.times.push_back(frame(canvas, [&] {
+            QWheelEvent event({500, 300}, {500, 300}, {7, 3}, {7, 3}, Qt::NoButton, Qt::NoModifier, Qt::ScrollUpdate, false);
+            QCoreApplication::sendEvent(&surface, &event);
+        }));
+    for (int i = 0; i < 60; ++i)
+        zoom.times.push_back(frame(canvas, [&] { wheel(surface, i < 30 ? 1 : -1); }));
+    for (int i = 0; i < 10; ++i) {
+        wheel(surface, i % 2 ? 1 : -1);
+        clock.start();
+        canvas.settle();
+        rest.times.push_back(milliseconds(clock));
+    }
+    for (int i = 0; i < 30; ++i)
+        drag.times.push_back(frame(canvas, [&] { session.drawing.setWindow({{320.0 + i, 200}, {960.0 + i, 600}}); }));
+    Figures{clip}.print(out, "clipping of all lines, a frame");
+    pan.print(out, "frame while panning");
+    zoom.print(out, "frame while zooming");
+    drag.print(out, "frame while the window moves");
+    rest.print(out, "full quality after rest");
+    canvas.settle();
+    if (argc > 3)
+        canvas.grab().save(argv[3]);
+    return 0;
+}
