@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_reader.h"
-#include "app/formats/svg_writer.h"
+#include "app/formats/svg/reader.h"
+#include "app/formats/svg/writer.h"
 
 #include <QCoreApplication>
 

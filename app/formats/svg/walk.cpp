@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_walk.h"
+#include "app/formats/svg/walk.h"
 
-#include "app/formats/svg_limits.h"
-#include "app/formats/svg_refused.h"
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/scanner.h"
 
 #include <array>
 #include <cmath>

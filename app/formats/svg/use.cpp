@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elements that draw others elsewhere (<use>, <symbol>) or in a viewport of their own (<svg>).
-#include "app/formats/svg_refused.h"
-#include "app/formats/svg_scanner.h"
-#include "app/formats/svg_walk.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/scanner.h"
+#include "app/formats/svg/walk.h"
 
 namespace app::svg {
 

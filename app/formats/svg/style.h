@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg_css.h"
-#include "app/formats/svg_length.h"
+#include "app/formats/svg/css.h"
+#include "app/formats/svg/length.h"
 
 namespace app::svg {
 

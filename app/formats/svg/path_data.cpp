@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_path_data.h"
+#include "app/formats/svg/path_data.h"
 
-#include "app/formats/svg_arc.h"
-#include "app/formats/svg_limits.h"
-#include "app/formats/svg_refused.h"
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/arc.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/scanner.h"
 
 #include <algorithm>
 #include <array>

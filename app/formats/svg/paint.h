@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg_report.h"
-#include "app/formats/svg_style.h"
+#include "app/formats/svg/report.h"
+#include "app/formats/svg/style.h"
 
 #include <unordered_map>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_style.h"
+#include "app/formats/svg/style.h"
 
-#include "app/formats/svg_colour.h"
-#include "app/formats/svg_limits.h"
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/colour.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/scanner.h"
 
 #include <algorithm>
 #include <array>

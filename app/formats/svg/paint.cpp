@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_paint.h"
+#include "app/formats/svg/paint.h"
 
-#include "app/formats/svg_colour.h"
-#include "app/formats/svg_refused.h"
+#include "app/formats/svg/colour.h"
+#include "app/formats/svg/refused.h"
 
 namespace app::svg {
 namespace {

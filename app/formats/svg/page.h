@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/document/sheet.h"
-#include "app/formats/svg_transform.h"
-#include "app/formats/svg_tree.h"
+#include "app/formats/svg/transform.h"
+#include "app/formats/svg/tree.h"
 
 namespace app::svg {
 

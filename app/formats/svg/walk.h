@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg_layers.h"
-#include "app/formats/svg_outline.h"
-#include "app/formats/svg_paint.h"
-#include "app/formats/svg_transform.h"
+#include "app/formats/svg/layers.h"
+#include "app/formats/svg/outline.h"
+#include "app/formats/svg/paint.h"
+#include "app/formats/svg/transform.h"
 
 namespace app::svg {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg_tree.h"
+#include "app/formats/svg/tree.h"
 
 #include <string>
 #include <string_view>

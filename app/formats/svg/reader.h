@@ -7,7 +7,7 @@ namespace app::svg {
 
 /// An SVG drawing as a sheet: transforms applied, styles computed, <use> drawn out, hidden things
 /// kept hidden. The sentence of a failure begins with the line ("line 212 is not complete ...").
-/// Ends soon and within the memory that svg_limits.h implies, whatever the file holds.
+/// Ends soon and within the memory that limits.h implies, whatever the file holds.
 Result<Imported> read(QIODevice& in);
 
 } // namespace app::svg

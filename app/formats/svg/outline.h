@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg_length.h"
-#include "app/formats/svg_path_data.h"
-#include "app/formats/svg_tree.h"
+#include "app/formats/svg/length.h"
+#include "app/formats/svg/path_data.h"
+#include "app/formats/svg/tree.h"
 
 namespace app::svg {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_outline.h"
+#include "app/formats/svg/outline.h"
 
-#include "app/formats/svg_arc.h"
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/arc.h"
+#include "app/formats/svg/scanner.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_page.h"
+#include "app/formats/svg/page.h"
 
 #include "app/formats/number.h"
-#include "app/formats/svg_length.h"
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/length.h"
+#include "app/formats/svg/scanner.h"
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_colour.h"
+#include "app/formats/svg/colour.h"
 
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/scanner.h"
 
 #include <QColor>
 

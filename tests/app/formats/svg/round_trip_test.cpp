@@ -30,7 +30,7 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-class SvgTest : public QObject {
+class RoundTripTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -55,5 +55,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SvgTest)
-#include "svg_test.moc"
+QTEST_GUILESS_MAIN(RoundTripTest)
+#include "round_trip_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_writer.h"
+#include "app/formats/svg/writer.h"
 
 #include "app/formats/number.h"
 

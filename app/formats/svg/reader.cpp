@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_reader.h"
+#include "app/formats/svg/reader.h"
 
-#include "app/formats/svg_page.h"
-#include "app/formats/svg_refused.h"
-#include "app/formats/svg_walk.h"
+#include "app/formats/svg/page.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/walk.h"
 
 namespace app::svg {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_scanner.h"
+#include "app/formats/svg/scanner.h"
 
-#include "app/formats/svg_limits.h"
-#include "app/formats/svg_refused.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
 
 #include <algorithm>
 #include <charconv>

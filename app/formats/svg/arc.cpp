@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg_arc.h"
+#include "app/formats/svg/arc.h"
 
 #include <algorithm>
 #include <cmath>
