@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -11,6 +12,7 @@ namespace {
 
 // The longest fixed text of a double: 309 digits before the point, 1074 after it, sign and point.
 using Buffer = std::array<char, 1400>;
+constexpr int mostDecimals = 1074;
 
 void appendTrimmed(std::string& text, std::string_view number)
 {
@@ -26,33 +28,43 @@ void appendTrimmed(std::string& text, std::string_view number)
 
 void appendNumber(std::string& text, double number)
 {
+    assert(std::isfinite(number));
     Buffer buffer;
-    const auto end = std::to_chars(buffer.begin(), buffer.end(), number, std::chars_format::fixed).ptr;
+    const auto end =
+        std::to_chars(buffer.begin(), buffer.end(), number, std::chars_format::fixed).ptr;
     appendTrimmed(text, {buffer.data(), std::size_t(end - buffer.data())});
 }
 
 void appendNumber(std::string& text, double number, int precision, double low, double high)
 {
+    assert(std::isfinite(number));
+    precision = std::clamp(precision, 0, mostDecimals);
     Buffer buffer;
-    const auto format = [&](double x) {
-        const auto end = std::to_chars(buffer.begin(), buffer.end(), x, std::chars_format::fixed, precision).ptr;
+    const auto rounded = [&](double x) {
+        const auto end =
+            std::to_chars(buffer.begin(), buffer.end(), x, std::chars_format::fixed, precision).ptr;
         return std::string_view(buffer.data(), std::size_t(end - buffer.data()));
     };
     const auto value = [](std::string_view s) { return parseNumber(s).value_or(0); };
-    const double step = std::pow(10.0, -precision);
-    std::string_view best = format(number);
-    if (value(best) > high)
-        best = format(number - step);
-    else if (value(best) < low)
-        best = format(number + step);
-    if (value(best) > high || value(best) < low)
-        best = format(number); // no such decimal: the window is thinner than one
-    appendTrimmed(text, best);
+    const auto first = value(rounded(number));
+    if (first < low || first > high) {
+        // The last decimal inside a bound is the bound's own rounding, or the one before it.
+        const double bound = first > high ? high : low;
+        const double inward = std::pow(10.0, -precision) * (first > high ? -1 : 1);
+        for (const double candidate : {bound, bound + inward / 2, bound + inward}) {
+            const auto decimals = rounded(candidate);
+            if (value(decimals) >= low && value(decimals) <= high) {
+                appendTrimmed(text, decimals);
+                return;
+            }
+        }
+    }
+    appendTrimmed(text, rounded(number)); // it is inside, or the window is thinner than a decimal
 }
 
 std::optional<double> parseNumber(std::string_view text)
 {
-    if (text.starts_with('+'))
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     double number = 0;
     const char* const last = text.data() + text.size();

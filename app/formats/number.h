@@ -8,7 +8,7 @@
 namespace app {
 
 /// Appends the shortest decimal text that reads back bit for bit, without an exponent; -0 is "0".
-/// The one way that numbers reach a file.
+/// The one way that numbers reach a file. The number is finite, here and below.
 void appendNumber(std::string& text, double number);
 
 /// With `precision` decimals (trailing zeros left out), rounded to nearest, then moved by whole

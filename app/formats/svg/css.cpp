@@ -218,7 +218,10 @@ StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text))
             continue;
         }
         const auto end = endOfBlock(rest, open);
-        const auto before = rest.substr(0, open), body = rest.substr(open + 1, end - open - 2);
+        const auto before = rest.substr(0, open);
+        auto body = rest.substr(open + 1, end - open - 1);
+        if (body.ends_with('}'))
+            body.remove_suffix(1);
         if (before.starts_with('@'))
             ++ignored_;
         else
@@ -232,7 +235,7 @@ StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text))
 
 void StyleSheet::addRules(std::string_view selectors, std::string_view body)
 {
-    const auto declarations = parseDeclarations(body);
+    bodies_.push_back(parseDeclarations(body));
     while (!selectors.empty()) {
         const auto comma = std::min(selectors.find(','), selectors.size());
         auto selector = parseSelector(selectors.substr(0, comma));
@@ -242,10 +245,7 @@ void StyleSheet::addRules(std::string_view selectors, std::string_view body)
             continue;
         }
         const int specificity = specificityOf(*selector);
-        tried_ += declarations.size() + 1; // long lists of selectors before long bodies
-        if (tried_ > mostDeclarations)
-            throw Refused{tr("its style sheet is too large."), Refused::wholeFile};
-        rules_.push_back({std::move(*selector), declarations, specificity});
+        rules_.push_back({std::move(*selector), bodies_.size() - 1, specificity});
     }
 }
 
@@ -260,11 +260,17 @@ void StyleSheet::index(std::uint32_t rule)
         byTag_[last.tag].push_back(rule);
 }
 
+void StyleSheet::countTried(std::size_t count)
+{
+    tried_ += count;
+    if (tried_ > mostDeclarations)
+        throw Refused{tr("its style sheet is too large for so many elements."), Refused::wholeFile};
+}
+
 bool StyleSheet::matches(const Tree& tree, Node node, const std::vector<Compound>& selector,
                          std::size_t last)
 {
-    if (++tried_ > mostDeclarations)
-        throw Refused{tr("its style sheet is too large for so many elements."), Refused::wholeFile};
+    countTried(1);
     if (!svg::matches(tree, node, selector[last]))
         return false;
     if (last == 0)
@@ -279,7 +285,7 @@ bool StyleSheet::matches(const Tree& tree, Node node, const std::vector<Compound
     return false;
 }
 
-std::vector<const Rule*> StyleSheet::matching(const Tree& tree, Node node)
+std::vector<const std::vector<Declaration>*> StyleSheet::matching(const Tree& tree, Node node)
 {
     std::vector<std::uint32_t> found;
     const auto tryThose = [&](const Index& index, std::string_view key) {
@@ -302,10 +308,12 @@ std::vector<const Rule*> StyleSheet::matching(const Tree& tree, Node node)
         tryThose(byId_, id);
     std::ranges::sort(found); // rules_ is sorted by specificity, then by place
     found.erase(std::ranges::unique(found).begin(), found.end());
-    std::vector<const Rule*> rules;
-    for (const auto rule : found)
-        rules.push_back(&rules_[rule]);
-    return rules;
+    std::vector<const std::vector<Declaration>*> bodies;
+    for (const auto rule : found) {
+        bodies.push_back(&bodies_[rules_[rule].body]);
+        countTried(bodies.back()->size());
+    }
+    return bodies;
 }
 
 } // namespace app::svg

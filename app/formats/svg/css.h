@@ -33,7 +33,7 @@ struct Compound {
 
 struct Rule {
     std::vector<Compound> selector; ///< from left to right, never empty
-    std::vector<Declaration> declarations;
+    std::size_t body = 0;           ///< which declarations; a list of selectors shares them
     int specificity = 0;
 };
 
@@ -48,18 +48,21 @@ public:
     int ignored() const { return ignored_; }
     bool empty() const { return rules_.empty(); }
 
-    /// The rules for an element, the weakest first. Throws Refused when far too much was tried.
-    std::vector<const Rule*> matching(const Tree& tree, Node node);
+    /// The declarations for an element, the weakest rule's first. Throws Refused when far too much
+    /// was tried.
+    std::vector<const std::vector<Declaration>*> matching(const Tree& tree, Node node);
 
 private:
     using Index = std::unordered_map<std::string_view, std::vector<std::uint32_t>>;
 
     void addRules(std::string_view selectors, std::string_view body);
     void index(std::uint32_t rule);
+    void countTried(std::size_t count); ///< throws Refused where that becomes too much
     bool matches(const Tree& tree, Node node, const std::vector<Compound>& selector,
                  std::size_t last);
 
     std::string text_; ///< without comments; what all views point into
+    std::vector<std::vector<Declaration>> bodies_;
     std::vector<Rule> rules_;
     Index byId_, byClass_, byTag_; ///< of the rightmost part
     int ignored_ = 0;

@@ -15,7 +15,7 @@ constexpr std::size_t mostNames =
     10'000; ///< different ones of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
 constexpr std::size_t mostParts = 10'000'000;        ///< shapes, stretches and dashes together
-constexpr std::size_t mostDeclarations = 50'000'000; ///< style rules times elements, tried
+constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tried
 constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
 constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one
 constexpr double largestCoordinate = 1e300;          ///< so that sums and differences stay finite

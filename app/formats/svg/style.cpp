@@ -247,7 +247,8 @@ Properties Styles::of(Node node, const Properties& parent, const Lengths& around
     }
     if (inlined.empty() && sheet_.empty())
         return result;
-    const auto rules = sheet_.empty() ? std::vector<const Rule*>() : sheet_.matching(tree_, node);
+    const auto rules =
+        sheet_.empty() ? decltype(sheet_.matching(tree_, node)){} : sheet_.matching(tree_, node);
     const auto own = parseDeclarations(inlined);
     for (const bool important : {false, true}) {
         const auto apply = [&](const std::vector<Declaration>& declarations) {
@@ -256,8 +257,8 @@ Properties Styles::of(Node node, const Properties& parent, const Lengths& around
                     if (const Property* property = find(declaration.property))
                         set(*property, result, declaration.value, parent, lengths);
         };
-        for (const Rule* rule : rules)
-            apply(rule->declarations);
+        for (const auto* rule : rules)
+            apply(*rule);
         apply(own);
     }
     return result;

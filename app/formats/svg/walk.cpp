@@ -29,6 +29,12 @@ constexpr std::array foreigners{
     Foreign{"script", QT_TRANSLATE_NOOP("svg", "scripts")},
 };
 
+const Foreign* findForeign(std::string_view element)
+{
+    const auto found = std::ranges::find(foreigners, element, &Foreign::element);
+    return found == foreigners.end() ? nullptr : &*found;
+}
+
 bool finite(const Path& path)
 {
     const auto small = [](const Point& p) {
@@ -85,8 +91,7 @@ void Walk::draw(Node node, const Place& around)
         (this->*row->draw)(node, around);
         return;
     }
-    const auto foreign = std::ranges::find(foreigners, name, &Foreign::element);
-    if (foreign != foreigners.end())
+    if (const Foreign* foreign = findForeign(name))
         report_.lost(tr(foreign->what));
 }
 
@@ -148,14 +153,16 @@ void Walk::drawLayer(Node node, Place place, const Place& around)
     layers_.close();
 }
 
+// The first child that draws something and does not ask for what we do not have.
 void Walk::drawSwitch(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
     for (const Node child : Children(tree_, node)) {
-        const bool conditional = !tree_.attribute(child, "requiredExtensions").empty()
+        const bool asksForMore = !tree_.attribute(child, "requiredExtensions").empty()
                                  || !tree_.attribute(child, "systemLanguage").empty();
-        if (!conditional && find(tree_.name(child))) {
+        const auto name = tree_.name(child);
+        if (!asksForMore && (find(name) || findForeign(name))) {
             draw(child, place);
             return;
         }

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad files end in one clear sentence, soon, and without much memory.
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/resource.h>
+
+#include "tests/app/formats/svg/text.h"
+
+namespace {
+
+QString error(const QByteArray& text)
+{
+    const auto result = readText(text);
+    return result ? QStringLiteral("(no error)") : result.error;
+}
+
+QByteArray doublingUses(int levels, int width)
+{
+    QByteArray defs = "<defs><path id='u0' d='M0 0h1'/>";
+    for (int i = 1; i <= levels; ++i) {
+        defs += "<g id='u" + QByteArray::number(i) + "'>";
+        defs += ("<use xlink:href='#u" + QByteArray::number(i - 1) + "'/>").repeated(width);
+        defs += "</g>\n";
+    }
+    return drawing(defs + "</defs><use xlink:href='#u" + QByteArray::number(levels) + "'/>");
+}
+
+long peakMegabytes()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+} // namespace
+
+class HostileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sentences_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("expected"); // how the sentence begins
+        const auto row = [](const char* name, const QByteArray& text, const char* expected) {
+            QTest::newRow(name) << text << QString(expected);
+        };
+        row("empty", "", "it is empty.");
+        row("blank", " \n ", "it is empty.");
+        row("text", "Hello\nworld", "it is not an SVG drawing (");
+        row("binary", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
+            "it is not an SVG drawing (");
+        row("zeros", QByteArray(100'000, '\0'), "it is not an SVG drawing (");
+        row("html", "<html><body/></html>",
+            "it is not an SVG drawing; its first element is <html>.");
+        row("compressed", QByteArray("\x1f\x8b\x08\0", 4), "it is compressed (.svgz).");
+        row("truncated", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g>\n<path d='M0 0",
+            "line 3 is not complete; the file ends too early.");
+        row("truncated after an element", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g/>\n",
+            "line 3 is not complete; the file ends too early.");
+        row("tags cross", drawing("\n<g>\n</a>"), "line 3 is not correct XML (");
+        row("two roots", "<svg/><svg/>", "line 1 is not correct XML (");
+        row("bad encoding", drawing("<g id='\xff\xfe'/>"), "it is not an SVG drawing (");
+        row("undeclared entity", drawing("&x;"), "line 1 is not correct XML (");
+        row("nan", drawing("\n<line x1='NaN'/>"),
+            "line 2 has NaN where a finite number should be.");
+        row("infinite", drawing("\n\n<circle r='-inf'/>"),
+            "line 3 has -inf where a finite number should be.");
+        row("1e400", drawing("<path d='M0 0L1e400 0'/>"),
+            "line 1 has 1e400 where a finite number should be.");
+        row("1e400 in a transform", drawing("<g transform='scale(1e400)'/>"),
+            "line 1 has 1e400 where a finite number should be.");
+        row("transform overflows",
+            drawing("<g transform='scale(1e200)'><g transform='scale(1e200)'>\n<path d='M1 1L2 "
+                    "2'/></g></g>"),
+            "line 2 has a coordinate that is too large to be drawn.");
+        row("relative overflow",
+            drawing("<path d='M9e299 0" + QByteArray("h9e299").repeated(20) + "'/>"),
+            "line 1 has a coordinate that is too large to be drawn.");
+        row("stroke overflows",
+            drawing("<g transform='scale(1e100)'><path d='M1 1L2 2' stroke-width='1e290'/></g>"),
+            "line 1 has a stroke that is too large to be drawn.");
+        row("uses itself", drawing("\n<use id='a' xlink:href='#a'/>"),
+            "line 2 has a <use> that repeats itself for ever.");
+        row("uses its parent", drawing("<g id='a'>\n<use xlink:href='#a'/></g>"),
+            "line 2 has a <use> that repeats itself for ever.");
+        row("uses each other",
+            drawing("<defs><g id='a'><use xlink:href='#b'/></g>\n<g id='b'><use "
+                    "xlink:href='#a'/></g></defs><use href='#a'/>"),
+            "line 2 has a <use> that repeats itself for ever.");
+        row("deep",
+            "<svg>" + QByteArray("<g>").repeated(100'000) + QByteArray("</g>").repeated(100'000)
+                + "</svg>",
+            "line 1 nests elements deeper than 500; ungroup some of them.");
+        row("deep without end", "<svg>" + QByteArray("<g>").repeated(100'000),
+            "line 1 nests elements deeper than 500");
+        row("use bomb of 10^6", doublingUses(6, 10), "line ");
+        row("use bomb of 10^9", doublingUses(9, 10), "line ");
+        row("use bomb of 2^400", doublingUses(400, 2), "line ");
+    }
+    void sentences()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, expected);
+        QElapsedTimer timer;
+        timer.start();
+        const QString got = error(text);
+        QVERIFY2(got.startsWith(expected), qPrintable(got));
+        QVERIFY2(got.endsWith('.') && !got.contains('\n'), qPrintable(got));
+        QVERIFY2(timer.elapsed() < 20'000, "took too long"); // also under a sanitizer
+    }
+
+    void longUseChainsAreRefused()
+    {
+        QByteArray defs = "<path id='u0' d='M0 0h1'/>";
+        for (int i = 1; i <= 5000; ++i)
+            defs += "<use id='u" + QByteArray::number(i) + "' href='#u" + QByteArray::number(i - 1)
+                    + "'/>";
+        QVERIFY(error(drawing("<defs>" + defs + "</defs><use href='#u5000'/>"))
+                    .contains("nests elements deeper"));
+        QCOMPARE(error(drawing("<defs>" + defs + "</defs><use href='#u400'/>")), "(no error)");
+    }
+
+    void entityBombsAreRefused()
+    {
+        QByteArray bomb = "<!DOCTYPE svg [<!ENTITY e0 'ha'>";
+        for (int i = 1; i <= 9; ++i)
+            bomb += "<!ENTITY e" + QByteArray::number(i) + " '"
+                    + ("&e" + QByteArray::number(i - 1) + ";").repeated(10) + "'>";
+        QVERIFY(error(bomb + "]><svg><g id='&e9;'/></svg>").contains("is not correct XML"));
+        QVERIFY(error(bomb + "]><svg><title>&e9;</title></svg>").contains("is not correct XML"));
+    }
+
+    void externalEntitiesAreNeverFetched()
+    {
+        QTemporaryDir folder;
+        QFile secret(folder.filePath("secret.txt"));
+        QVERIFY(secret.open(QIODevice::WriteOnly));
+        secret.write("M 0 0 L 7 7");
+        secret.close();
+        const QByteArray doctype =
+            "<!DOCTYPE svg [<!ENTITY x SYSTEM 'file://" + secret.fileName().toUtf8() + "'>]>";
+        const auto inText = readText(doctype + drawing("<style>&x;</style><path d='M0 0L1 1'/>"));
+        QVERIFY(!inText || !textOf(inText.value->sheet).contains("7"));
+        const auto inAttribute = readText(doctype + drawing("<path d='&x;'/>"));
+        QVERIFY(!inAttribute || inAttribute.value->sheet.shapes.empty());
+    }
+
+    void entitiesOfTheFileAreExpanded()
+    {
+        const auto result =
+            readText("<!DOCTYPE svg [<!ENTITY d 'M 0 0 L 7 7'>]>" + drawing("<path d='&d;'/>"));
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->sheet.shapes.size(), 1u);
+    }
+
+    void damagedShapesAreKeptAsFarAsTheyAreClear()
+    {
+        QCOMPARE(reportOf("<path d='M0 0L1 1L'/>"),
+                 "1 damaged shapes (kept as far as they are clear)");
+        QCOMPARE(reportOf("<circle r='red'/>"), "1 damaged shapes (kept as far as they are clear)");
+        QCOMPARE(shapeOf("<path d='M0 0L1 1L'/>").paths.at(0).stretches.size(), 1u);
+    }
+
+    void gradientsOfGradientsEnd()
+    {
+        QByteArray defs;
+        for (int i = 0; i < 1000; ++i)
+            defs += "<linearGradient id='g" + QByteArray::number(i) + "' href='#g"
+                    + QByteArray::number((i + 1) % 1000) + "'/>";
+        QCOMPARE(error(drawing(defs + "<path d='M0 0h1' fill='url(#g0)'/>")), "(no error)");
+    }
+
+    void styleSheetsCannotMultiply()
+    {
+        const QByteArray rules = QByteArray("*{stroke:red}").repeated(20'000);
+        const QByteArray lines = QByteArray("<path d='M0 0h1'/>").repeated(20'000);
+        QCOMPARE(error(drawing("<style>" + rules + "</style>" + lines)),
+                 "its style sheet is too large for so many elements.");
+        const QByteArray list = QByteArray("a,").repeated(50'000),
+                         body = QByteArray("fill:red;").repeated(50'000);
+        QCOMPARE(error(drawing("<style>" + list + "b{" + body + "}</style><b/>")), "(no error)");
+        QCOMPARE(error(drawing("<style>" + QByteArray("*,").repeated(50'000) + "b{" + body
+                               + "}</style><path d='M0 0h1'/>")),
+                 "its style sheet is too large for so many elements.");
+    }
+
+    void longDashPatternsAreLeftOut()
+    {
+        const QByteArray line = "<path d='M0 0h1' stroke='red' stroke-dasharray='"
+                                + QByteArray("1 ").repeated(100'000) + "'/>";
+        QVERIFY(shapeOf(line).style.dashes.empty());
+        QCOMPARE(reportOf(line), "1 dash patterns that are too long");
+    }
+
+    void aMillionPointsAreAllRead()
+    {
+        QByteArray data = "M0 0";
+        for (int i = 0; i < 1'000'000; ++i)
+            data += i % 2 ? "l1 1" : "l1-1";
+        const auto result = readText(drawing("<path d='" + data + "'/>"));
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->sheet.shapes.at(0).paths.at(0).stretches.size(), 1'000'000u);
+    }
+
+    void thousandsOfLayersBecomeOne()
+    {
+        const QByteArray one = "<path d='M0 0h1'/><g inkscape:groupmode='layer' "
+                               "style='display:none'><path d='M0 0h1'/></g>";
+        const auto result = readText(drawing(one.repeated(5000)));
+        QVERIFY2(result, qPrintable(result.error));
+        const app::Sheet& sheet = result.value->sheet;
+        QCOMPARE(sheet.shapes.size(), 10'000u);
+        QCOMPARE(sheet.layers.size(), 1000u);
+        for (std::size_t i = 0; i < sheet.shapes.size(); ++i)
+            QCOMPARE(sheet.shown(sheet.shapes[i]), i % 2 == 0);
+    }
+
+    void memoryStaysBounded()
+    {
+        QVERIFY2(peakMegabytes() < 1500, qPrintable(QString::number(peakMegabytes())));
+    }
+};
+
+QTEST_APPLESS_MAIN(HostileTest)
+#include "hostile_test.moc"

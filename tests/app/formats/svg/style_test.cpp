@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours, style sheets, inheritance, opacity: what a shape's style becomes.
+#include "app/formats/svg/colour.h"
+
+#include <QColor>
+#include <QTest>
+
+#include "tests/app/formats/svg/text.h"
+
+namespace {
+
+const QByteArray line = "<line x2='9' y2='9' id='i' class='a b'";
+
+QString name(const std::optional<app::Colour>& c)
+{
+    return c ? QStringLiteral("%1 %2 %3 %4").arg(c->red).arg(c->green).arg(c->blue).arg(c->alpha)
+             : "none";
+}
+
+app::Style style(const QByteArray& attributes, const QByteArray& sheet = {})
+{
+    return shapeOf("<style>" + sheet + "</style>" + line + attributes + "/>").style;
+}
+
+} // namespace
+
+class StyleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void colours_data()
+    {
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char* text, const char* expected) {
+            QTest::newRow(text) << QString(expected);
+        };
+        row("#f80", "255 136 0 255");
+        row("#F808", "255 136 0 136");
+        row("#0a141e", "10 20 30 255");
+        row("#0a141e80", "10 20 30 128");
+        row("rgb(10,20,30)", "10 20 30 255");
+        row("RGB( 10 , 20 , 300 )", "10 20 255 255");
+        row("rgb(100%, 50%, 0%)", "255 128 0 255");
+        row("rgb(10 20 30 / 50%)", "10 20 30 128");
+        row("rgba(10,20,30,.2)", "10 20 30 51");
+        row("rgb(-5,20,30)", "0 20 30 255");
+        row("hsl(120,100%,50%)", "0 255 0 255");
+        row("hsl(-120, 100%, 50%)", "0 0 255 255");
+        row("hsla(0,0%,50%,0.4)", "128 128 128 102");
+        row("hsl(30deg 100% 50%)", "255 128 0 255");
+        row(" Tomato ", "255 99 71 255");
+        row("LightGoldenrodYellow", "250 250 210 255");
+        row("rebeccapurple", "102 51 153 255");
+        row("transparent", "0 0 0 0");
+        for (const char* bad :
+             {"", "#", "#12", "#12345", "#ggg", "#-12345", "rgb(1,2)", "rgb(1,2,3",
+              "rgb(1,2,3,4,5)", "light blue", "nocolour", "hsl(a,b,c)", "rgb()", "url(#a)"})
+            row(bad, "none");
+    }
+    void colours()
+    {
+        QFETCH(QString, expected);
+        QCOMPARE(name(app::svg::parseColour(QTest::currentDataTag())), expected);
+    }
+
+    void allNamesOfSvg()
+    {
+        int count = 0;
+        for (const QString& known : QColor::colorNames()) {
+            if (known == "transparent")
+                continue;
+            ++count;
+            const QColor expected = QColor::fromString(known);
+            QCOMPARE(name(app::svg::parseColour(known.toStdString())),
+                     QStringLiteral("%1 %2 %3 255")
+                         .arg(expected.red())
+                         .arg(expected.green())
+                         .arg(expected.blue()));
+        }
+        QCOMPARE(count, 147);
+    }
+
+    void whatIsNotSaidIsSvgsDefault()
+    {
+        const app::Style plain = style("");
+        QCOMPARE(name(plain.fill), "0 0 0 255");
+        QCOMPARE(name(plain.stroke), "none");
+        QCOMPARE(plain.width, 1.0);
+        QCOMPARE(plain.miterLimit, 4.0);
+    }
+
+    void strengthOfRules()
+    {
+        QCOMPARE(name(style(" stroke='red'").stroke), "255 0 0 255");
+        QCOMPARE(name(style(" stroke='red'", "*{stroke:blue}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", "line{stroke:blue} *{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", ".b{stroke:blue} line{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", ".a.b{stroke:blue} .b{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", "#i{stroke:blue} .a.b{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", ".a{stroke:red} .b{stroke:blue}").stroke), "0 0 255 255");
+        QCOMPARE(name(style(" style='stroke:blue'", "#i{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style(" style='stroke:red'", "*{stroke:blue!important}").stroke),
+                 "0 0 255 255");
+        QCOMPARE(name(style(" style='stroke:blue !important'", "*{stroke:red ! important}").stroke),
+                 "0 0 255 255");
+        QCOMPARE(name(style(" stroke='blue'", ".c, .ab{stroke:red}").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", ".c , .b{stroke:blue}").stroke), "0 0 255 255");
+    }
+
+    void selectors()
+    {
+        const auto inGroup = [](const QByteArray& sheet) {
+            return name(shapeOf("<style><![CDATA[" + sheet
+                                + "]]></style><g class='g'><g><line x2='1' class='a'/></g></g>")
+                            .style.stroke);
+        };
+        QCOMPARE(inGroup(".g .a{stroke:blue}"), "0 0 255 255");
+        QCOMPARE(inGroup(".g > .a{stroke:blue}"), "none");
+        QCOMPARE(inGroup(".g>g>.a{stroke:blue}"), "0 0 255 255");
+        QCOMPARE(inGroup("svg g line[x2]{stroke:blue}"), "0 0 255 255");
+        QCOMPARE(inGroup("[class=\"a\"]{stroke:blue}"), "0 0 255 255");
+        QCOMPARE(inGroup("[class='b']{stroke:blue}"), "none");
+        QCOMPARE(inGroup("/* .a{stroke:red} */ .a/**/{;;stroke/**/:blue;x}"), "0 0 255 255");
+        QCOMPARE(inGroup("@media print { .a{stroke:red} } @import 'x'; .a{stroke:blue}"),
+                 "0 0 255 255");
+        QCOMPARE(inGroup(".a:hover{stroke:red} .a+.a{stroke:red}"), "none");
+        QCOMPARE(inGroup(".a{stroke:blue"), "0 0 255 255");
+    }
+
+    void rulesThatAreNotUnderstoodAreReported()
+    {
+        QCOMPARE(reportOf("<style>.a:hover{} @media x{} .b{}</style>"), "2 style rules");
+    }
+
+    void inheritance()
+    {
+        const auto child = [](const QByteArray& parent, const QByteArray& own) {
+            return shapeOf("<g " + parent + "><line x2='1' " + own + "/></g>").style;
+        };
+        QCOMPARE(name(child("stroke='blue'", "").stroke), "0 0 255 255");
+        QCOMPARE(name(child("fill='blue'", "fill='red' style='fill:inherit'").fill), "0 0 255 255");
+        QCOMPARE(name(child("color='blue' stroke='currentColor'", "color='red'").stroke),
+                 "255 0 0 255");
+        QCOMPARE(name(child("fill='blue'", "fill='no-such'").fill), "0 0 255 255");
+        QCOMPARE(child("stroke-dasharray='1,2 3'", "").dashes, (std::vector<double>{1, 2, 3}));
+        QCOMPARE(child("stroke-dasharray='1,2'", "stroke-dasharray='none'").dashes,
+                 std::vector<double>());
+        QCOMPARE(child("stroke-dasharray='1,2'", "stroke-dasharray='0 0'").dashes,
+                 std::vector<double>());
+        QCOMPARE(child("stroke-linecap='square'", "").cap, app::Cap::Square);
+    }
+
+    void opacitiesMultiply()
+    {
+        QCOMPARE(name(style(" stroke='#00f' stroke-opacity='.5'").stroke), "0 0 255 128");
+        QCOMPARE(name(style(" stroke='#00f8' opacity='50%'").stroke), "0 0 255 68");
+        const auto nested =
+            shapeOf("<g opacity='.5'><g opacity='.5'><line x2='1' stroke='#00f'/></g></g>");
+        QCOMPARE(name(nested.style.stroke), "0 0 255 64");
+    }
+
+    void lengths()
+    {
+        QCOMPARE(style(" stroke-width='1in'").width, 96.0);
+        QCOMPARE(style(" stroke-width='2.54cm'").width, 96.0);
+        QCOMPARE(style(" stroke-width='3PT'").width, 4.0);
+        QCOMPARE(style(" stroke-width='2em' style='font-size:10px'").width,
+                 20.0 + 12); // of the parent's 16
+        QCOMPARE(style(" stroke-width='10%'").width, 10.0);
+        QCOMPARE(style(" stroke-width='-1'").width, 1.0);
+        QCOMPARE(style(" stroke-width='1 2'").width, 1.0);
+    }
+
+    void transformsScaleStrokes()
+    {
+        const auto scaled = [](const QByteArray& transform, const QByteArray& own = "") {
+            return shapeOf("<g transform='" + transform
+                           + "'><line x2='1' stroke='red' stroke-width='2' "
+                             "stroke-dasharray='1 2' stroke-dashoffset='3' "
+                           + own + "/></g>")
+                .style;
+        };
+        QCOMPARE(scaled("scale(3)").width, 6.0);
+        QCOMPARE(scaled("scale(3)").dashes, (std::vector<double>{3, 6}));
+        QCOMPARE(scaled("scale(3)").dashOffset, 9.0);
+        QCOMPARE(scaled("rotate(90)").width, 2.0);
+        QCOMPARE(scaled("scale(1,-4)").width, 4.0);
+        QCOMPARE(scaled("scale(3)", "vector-effect='non-scaling-stroke'").width, 2.0);
+        QCOMPARE(reportOf("<line x2='1' stroke='red' transform='scale(1,2)'/>"),
+                 "1 unevenly stretched strokes (made even)");
+        QCOMPARE(reportOf("<line x2='1' fill='red' transform='scale(1,2)'/>"), "");
+    }
+
+    void gradientsBecomeTheirFirstColour()
+    {
+        const QByteArray defs =
+            "<defs><linearGradient id='s'><stop stop-color='#0000ff' "
+            "stop-opacity='.2'/><stop/></linearGradient>"
+            "<radialGradient id='r' xlink:href='#s'/><linearGradient id='one'><stop "
+            "style='stop-color:red'/></linearGradient>"
+            "<linearGradient id='loop' xlink:href='#loop'/><pattern id='p'/></defs>";
+        const auto fill = [&](const QByteArray& value) {
+            return name(shapeOf(defs + line + " fill='" + value + "'/>").style.fill);
+        };
+        QCOMPARE(fill("url(#r)"), "0 0 255 51");
+        QCOMPARE(fill("url( &quot;#one&quot; )"), "255 0 0 255");
+        QCOMPARE(fill("url(#loop)"), "none");
+        QCOMPARE(fill("url(#p)"), "none");
+        QCOMPARE(fill("url(#p) red"), "255 0 0 255");
+        QCOMPARE(fill("url(#nothing) #00f"), "0 0 255 255");
+        QCOMPARE(fill("url(#nothing)"), "none");
+        QCOMPARE(reportOf(defs + line + " fill='url(#r)' stroke='url(#p)'/>"),
+                 "1 patterns; 1 gradients (their first colour is used)");
+        QCOMPARE(reportOf(defs + line + " fill='url(#one)'/>"), "");
+    }
+};
+
+QTEST_APPLESS_MAIN(StyleTest)
+#include "style_test.moc"
