@@ -1,9 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/overlay.h"
+#include "ui/canvas/renderer.h"
 #include "ui/canvas/surface.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLPaintDevice>
+#include <QOpenGLWidget>
+
 namespace ui {
+namespace {
+
+class GlSurface final : public QOpenGLWidget, public Surface {
+public:
+    GlSurface(Controller& controller, Report report, QWidget* parent)
+        : QOpenGLWidget(parent), controller_(controller), report_(std::move(report))
+    {
+        QSurfaceFormat format;
+        format.setVersion(3, 3);
+        format.setProfile(QSurfaceFormat::CoreProfile);
+        format.setStencilBufferSize(8);
+        setFormat(format);
+    }
+    ~GlSurface() override
+    {
+        makeCurrent();
+        renderer_.reset();
+        doneCurrent();
+    }
+
+    QWidget& widget() override { return *this; }
+    void settle() override { repaint(); }
+
+protected:
+    // Also called again where the widget moves to another window, with another context.
+    void initializeGL() override { renderer_ = Renderer::make(); }
+
+    // Not QPainter(this): what that paints is missing from QWidget::grab().
+    void paintGL() override
+    {
+        QElapsedTimer clock;
+        clock.start();
+        const app::Frame frame = controller_.clip();
+        if (const FrameKey key = controller_.key(); key != key_ || ratio_ != devicePixelRatioF()) {
+            picture_ = controller_.picture(frame, devicePixelRatioF());
+            key_ = key;
+            ratio_ = devicePixelRatioF();
+        }
+        QOpenGLPaintDevice device((QSizeF(size()) * ratio_).toSize());
+        device.setDevicePixelRatio(ratio_);
+        QPainter painter(&device);
+        painter.setFont(font());
+        paintPaper(painter, controller_);
+        if (renderer_) {
+            painter.beginNativePainting();
+            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.colours().ghost);
+            painter.endNativePainting();
+        }
+        paintOverlay(painter, controller_);
+        painter.end();
+        const double clipMs = double(frame.nanoseconds) * 1e-6;
+        report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.nanoseconds,
+                 frame.inside.size(), frame.total});
+    }
+
+private:
+    Controller& controller_;
+    Report report_;
+    std::unique_ptr<Renderer> renderer_;
+    app::Picture picture_;
+    FrameKey key_;
+    double ratio_ = 0;
+};
+
+} // namespace
+
 std::unique_ptr<Surface> makeGlSurface(Controller& controller, Surface::Report report,
                                        QWidget* parent)
 {
-    return makeRasterSurface(controller, std::move(report), parent);
+    return std::make_unique<GlSurface>(controller, std::move(report), parent);
 }
+
 } // namespace ui

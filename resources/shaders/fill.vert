@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+layout(location = 0) in vec2 point; // logical pixels from the middle of the view
+uniform vec2 viewport;
+uniform float pixelRatio;
+
+void main() { gl_Position = vec4(point * pixelRatio * vec2(2.0, -2.0) / viewport, 0.0, 1.0); }

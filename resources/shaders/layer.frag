@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+uniform sampler2D layer; // premultiplied
+uniform float opacity;
+in vec2 at;
+out vec4 painted;
+
+void main() { painted = texture(layer, at) * opacity; }

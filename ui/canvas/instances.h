@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/picture.h"
+
+namespace ui {
+
+/// One straight piece of a stroke as the graphics card takes it (resources/shaders/stroke.vert).
+struct Instance {
+    float ax, ay, bx, by; ///< logical pixels from the middle of the view
+    std::uint32_t rgba;   ///< red in the lowest byte
+    float width;
+    std::uint32_t caps;
+};
+static_assert(sizeof(Instance) == 28);
+
+/// A plate as a list of draw calls, bottom to top, over two arrays.
+struct Batches {
+    struct Batch {
+        bool filled;                ///< an area; else strokes
+        std::uint32_t first, count; ///< strokes: of instances; area: of contours
+        app::Colour colour{};
+        app::FillRule rule{};
+    };
+    struct Point {
+        float x, y;
+    };
+    std::vector<Batch> batches;
+    std::vector<Instance> instances;
+    std::vector<Point> points;
+    std::vector<std::int32_t> contourStarts, contourCounts; ///< of points
+};
+
+/// Joins become round, whatever they are (and butt in a translucent ink, where round ones would be
+/// seen twice). An opaque area gets an edge half a pixel wide, because the card fills without
+/// anti-aliasing.
+Batches batches(const app::Plate& plate, const glm::dvec2& viewSize);
+
+} // namespace ui

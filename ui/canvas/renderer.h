@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/instances.h"
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+
+#include <memory>
+#include <optional>
+
+namespace ui {
+
+/// Paints pictures with OpenGL 3.3 core: each straight piece of a stroke is one instance of a quad
+/// whose fragment shader knows the distance to its edge; areas are written to the stencil first and
+/// covered then. Everything needs the context that was current when it was made.
+class Renderer {
+public:
+    /// Nothing if the driver does not do what a 3.3 core context promises.
+    static std::unique_ptr<Renderer> make();
+
+    /// Over what is in the current framebuffer, which has a stencil. `viewSize` in logical pixels.
+    void paint(const app::Picture& picture, const glm::dvec2& viewSize, double pixelRatio,
+               double ghost);
+
+private:
+    Renderer() = default;
+    bool build();
+    bool link(QOpenGLShaderProgram& program, const char* name);
+    void describeInstances(std::size_t first);
+    void paintPlate(const app::Plate& plate);
+    void paintStrokes(const Batches::Batch& batch);
+    void paintArea(const Batches& all, const Batches::Batch& batch);
+    void paintLayer(double opacity);
+    void beginLayer();
+    void use(QOpenGLShaderProgram& program);
+
+    QOpenGLFunctions_3_3_Core* gl_ = nullptr;
+    QOpenGLShaderProgram strokes_, areas_, layer_;
+    QOpenGLVertexArrayObject strokeArray_, areaArray_, layerArray_;
+    QOpenGLBuffer instances_, points_;
+    std::unique_ptr<QOpenGLFramebufferObject> ghost_;
+    glm::dvec2 viewSize_{1};
+    double pixelRatio_ = 1;
+};
+
+} // namespace ui
