@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/raster.h"
 
+#include "app/view/caps.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -54,34 +56,41 @@ private:
     {
         const Ink& ink = *coat.stroke;
         const bool thin = ink.width * ratio_ <= 1;
-        const bool round = ink.cap == Cap::Round && ink.width * ratio_ >= roundEndsShow;
+        const bool roundShows = ink.cap == Cap::Round && ink.width * ratio_ >= roundEndsShow;
         margin_ = ink.width * std::max(1.0, ink.join == Join::Miter ? ink.miterLimit : 1.0) + 1;
-        QPen pen(qColor(ink.colour), ink.width, Qt::SolidLine,
-                 ink.cap == Cap::Butt || round ? Qt::FlatCap : Qt::SquareCap);
-        pen.setJoinStyle(ink.join == Join::Miter   ? Qt::SvgMiterJoin
-                         : ink.join == Join::Round ? Qt::RoundJoin
-                                                   : Qt::BevelJoin);
-        pen.setMiterLimit(ink.miterLimit);
-        if (thin) { // a cosmetic pen's width is in device pixels
-            pen.setCosmetic(true);
-            pen.setWidthF(ink.width * ratio_);
-        }
-        QPen cut = pen; // for chains of which an end was made by the window
-        cut.setCapStyle(Qt::FlatCap);
+        const QPen pen = penFor(ink, ink.cap == Cap::Butt ? Qt::FlatCap
+                                     : roundShows         ? Qt::RoundCap
+                                                          : Qt::SquareCap);
+        const QPen flat =
+            penFor(ink, Qt::FlatCap); // for chains of which an end was made by the window
         for (const Chain& chain : plate.chainsOf(coat)) {
             const auto points = plate.pointsOf(chain);
             const bool own = (chain.capAtStart && chain.capAtEnd) || thin || ink.cap == Cap::Butt;
-            if (points.size() == 2 && own && !round) {
+            if (points.size() == 2 && own && !roundShows) {
                 line(points[0], points[1], pen);
                 continue;
             }
             flush(pen);
-            painter_.setPen(own ? pen : cut);
+            painter_.setPen(own ? pen : flat);
             polyline(points, chain.closed, thin && ink.colour.alpha == 255);
-            if (round || !own)
+            if (!own)
                 ends(points, chain, ink);
         }
         flush(pen);
+    }
+
+    QPen penFor(const Ink& ink, Qt::PenCapStyle cap) const
+    {
+        const Qt::PenJoinStyle join = ink.join == Join::Miter   ? Qt::SvgMiterJoin
+                                      : ink.join == Join::Round ? Qt::RoundJoin
+                                                                : Qt::BevelJoin;
+        QPen pen(qColor(ink.colour), ink.width, Qt::SolidLine, cap, join);
+        pen.setMiterLimit(ink.miterLimit);
+        if (ink.width * ratio_ <= 1) { // a cosmetic pen's width is in device pixels
+            pen.setCosmetic(true);
+            pen.setWidthF(ink.width * ratio_);
+        }
+        return pen;
     }
 
     bool outside(const QPointF& a, const QPointF& b) const
@@ -141,20 +150,9 @@ private:
 
     void end(const QPointF& at, const QPointF& away, const Ink& ink)
     {
-        const double r = 0.5 * ink.width, degrees = std::atan2(-away.y(), away.x()) * 180 / M_PI;
-        if (outside(at, at))
-            return;
-        QPainterPath path;
-        if (ink.cap == Cap::Round) {
-            path.arcMoveTo(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), degrees - 90);
-            path.arcTo(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), degrees - 90, 180);
-        } else if (ink.cap == Cap::Square) {
-            path.addPolygon(QTransform()
-                                .translate(at.x(), at.y())
-                                .rotate(-degrees)
-                                .map(QPolygonF(QRectF(0, -r, r, 2 * r))));
-        }
-        painter_.fillPath(path, qColor(ink.colour));
+        if (!outside(at, at))
+            painter_.fillPath(capAt(at, away, ink, ink.colour.alpha == 255 ? 0.5 : 0),
+                              qColor(ink.colour));
     }
 
     QPainter painter_;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 layout(location = 0) in vec2 point; // logical pixels from the middle of the view
 uniform vec2 viewport;
 uniform float pixelRatio;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How much of the pixel the piece covers, by the distance to its edge.
 in vec2 along;
 flat in vec2 halfSize;

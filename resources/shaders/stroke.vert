@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One instance is one straight piece of a stroke, in logical pixels from the middle of the view. The
 // four corners of its quad come from gl_VertexID.
 layout(location = 0) in vec4 ends;   // a, b

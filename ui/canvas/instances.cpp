@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/instances.h"
 
-#include <algorithm>
+#include "app/view/caps.h"
+
+#include <QPainterPathStroker>
+#include <QPolygonF>
 
 namespace ui {
 namespace {
 
 enum : std::uint32_t { Butt, Round, Square };
 
-constexpr double edgeWidth = 0.5;
+constexpr double edgeWidth = 0.5;            // pixels
+constexpr double joinsShow = 2.5;            // pixels of a stroke's width
+constexpr std::size_t mostOutlined = 50'000; // points of strokes made areas in a plate
 
 std::uint32_t packed(const app::Colour& c)
 {
@@ -21,15 +26,98 @@ std::uint32_t capOf(app::Cap cap)
     return cap == app::Cap::Round ? Round : cap == app::Cap::Square ? Square : Butt;
 }
 
+bool ownEnds(const app::Chain& chain)
+{
+    return chain.closed || (chain.capAtStart && chain.capAtEnd);
+}
+
+// The stroke as an area, with its joins, and with its caps if both ends have one.
+QPainterPath outline(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
+{
+    QPainterPath line(points.front());
+    for (const QPointF& p : points.subspan(1, points.size() - (chain.closed ? 2 : 1)))
+        line.lineTo(p);
+    if (chain.closed)
+        line.closeSubpath();
+    QPainterPathStroker stroker;
+    stroker.setWidth(ink.width);
+    stroker.setMiterLimit(ink.miterLimit);
+    stroker.setCapStyle(!ownEnds(chain) || ink.cap == app::Cap::Butt ? Qt::FlatCap
+                        : ink.cap == app::Cap::Round                 ? Qt::RoundCap
+                                                                     : Qt::SquareCap);
+    stroker.setJoinStyle(ink.join == app::Join::Miter   ? Qt::SvgMiterJoin
+                         : ink.join == app::Join::Round ? Qt::RoundJoin
+                                                        : Qt::BevelJoin);
+    return stroker.createStroke(line);
+}
+
 class Batching {
 public:
     explicit Batching(const glm::dvec2& viewSize) : middle_(viewSize.x / 2, viewSize.y / 2) {}
 
+    void add(const app::Plate& plate, const app::Coat& coat)
+    {
+        if (!coat.stroke)
+            beginArea(coat.fill, coat.rule);
+        for (const app::Chain& chain : plate.chainsOf(coat)) {
+            const auto points = plate.pointsOf(chain);
+            if (!coat.stroke) {
+                contour(points);
+            } else if (needsOutline(chain, *coat.stroke)) {
+                strokeArea(points, chain, *coat.stroke);
+            } else {
+                stroke(points, chain, *coat.stroke);
+            }
+        }
+        if (!coat.stroke)
+            for (const app::Chain& chain : plate.chainsOf(coat))
+                edge(plate.pointsOf(chain), coat.fill);
+    }
+
+    Batches result;
+
+private:
+    // Whether it would show that the card makes joins round, or a translucent ink darker at them.
+    bool needsOutline(const app::Chain& chain, const app::Ink& ink)
+    {
+        const bool round = ink.join == app::Join::Round && ink.colour.alpha == 255;
+        if (chain.count <= 2 || ink.width < joinsShow || round)
+            return false;
+        outlined_ += chain.count;
+        return outlined_ <= mostOutlined;
+    }
+
+    // A cap that only one end has is an area of its own: in one with the stroke it could cancel it.
+    void strokeArea(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
+    {
+        area(outline(points, chain, ink), ink.colour);
+        if (ownEnds(chain))
+            return;
+        const double overlap = ink.colour.alpha == 255 ? 0.5 : 0;
+        if (chain.capAtStart)
+            area(app::capAt(points[0], points[0] - points[1], ink, overlap), ink.colour);
+        if (chain.capAtEnd)
+            area(app::capAt(points.back(), points.back() - points[points.size() - 2], ink, overlap),
+                 ink.colour);
+    }
+
+    void area(const QPainterPath& path, const app::Colour& colour)
+    {
+        beginArea(colour, app::FillRule::NonZero);
+        const auto polygons = path.toSubpathPolygons();
+        for (const QPolygonF& polygon : polygons)
+            contour(polygon);
+        for (const QPolygonF& polygon : polygons)
+            edge(polygon, colour);
+    }
+
     void stroke(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
     {
-        const std::uint32_t join = ink.colour.alpha == 255 ? Round : Butt, cap = capOf(ink.cap);
+        if (result.batches.empty() || result.batches.back().filled)
+            result.batches.push_back({false, std::uint32_t(result.instances.size()), 0});
+        const std::uint32_t join = ink.colour.alpha == 255 ? Round : Butt;
         const auto end = [&](bool own) {
-            return chain.closed ? join : own ? cap : std::uint32_t(Butt);
+            return chain.closed ? join : own ? capOf(ink.cap) : Butt;
         };
         for (std::size_t i = 1; i < points.size(); ++i) {
             const std::uint32_t a = i == 1 ? end(chain.capAtStart) : join;
@@ -39,36 +127,36 @@ public:
                                         float(to.y()), packed(ink.colour), float(ink.width),
                                         a | b << 2});
         }
+        result.batches.back().count += std::uint32_t(points.size() - 1);
     }
 
-    void fill(const app::Plate& plate, const app::Coat& coat)
+    void beginArea(const app::Colour& colour, app::FillRule rule)
     {
         result.batches.push_back(
-            {true, std::uint32_t(result.contourStarts.size()), coat.chains, coat.fill, coat.rule});
-        for (const app::Chain& chain : plate.chainsOf(coat)) {
-            result.contourStarts.push_back(std::int32_t(result.points.size()));
-            result.contourCounts.push_back(std::int32_t(chain.count));
-            for (const QPointF& p : plate.pointsOf(chain))
-                result.points.push_back({float(p.x() - middle_.x()), float(p.y() - middle_.y())});
-        }
+            {true, std::uint32_t(result.contourStarts.size()), 0, colour, rule});
     }
 
-    void closeStrokes(std::size_t first)
+    void contour(std::span<const QPointF> points)
     {
-        const auto count = std::uint32_t(result.instances.size() - first);
-        auto& all = result.batches;
-        if (count == 0)
-            return;
-        if (!all.empty() && !all.back().filled)
-            all.back().count += count;
-        else
-            all.push_back({false, std::uint32_t(first), count});
+        result.contourStarts.push_back(std::int32_t(result.points.size()));
+        result.contourCounts.push_back(std::int32_t(points.size()));
+        for (const QPointF& p : points)
+            result.points.push_back({float(p.x() - middle_.x()), float(p.y() - middle_.y())});
+        ++result.batches.back().count;
     }
 
-    Batches result;
+    // Over a translucent area it would be seen.
+    void edge(std::span<const QPointF> points, const app::Colour& colour)
+    {
+        app::Ink ink;
+        ink.colour = colour;
+        ink.width = edgeWidth;
+        if (colour.alpha == 255)
+            stroke(points, {0, std::uint32_t(points.size()), true, false, false}, ink);
+    }
 
-private:
     QPointF middle_;
+    std::size_t outlined_ = 0;
 };
 
 } // namespace
@@ -76,16 +164,8 @@ private:
 Batches batches(const app::Plate& plate, const glm::dvec2& viewSize)
 {
     Batching batching(viewSize);
-    for (const app::Coat& coat : plate.coats) {
-        if (!coat.stroke)
-            batching.fill(plate, coat);
-        const std::size_t first = batching.result.instances.size();
-        const app::Ink edge{coat.fill, edgeWidth, app::Cap::Butt, app::Join::Round, 4};
-        if (coat.stroke || coat.fill.alpha == 255)
-            for (const app::Chain& chain : plate.chainsOf(coat))
-                batching.stroke(plate.pointsOf(chain), chain, coat.stroke.value_or(edge));
-        batching.closeStrokes(first);
-    }
+    for (const app::Coat& coat : plate.coats)
+        batching.add(plate, coat);
     return std::move(batching.result);
 }
 

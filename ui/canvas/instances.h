@@ -31,9 +31,8 @@ struct Batches {
     std::vector<std::int32_t> contourStarts, contourCounts; ///< of points
 };
 
-/// Joins become round, whatever they are (and butt in a translucent ink, where round ones would be
-/// seen twice). An opaque area gets an edge half a pixel wide, because the card fills without
-/// anti-aliasing.
+/// Strokes so wide that their joins show, or translucent, become areas; other joins are round. An
+/// opaque area gets an edge half a pixel wide, because the card fills without anti-aliasing.
 Batches batches(const app::Plate& plate, const glm::dvec2& viewSize);
 
 } // namespace ui

@@ -129,8 +129,10 @@ void paintPaper(QPainter& painter, const Controller& controller)
 void paintOverlay(QPainter& painter, const Controller& controller)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.save();
     if (controller.session().display().regions)
         paintRegions(painter, controller);
+    painter.restore();
     paintLit(painter, controller);
     paintInspected(painter, controller);
     painter.save();

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/picture.h"
+
+#include <QPainterPath>
+
+namespace app {
+
+/// The cap alone of a stroke that ends at `at` and comes from the opposite of `away`: a half disc
+/// or half square, which overlaps the stroke by `overlap`; empty for butt. Painters' pens put the
+/// same cap at both ends, but an end made by a cut has none.
+QPainterPath capAt(const QPointF& at, const QPointF& away, const Ink& ink, double overlap);
+
+} // namespace app
