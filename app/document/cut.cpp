@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -36,12 +37,19 @@ Chords chordsOf(const Sheet& sheet, double tolerance)
     return chords;
 }
 
+bool notFinite(const Clipped& piece)
+{
+    const auto& [a, b] = piece.segment;
+    return !std::isfinite(a.x + a.y + b.x + b.y); // what was read is far below overflow
+}
+
 std::vector<Clipped> keptPieces(const std::vector<Chord>& chords, const CutOptions& options)
 {
     std::vector<clipping::Segment> segments(chords.size());
     std::ranges::transform(chords, segments.begin(), &Chord::segment);
     std::vector<Clipped> inside(segments.size());
     inside.resize(options.algorithm->clipAll(segments, options.window, inside));
+    std::erase_if(inside, notFinite); // a published form may give anything
     if (options.keep == Keep::Inside)
         return inside;
     std::vector<Clipped> outside(segments.size() + inside.size());
@@ -73,6 +81,8 @@ public:
                 if (!options_.onlyShown)
                     result_.sheet.shapes.push_back(shape);
             }
+            result_.sources.resize(result_.sheet.shapes.size(),
+                                   std::size_t(&shape - sheet_.shapes.data()));
         }
         result_.counts.segmentsBefore = chords_.all.size();
         return std::move(result_);

@@ -30,6 +30,7 @@ struct CutCounts {
 struct Cut {
     Sheet sheet; ///< same page, layers and window
     CutCounts counts;
+    std::vector<std::size_t> sources; ///< for each shape of `sheet`, which shape it came from
 };
 
 /// The drawing really cut at the window, as the project's design says: consecutive visible parts

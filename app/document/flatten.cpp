@@ -44,4 +44,22 @@ void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
         chords.push_back({{last, path.start}, path.stretches.size(), 0, 1});
 }
 
+Sheet flattened(Sheet sheet, double tolerance)
+{
+    std::vector<Chord> chords;
+    for (Shape& shape : sheet.shapes)
+        for (Path& path : shape.paths) {
+            if (std::ranges::none_of(path.stretches, &Stretch::curved))
+                continue;
+            chords.clear();
+            flatten(path, tolerance, chords);
+            const std::size_t stretches = path.stretches.size();
+            path.stretches.clear();
+            for (const Chord& chord : chords)
+                if (chord.stretch < stretches) // the closing line stays implied
+                    path.stretches.push_back({chord.segment.b});
+        }
+    return sheet;
+}
+
 } // namespace app

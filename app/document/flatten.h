@@ -22,4 +22,7 @@ struct Chord {
 /// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
 void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
 
+/// The drawing with chords in place of its curves.
+Sheet flattened(Sheet sheet, double tolerance);
+
 } // namespace app

@@ -2,6 +2,7 @@
 #include "app/formats/format.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -12,11 +13,12 @@ namespace app {
 
 // Each is defined in the file of its format.
 Format svgFormat();
+Format csvFormat();
 
 // THE CATALOGUE. To add a format: write its file here, in app/formats/, and name it in both lists.
 std::span<const Format> formats()
 {
-    static const std::array all{svgFormat()};
+    static const std::array all{svgFormat(), csvFormat()};
     return all;
 }
 
@@ -35,7 +37,7 @@ bool Imported::lossy() const
     return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark; });
 }
 
-Result<Imported> readFile(const QString& path)
+Result<Imported> readFile(const QString& path, const Format* format)
 {
     const auto failure = [&](const QString& why) {
         return Result<Imported>::failure(
@@ -43,10 +45,12 @@ Result<Imported> readFile(const QString& path)
     };
     const QFileInfo info(path);
     if (info.isDir())
-        return failure(QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
-    const Format* format = formatOfFile(path);
+        return failure(
+            QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
+    format = format ? format : formatOfFile(path);
     if (!format || !format->read)
-        return failure(QCoreApplication::translate("formats", "this type of file is not read here."));
+        return failure(
+            QCoreApplication::translate("formats", "this type of file is not read here."));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
@@ -54,25 +58,42 @@ Result<Imported> readFile(const QString& path)
     return result ? std::move(result) : failure(result.error);
 }
 
+namespace {
+
+// What went wrong, if anything, with `file` written and `finish`ed.
+std::optional<QString> writeTo(QFileDevice& file, const Sheet& sheet, const WriteOptions& options,
+                               const Format& format, bool (*finish)(QFileDevice&))
+{
+    if (!file.open(QIODevice::WriteOnly))
+        return file.errorString() + u'.';
+    if (auto error = format.write(sheet, file, options))
+        return error;
+    return finish(file) ? std::nullopt : std::optional(file.errorString() + u'.');
+}
+
+} // namespace
+
 std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
-                                 const WriteOptions& options)
+                                 const WriteOptions& options, const Format* format)
 {
     const auto failure = [&](const QString& why) {
         return QCoreApplication::translate("formats", "Cannot write %1: %2").arg(path, why);
     };
-    const Format* format = formatOfFile(path);
+    format = format ? format : formatOfFile(path);
     if (!format || !format->write)
-        return failure(QCoreApplication::translate("formats", "this type of file is not written here."));
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return failure(file.errorString() + u'.');
-    if (auto error = format->write(sheet, file, options)) {
-        file.cancelWriting();
-        return failure(*error);
+        return failure(
+            QCoreApplication::translate("formats", "this type of file is not written here."));
+    const QFileInfo info(path);
+    std::optional<QString> error;
+    if (info.exists() && !info.isFile() && !info.isDir()) { // never replace a device by a file
+        QFile device(path);
+        error = writeTo(device, sheet, options, *format, [](QFileDevice& f) { return f.flush(); });
+    } else {
+        QSaveFile file(path);
+        error = writeTo(file, sheet, options, *format,
+                        [](QFileDevice& f) { return static_cast<QSaveFile&>(f).commit(); });
     }
-    if (!file.commit())
-        return failure(file.errorString() + u'.');
-    return std::nullopt;
+    return error ? std::optional(failure(*error)) : std::nullopt;
 }
 
 } // namespace app

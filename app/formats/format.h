@@ -24,19 +24,26 @@ struct Loss {
 struct Imported {
     Sheet sheet;
     std::vector<Loss> report;
+    /// CSV: the 0-based data row that each shape of the sheet came from; else empty.
+    std::vector<std::uint32_t> rows{};
     bool lossy() const; ///< any that is not a remark: Save becomes Save as
 };
 
 struct WriteOptions {
-    int precision = -1;        ///< decimals; -1: the shortest text that reads back bit for bit
-    double dpi = 96;           ///< PNG
-    double tolerance = 0;      ///< user units; flattening where the format has no curves; 0: usual
+    int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
+    double dpi = 96;      ///< PNG
+    double tolerance = 0; ///< user units; flattening where the format has no curves; 0: usual
     /// With a limited precision, numbers are rounded and then moved inward so that the decimals
     /// themselves lie in this rectangle.
-    std::optional<clipping::Window> bounds;
-    /// CSV: the column `source`, one number a segment in drawing order; empty: no such column.
-    std::vector<std::uint32_t> sources;
+    std::optional<clipping::Window> bounds{};
+    /// CSV: the column `source`, one number for each shape of the sheet, and the rows in its order;
+    /// empty: no such column, and the rows in drawing order.
+    std::vector<std::uint32_t> sources{};
 };
+
+/// What a drawing is in a file: paths and curves, or separate lines, where what touches the clip
+/// window in a single point counts as well.
+enum class Holds : std::uint8_t { Paths, SeparateLines };
 
 /// One row of the catalogue of file formats. A null function: cannot.
 struct Format {
@@ -45,7 +52,9 @@ struct Format {
     Result<Imported> (*read)(QIODevice& in);
     /// Nothing, or the sentence that says what went wrong. Hidden shapes and layers are written
     /// only where they can stay hidden (SVG).
-    std::optional<QString> (*write)(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
+    std::optional<QString> (*write)(const Sheet& sheet, QIODevice& out,
+                                    const WriteOptions& options);
+    Holds holds = Holds::Paths;
 };
 
 /// Every format, in menu order; the first is the native one.
@@ -53,11 +62,13 @@ std::span<const Format> formats();
 const Format* findFormat(QStringView key);
 const Format* formatOfFile(const QString& path); ///< by its ending, any case
 
-/// Opens and reads a file; the sentence names the file. Refuses directories and unknown endings.
-Result<Imported> readFile(const QString& path);
+/// Opens and reads a file, of the format that its ending says unless one is given; the sentence
+/// names the file. Refuses directories and unknown endings.
+Result<Imported> readFile(const QString& path, const Format* format = nullptr);
 
-/// Writes through QSaveFile: an existing file is replaced only by a whole new one.
+/// Writes a file, of the format that its ending says unless one is given. An existing file is
+/// replaced only by a whole new one (QSaveFile); a device or a pipe is written to.
 std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
-                                 const WriteOptions& options = {});
+                                 const WriteOptions& options = {}, const Format* format = nullptr);
 
 } // namespace app

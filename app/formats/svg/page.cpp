@@ -5,8 +5,6 @@
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/scanner.h"
 
-#include <glm/common.hpp>
-
 #include <array>
 
 namespace app::svg {
@@ -51,36 +49,6 @@ RootPage readPage(const Tree& tree)
         root.page.size.y *= stretch;
     }
     return root;
-}
-
-Page pageAround(const std::vector<Shape>& shapes)
-{
-    Page page;
-    std::optional<clipping::Window> bounds;
-    const auto add = [&](const Point& p, double margin) {
-        if (!bounds)
-            bounds = {p - margin, p + margin};
-        bounds = {glm::min(bounds->min, p - margin), glm::max(bounds->max, p + margin)};
-    };
-    for (const Shape& shape : shapes) {
-        const double margin = shape.style.stroke ? shape.style.width / 2 : 0;
-        for (const Path& path : shape.paths) {
-            add(path.start, margin);
-            for (const Stretch& stretch : path.stretches) {
-                add(stretch.to, margin);
-                if (stretch.curved) {
-                    add(stretch.control1, margin);
-                    add(stretch.control2, margin);
-                }
-            }
-        }
-    }
-    if (bounds && bounds->max.x > bounds->min.x && bounds->max.y > bounds->min.y) {
-        page.min = bounds->min;
-        page.size = bounds->max - bounds->min;
-        page.width = page.height = everything;
-    }
-    return page;
 }
 
 std::optional<clipping::Window> readWindow(const Tree& tree)

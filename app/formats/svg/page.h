@@ -15,9 +15,6 @@ struct RootPage {
 };
 RootPage readPage(const Tree& tree);
 
-/// The rectangle around all points and half the strokes; the usual page if nothing is there.
-Page pageAround(const std::vector<Shape>& shapes);
-
 /// The clip window that Clearcut wrote into the metadata.
 std::optional<clipping::Window> readWindow(const Tree& tree);
 

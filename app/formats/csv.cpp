@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/csv/reader.h"
+#include "app/formats/csv/writer.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+Format csvFormat()
+{
+    return {"csv", QCoreApplication::translate("formats", "Lines as a table"), csv::read,
+            csv::write, Holds::SeparateLines};
+}
+
+} // namespace app

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/csv/reader.h"
+
+#include "app/document/page_around.h"
+#include "app/formats/csv/columns.h"
+#include "app/formats/csv/text.h"
+#include "app/formats/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace app::csv {
+namespace {
+
+constexpr std::size_t mostRows = 5'000'000; // some 2 GB
+constexpr std::size_t mostLayers = 1'000;   // what is above goes into the last one
+constexpr double largest = 1e300;           // so that sums and differences stay finite
+
+QString tr(const char* text) { return QCoreApplication::translate("csv", text); }
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blank = " \t";
+    const auto first = std::min(text.find_first_not_of(blank), text.size());
+    return text.substr(first, text.find_last_not_of(blank) + 1 - first);
+}
+
+QString shown(std::string_view field)
+{
+    constexpr qsizetype most = 40;
+    const QString text = QString::fromUtf8(field.data(), qsizetype(field.size())).simplified();
+    return u'“' + (text.size() > most ? text.left(most) + u'…' : text) + u'”';
+}
+
+std::optional<double> coordinate(std::string_view field)
+{
+    const auto number = parseNumber(trimmed(field));
+    return number && std::abs(*number) <= largest ? number : std::nullopt;
+}
+
+// #rrggbb or #rrggbbaa.
+std::optional<Colour> colour(std::string_view text)
+{
+    if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
+        return std::nullopt;
+    std::uint32_t value = 0;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data() + 1, last, value, 16);
+    if (end != last || error != std::errc{})
+        return std::nullopt;
+    if (text.size() == 7)
+        value = value << 8 | 255;
+    return Colour{std::uint8_t(value >> 24), std::uint8_t(value >> 16), std::uint8_t(value >> 8),
+                  std::uint8_t(value)};
+}
+
+class Reader {
+public:
+    explicit Reader(QIODevice& in) : text_(in) {}
+
+    Imported read()
+    {
+        Record record;
+        if (text_.next(record) && !readHeader(record))
+            addRow(record);
+        while (text_.next(record))
+            addRow(record);
+        finish();
+        return std::move(imported_);
+    }
+
+private:
+    // A header, unless the first field is a number.
+    bool readHeader(const Record& record)
+    {
+        if (coordinate(record.fields.front())) {
+            std::iota(positions_.begin(), positions_.end(), 0);
+            return false;
+        }
+        positions_.fill(none);
+        for (std::size_t i = 0; i < record.fields.size(); ++i)
+            readName(record, i);
+        for (std::size_t i = 0; i < coordinateColumns; ++i)
+            if (positions_[i] == none)
+                throw Refused{record.line, tr("is neither four numbers nor a header with x1, y1, "
+                                              "x2 and y2.")};
+        if (positions_[Ink] == 0)
+            text_.endComments();
+        mostFields_ = record.fields.size();
+        return true;
+    }
+
+    void readName(const Record& record, std::size_t index)
+    {
+        std::string name(trimmed(record.fields[index]));
+        std::ranges::transform(name, name.begin(), [](char c) {
+            return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+        });
+        const auto found = std::ranges::find(columnNames, name);
+        if (found == columnNames.end()) {
+            imported_.report.push_back({tr("column %1").arg(shown(name))});
+            return;
+        }
+        auto& position = positions_[std::size_t(found - columnNames.begin())];
+        if (position != none)
+            throw Refused{record.line, tr("names the column %1 twice.").arg(shown(name))};
+        position = index;
+    }
+
+    void addRow(const Record& record)
+    {
+        if (record.fields.size() > mostFields_)
+            throw Refused{record.line, tr("has %1 columns; there are at most %2.")
+                                           .arg(record.fields.size())
+                                           .arg(mostFields_)};
+        if (imported_.rows.size() == mostRows)
+            throw Refused{record.line, tr("is one too many: %1 lines are read at most. Split the "
+                                          "file.")
+                                           .arg(mostRows)};
+        const Point a{number(record, X1), number(record, Y1)};
+        const Point b{number(record, X2), number(record, Y2)};
+        Shape shape{{{a, {}, false}}, styleOf(record), {}, layerOf(record), false};
+        if (a != b)
+            shape.paths.front().stretches.push_back({b});
+        imported_.rows.push_back(std::uint32_t(imported_.rows.size()));
+        imported_.sheet.shapes.push_back(std::move(shape));
+    }
+
+    std::string_view field(const Record& record, Column column) const
+    {
+        const std::size_t at = positions_[column];
+        return at < record.fields.size() ? trimmed(record.fields[at]) : std::string_view();
+    }
+
+    double number(const Record& record, Column column) const
+    {
+        if (positions_[column] >= record.fields.size())
+            throw Refused{
+                record.line,
+                tr("has %1 columns; x1, y1, x2 and y2 are needed.").arg(record.fields.size())};
+        const auto text = field(record, column);
+        if (const auto value = coordinate(text))
+            return *value;
+        throw Refused{record.line, tr("has %1 where a number is needed.").arg(shown(text))};
+    }
+
+    Style styleOf(const Record& record) const
+    {
+        Style style{.stroke = Colour{}};
+        if (const auto text = field(record, Ink); !text.empty()) {
+            style.stroke = colour(text);
+            if (!style.stroke)
+                throw Refused{
+                    record.line,
+                    tr("has the colour %1; write it as #rrggbb or #rrggbbaa.").arg(shown(text))};
+        }
+        if (const auto text = field(record, Width); !text.empty()) {
+            const auto width = coordinate(text);
+            if (!width || *width < 0)
+                throw Refused{record.line, tr("has the width %1; write a number that is not "
+                                              "negative.")
+                                               .arg(shown(text))};
+            style.width = *width;
+        }
+        return style;
+    }
+
+    std::uint32_t layerOf(const Record& record)
+    {
+        const std::size_t at = positions_[LayerName];
+        const std::string name = at < record.fields.size() ? record.fields[at] : std::string();
+        if (const auto found = layers_.find(name); found != layers_.end())
+            return found->second;
+        if (layers_.size() == mostLayers) {
+            ++tooManyLayers_;
+            return std::uint32_t(mostLayers - 1);
+        }
+        const auto index = std::uint32_t(layers_.size());
+        layers_.emplace(name, index);
+        return index;
+    }
+
+    void finish()
+    {
+        Sheet& sheet = imported_.sheet;
+        const QString usualName = sheet.layers.front().name;
+        sheet.layers.resize(std::max<std::size_t>(1, layers_.size()));
+        for (const auto& [name, index] : layers_)
+            sheet.layers[index].name = name.empty() ? usualName : QString::fromStdString(name);
+        if (tooManyLayers_ > 0)
+            imported_.report.push_back(
+                {tr("layers beyond the first %1, on lines").arg(mostLayers), tooManyLayers_});
+        sortByLayer();
+        sheet.page = pageAround(sheet.shapes);
+        if (!sheet.shapes.empty()) {
+            sheet.page.width = {sheet.page.size.x, Unit::Px};
+            sheet.page.height = {sheet.page.size.y, Unit::Px};
+        }
+        sheet.window = sheet.page.rectangle();
+    }
+
+    // A sheet holds its shapes layer by layer; `rows` remembers where they were.
+    void sortByLayer()
+    {
+        auto& shapes = imported_.sheet.shapes;
+        if (std::ranges::is_sorted(shapes, {}, &Shape::layer))
+            return;
+        std::ranges::stable_sort(imported_.rows, {}, [&](auto row) { return shapes[row].layer; });
+        std::vector<Shape> sorted;
+        sorted.reserve(shapes.size());
+        for (const auto row : imported_.rows)
+            sorted.push_back(std::move(shapes[row]));
+        shapes = std::move(sorted);
+    }
+
+    static constexpr std::size_t none = ~std::size_t(0);
+    Text text_;
+    std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
+    std::size_t mostFields_ = columnNames.size();
+    std::map<std::string, std::uint32_t, std::less<>> layers_;
+    int tooManyLayers_ = 0;
+    Imported imported_;
+};
+
+} // namespace
+
+Result<Imported> read(QIODevice& in)
+{
+    try {
+        return Result<Imported>::of(Reader(in).read());
+    } catch (const Refused& refused) {
+        return Result<Imported>::failure(tr("line %1 %2").arg(refused.line).arg(refused.why));
+    }
+}
+
+} // namespace app::csv
