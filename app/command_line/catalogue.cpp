@@ -1,21 +1,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/command.h"
+#include "app/command_line/given.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <optional>
 
 namespace app {
 
-std::span<const Command> commands() { return {}; }
+// Each is defined in the file of its command.
+Command clipCommand();
+Command algorithmsCommand();
+Command benchCommand();
+Command infoCommand();
+
+// THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
+std::vector<Command> commands()
+{
+    return {clipCommand(), infoCommand(), algorithmsCommand(), benchCommand()};
+}
+
+namespace {
+
+// Among the options, which end at --.
+bool asks(const QStringList& arguments, const QStringList& names)
+{
+    const auto end = std::find(arguments.begin(), arguments.end(), QStringLiteral("--"));
+    return std::find_first_of(arguments.begin(), end, names.begin(), names.end()) != end;
+}
+
+bool asksForVersion(const QStringList& arguments) { return asks(arguments, {"-V", "--version"}); }
+bool asksForHelp(const QStringList& arguments) { return asks(arguments, {"-h", "--help"}); }
+
+std::optional<Command> commandOf(const QStringList& arguments)
+{
+    for (Command& command : commands())
+        if (!arguments.isEmpty() && arguments.first() == QLatin1StringView(command.key))
+            return std::move(command);
+    return std::nullopt;
+}
+
+QString overview()
+{
+    std::vector<std::pair<QString, QString>> rows;
+    for (const Command& command : commands())
+        rows.emplace_back(QLatin1StringView(command.key), command.summary);
+    return Commands::tr("Usage: clearcut [FILE]                 opens the editor\n"
+                        "       clearcut COMMAND [OPTIONS]      works without a display\n"
+                        "       clearcut COMMAND --help         says what a command can do\n"
+                        "       clearcut --version\n\nCommands:\n")
+           + aligned(rows)
+           + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted.\n");
+}
+
+void run(const Command& command, const QStringList& arguments)
+{
+    const Given given(command, arguments);
+    if (given.helpWanted())
+        print(helpOf(command));
+    else
+        command.run(given);
+}
+
+} // namespace
 
 bool isCommandLine(const QStringList& arguments)
 {
-    return arguments.contains(QStringLiteral("--version"));
+    return commandOf(arguments) || asksForVersion(arguments) || asksForHelp(arguments);
 }
 
-int runCommandLine(const QStringList&)
+int runCommandLine(const QStringList& arguments)
 {
-    std::puts("clearcut " CLEARCUT_VERSION);
-    return int(Exit::Done);
+    answerSignals();
+    const auto command = commandOf(arguments);
+    const QString name = command ? QLatin1StringView(command->key) : QString();
+    try {
+        if (command)
+            run(*command, arguments.sliced(1));
+        else if (asksForVersion(arguments))
+            print(QStringLiteral("clearcut " CLEARCUT_VERSION "\n"));
+        else
+            print(overview());
+        return int(Exit::Done);
+    } catch (const WrongUsage& wrong) {
+        say(QStringLiteral("clearcut %1: %2").arg(name, wrong.sentence));
+        say(Commands::tr("“clearcut %1 --help” says more.").arg(name));
+        return int(Exit::Usage);
+    } catch (const Failure& failure) {
+        say(QStringLiteral("clearcut %1: %2").arg(name, failure.sentence));
+        return int(Exit::Failed);
+    }
 }
 
 } // namespace app

@@ -4,28 +4,41 @@
 #include <QString>
 #include <QStringList>
 
-#include <span>
 #include <string_view>
+#include <vector>
 
 namespace app {
+
+class Given;
 
 /// What a command ends with (product conventions).
 enum class Exit : int { Done = 0, Failed = 1, Usage = 2, CheckFailed = 3, Interrupted = 130 };
 
+/// One row of a command's options: what is parsed, and what the help says.
+struct Option {
+    QStringList names; ///< without dashes, the short one first; the last one is asked for
+    QString value;     ///< what it takes, as the help calls it; empty: nothing
+    QString meaning;
+};
+
 /// One row of the catalogue of commands: `clearcut KEY …`. Data goes to stdout, all else to stderr.
 struct Command {
     std::string_view key;
-    QString summary;
-    QString help; ///< what `clearcut KEY --help` prints
-    Exit (*run)(const QStringList& arguments);
+    QString usage;   ///< what follows the key: "INPUT -o OUTPUT [OPTIONS]"
+    QString summary; ///< one sentence
+    std::vector<Option> options;
+    QStringList examples; ///< whole command lines
+    qsizetype operands;   ///< how many arguments that are no options; others are a wrong usage
+    void (*run)(const Given& given); ///< throws WrongUsage or Failure (refusal.h)
 };
-std::span<const Command> commands();
+std::vector<Command> commands();
 
 /// Whether these arguments (without the program's name) are for a command, --help or --version,
-/// and so need no display.
+/// and so need no display. A file that is called like a command is opened as ./NAME or -- NAME.
 bool isCommandLine(const QStringList& arguments);
 
-/// Runs them. Needs a QCoreApplication or QGuiApplication, no display.
+/// Runs them and returns the exit code. Needs a QGuiApplication, no display. From then on a closed
+/// pipe is an error like others, and Ctrl-C ends with 130.
 int runCommandLine(const QStringList& arguments);
 
 } // namespace app

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/drawing_files.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+#include "app/document/cut.h"
+#include "app/document/flatten.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace app {
+namespace {
+
+constexpr const char* usualAlgorithm = "matthes-drakopoulos";
+
+const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& given)
+{
+    const auto named = given.algorithms(QStringLiteral("algorithm"));
+    if (named.size() > 1)
+        throw WrongUsage{Commands::tr("A drawing is cut with one algorithm; name one with -a.")};
+    const auto& algorithm =
+        named.empty() ? *clipping::findAlgorithm(usualAlgorithm) : *named.front();
+    const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
+    const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
+                                                             : clipping::Form::Corrected);
+    if (!uses)
+        throw WrongUsage{Commands::tr("%1 was never published in another form.")
+                             .arg(QLatin1StringView(algorithm.name))};
+    return *uses;
+}
+
+clipping::Window windowOf(const Given& given, const Sheet& sheet)
+{
+    const double unit = sheet.page.millimetresPerUnit();
+    const auto margin = given.length(QStringLiteral("margin"));
+    if (margin && !given.has(QStringLiteral("page")))
+        throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
+    clipping::Window window = sheet.window;
+    if (const auto r = given.rectangle(QStringLiteral("window"))) {
+        if (given.has(QStringLiteral("page")))
+            throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
+        const auto units = [&](std::size_t i) { return toUserUnits((*r)[i], unit); };
+        window = {{units(0), units(1)}, {units(2), units(3)}};
+    } else if (given.has(QStringLiteral("page"))) {
+        const double less = margin ? toUserUnits(*margin, unit) : 0;
+        window = {sheet.page.min + less, sheet.page.min + sheet.page.size - less};
+    }
+    if (window.min.x > window.max.x || window.min.y > window.max.y)
+        throw WrongUsage{Commands::tr("The window is empty: its XMIN,YMIN must not be greater than "
+                                      "its XMAX,YMAX.")};
+    return window;
+}
+
+CutOptions cutOptionsOf(const Given& given, const Sheet& sheet, const Output& output)
+{
+    CutOptions options{&usesOf(given), windowOf(given, sheet)};
+    options.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0 ? Keep::Inside
+                                                                                    : Keep::Outside;
+    const double unit = sheet.page.millimetresPerUnit();
+    options.tolerance = flatteningMillimetres / unit;
+    if (const auto length = given.length(QStringLiteral("tolerance")))
+        options.tolerance = toUserUnits(*length, unit);
+    if (!(options.tolerance > 0))
+        throw WrongUsage{Commands::tr("--tolerance must be greater than 0.")};
+    options.keepContacts = output.format->holds == Holds::SeparateLines;
+    return options;
+}
+
+void report(const Imported& imported, const CutCounts& counts)
+{
+    const QStringList lost = losses(imported);
+    for (const QString& line : lost)
+        say(line);
+    QString text = Commands::tr("%1 shapes kept whole, %2 cut, %3 gone")
+                       .arg(counts.whole)
+                       .arg(counts.cut)
+                       .arg(counts.gone);
+    if (counts.opened > 0)
+        text += Commands::tr("; %1 closed paths opened").arg(counts.opened);
+    if (counts.unfilled > 0)
+        text += Commands::tr("; %1 fills lost, only their outlines are cut").arg(counts.unfilled);
+    say(text + u'.');
+}
+
+/// Says how long each part of the work took, if that is asked for.
+class Stopwatch {
+public:
+    void lap(const QString& what)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        laps_ << Commands::tr("%1 %2 ms")
+                     .arg(what)
+                     .arg(std::chrono::duration<double, std::milli>(now - last_).count(), 0, 'f',
+                          1);
+        last_ = now;
+    }
+    QString laps() const { return laps_.join(QStringLiteral(", ")); }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    QStringList laps_;
+};
+
+std::vector<std::uint32_t> rowsOf(const Imported& imported, const Cut& result)
+{
+    std::vector<std::uint32_t> rows;
+    if (!imported.rows.empty())
+        std::ranges::transform(result.sources, std::back_inserter(rows),
+                               [&](std::size_t shape) { return imported.rows[shape]; });
+    return rows;
+}
+
+void clip(const Given& given)
+{
+    const QString input = given.operands().first();
+    Output output = outputOf(given, input);
+    Stopwatch stopwatch;
+    Imported imported = readDrawing(given, input);
+    if (imported.lossy() && given.has(QStringLiteral("in-place")) && output.path == input)
+        throw Failure{Commands::tr("Cannot write over %1: it holds what would be lost (%2). Give "
+                                   "another name with -o.")
+                          .arg(input, losses(imported).join(QStringLiteral(", ")))};
+    stopwatch.lap(Commands::tr("read"));
+
+    const CutOptions options = cutOptionsOf(given, imported.sheet, output);
+    if (output.format->holds == Holds::SeparateLines)
+        imported.sheet = flattened(std::move(imported.sheet), options.tolerance);
+    Cut result = cut(imported.sheet, options);
+    result.sheet.window = options.window;
+    stopwatch.lap(Commands::tr("cut"));
+
+    output.options.tolerance = options.tolerance;
+    output.options.sources = rowsOf(imported, result);
+    if (options.keep == Keep::Inside)
+        output.options.bounds = options.window;
+    writeDrawing(result.sheet, output);
+    stopwatch.lap(Commands::tr("write"));
+
+    if (!given.has(QStringLiteral("quiet")))
+        report(imported, result.counts);
+    if (given.has(QStringLiteral("stats")))
+        say(Commands::tr("%1 lines before, %2 after; %3.")
+                .arg(result.counts.segmentsBefore)
+                .arg(result.counts.segmentsAfter)
+                .arg(stopwatch.laps()));
+}
+
+} // namespace
+
+Command clipCommand()
+{
+    std::vector<Option> options{
+        {{"w", "window"},
+         "XMIN,YMIN,XMAX,YMAX",
+         Commands::tr("The clip window: numbers in the drawing's units, or lengths such as 10mm "
+                      "(without: the drawing's own clip window, or else its page).")},
+        {{"page"}, {}, Commands::tr("The clip window is the drawing's page.")},
+        {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
+        {{"k", "keep"}, "inside|outside", Commands::tr("Which part to keep (inside).")},
+        {{"a", "algorithm"},
+         "ALGORITHM",
+         Commands::tr("Key or abbreviation of what clips (%1).")
+             .arg(QLatin1StringView(usualAlgorithm))},
+        {{"form"},
+         "corrected|published",
+         Commands::tr("With its defects mended, or as its authors printed it (corrected).")},
+        {{"tolerance"},
+         "LENGTH",
+         Commands::tr("How far a curve may be from the lines that it is clipped as (0.05mm).")},
+    };
+    for (const auto& more : {writingOptions(), readingOptions()})
+        options.insert(options.end(), more.begin(), more.end());
+    options.push_back(
+        {{"q", "quiet"}, {}, Commands::tr("Do not say what was cut, and what was lost.")});
+    options.push_back(
+        {{"stats"}, {}, Commands::tr("Say how many lines there were, and the times.")});
+    return {"clip",
+            "INPUT -o OUTPUT [OPTIONS]",
+            Commands::tr("Cuts a drawing at a window: lines and curves really end there."),
+            std::move(options),
+            {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",
+             "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",
+             "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
+            1,
+            clip};
+}
+
+} // namespace app

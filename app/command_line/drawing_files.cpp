@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/drawing_files.h"
+
+#include "app/command_line/refusal.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <cstdio>
+
+namespace app {
+namespace {
+
+const QString standardStream = QStringLiteral("-");
+
+bool sameFile(const QString& a, const QString& b)
+{
+    const QString canonical = QFileInfo(a).canonicalFilePath();
+    return !canonical.isEmpty() && QFileInfo(a).isFile()
+           && canonical == QFileInfo(b).canonicalFilePath();
+}
+
+// The types that can be read, or written: "svg, csv".
+template <class Function>
+QString typesWith(Function Format::*can)
+{
+    QStringList keys;
+    for (const Format& format : formats())
+        if (format.*can)
+            keys << QLatin1StringView(format.key);
+    return keys.join(QStringLiteral(", "));
+}
+
+template <class Function>
+const Format& formatOf(const Given& given, const QString& option, const QString& path,
+                       Function Format::*can)
+{
+    const Format* asked = given.format(option);
+    const Format* format = asked ? asked : formatOfFile(path);
+    if (!format || !(format->*can))
+        throw WrongUsage{
+            Commands::tr("%1: say what type it is, with --%2 and one of %3.")
+                .arg(path == standardStream ? Commands::tr("Standard input or output") : path,
+                     option, typesWith(can))};
+    return *format;
+}
+
+} // namespace
+
+std::vector<Option> readingOptions()
+{
+    return {{{"from"},
+             "TYPE",
+             Commands::tr("Type of the input (%1), if its name does not tell.")
+                 .arg(typesWith(&Format::read))}};
+}
+
+std::vector<Option> writingOptions()
+{
+    return {
+        {{"o", "output"}, "FILE", Commands::tr("Where to write; - is standard output.")},
+        {{"to"},
+         "TYPE",
+         Commands::tr("Type of the output (%1), if its name does not tell.")
+             .arg(typesWith(&Format::write))},
+        {{"in-place"}, {}, Commands::tr("Write over the input.")},
+        {{"precision"},
+         "N",
+         Commands::tr("Decimals of written coordinates, moved into the window "
+                      "where rounding left it (as many as it takes to read the "
+                      "same number back).")},
+        {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
+    };
+}
+
+Imported readDrawing(const Given& given, const QString& path)
+{
+    if (path != standardStream) {
+        const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
+        auto imported =
+            readFile(path, there ? &formatOf(given, QStringLiteral("from"), path, &Format::read)
+                                 : &formats()[0]);
+        if (!imported)
+            throw Failure{imported.error};
+        return std::move(*imported.value);
+    }
+    const Format& format = formatOf(given, QStringLiteral("from"), path, &Format::read);
+    QFile in;
+    if (!in.open(stdin, QIODevice::ReadOnly))
+        throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};
+    auto imported = format.read(in);
+    if (!imported)
+        throw Failure{Commands::tr("Cannot read standard input: %1").arg(imported.error)};
+    return std::move(*imported.value);
+}
+
+Output outputOf(const Given& given, const QString& input)
+{
+    const bool inPlace = given.has(QStringLiteral("in-place"));
+    Output output{
+        given.text(QStringLiteral("output")).value_or(inPlace ? input : QString()), {}, {}};
+    if (output.path.isEmpty())
+        throw WrongUsage{Commands::tr("Say where to write: -o FILE, or -o - for standard output.")};
+    if (!inPlace && sameFile(output.path, input))
+        throw WrongUsage{
+            Commands::tr("%1 is the input as well. Give another name, or --in-place to "
+                         "write over it.")
+                .arg(output.path)};
+    output.format = &formatOf(given, QStringLiteral("to"), output.path, &Format::write);
+    constexpr quint64 mostDecimals = 30;
+    if (const auto decimals = given.count(QStringLiteral("precision"), 0, mostDecimals))
+        output.options.precision = int(*decimals);
+    output.options.dpi = given.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
+    return output;
+}
+
+void writeDrawing(const Sheet& sheet, const Output& output)
+{
+    if (output.path != standardStream) {
+        if (const auto error = writeFile(sheet, output.path, output.options, output.format))
+            throw Failure{*error};
+        return;
+    }
+    QFile out;
+    const auto fail = [](const QString& why) {
+        throw Failure{Commands::tr("Cannot write standard output: %1").arg(why)};
+    };
+    if (!out.open(stdout, QIODevice::WriteOnly))
+        fail(out.errorString() + u'.');
+    if (const auto error = output.format->write(sheet, out, output.options))
+        fail(*error);
+    if (!out.flush())
+        fail(out.errorString() + u'.');
+}
+
+QStringList losses(const Imported& imported)
+{
+    QStringList lines;
+    for (const Loss& loss : imported.report)
+        lines << QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what)
+                     + (loss.remark ? QString() : Commands::tr(" (not kept)"));
+    return lines;
+}
+
+} // namespace app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/given.h"
+
+// Drawings in and out of commands: a file, or - for standard input and output. The type is that of
+// --from and --to, or else of the name's ending.
+
+namespace app {
+
+/// The options of every command that reads, and of every command that writes a drawing.
+std::vector<Option> readingOptions();
+std::vector<Option> writingOptions();
+
+/// Reads `path`; throws Failure.
+Imported readDrawing(const Given& given, const QString& path);
+
+/// Where a drawing will go: known before anything is read, so that a wrong usage is said at once.
+struct Output {
+    QString path; ///< "-": standard output
+    const Format* format;
+    WriteOptions options;
+};
+
+/// What --output, --to, --in-place, --precision and --dpi say; throws WrongUsage, also if it would
+/// write over `input` without --in-place.
+Output outputOf(const Given& given, const QString& input);
+
+/// Throws Failure; what is there is lost only to a whole new file.
+void writeDrawing(const Sheet& sheet, const Output& output);
+
+/// What an import could not keep, a line for each kind, with how often: "3 × text".
+QStringList losses(const Imported& imported);
+
+} // namespace app

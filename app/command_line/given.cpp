@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/given.h"
+
+#include "app/command_line/refusal.h"
+#include "app/formats/number.h"
+
+#include <array>
+
+namespace app {
+namespace {
+
+std::vector<Option> optionsOf(const Command& command)
+{
+    auto options = command.options;
+    options.push_back({{"h", "help"}, {}, Commands::tr("Say all this.")});
+    return options;
+}
+
+std::string trimmed(const QString& text) { return text.trimmed().toStdString(); }
+
+} // namespace
+
+Given::Given(const Command& command, const QStringList& arguments)
+{
+    for (const Option& option : optionsOf(command)) {
+        QCommandLineOption row(option.names);
+        row.setValueName(option.value);
+        parser_.addOption(row);
+    }
+    if (!parser_.parse(QStringList(QString()) + arguments))
+        throw WrongUsage{parser_.errorText()};
+    if (helpWanted())
+        return;
+    if (operands().size() < command.operands)
+        throw WrongUsage{Commands::tr("Something is missing: %1 %2.")
+                             .arg(QLatin1StringView(command.key), command.usage)};
+    if (operands().size() > command.operands)
+        throw WrongUsage{
+            Commands::tr("“%1” is one argument too many.").arg(operands()[command.operands])};
+}
+
+std::optional<QString> Given::text(const QString& option) const
+{
+    return has(option) ? std::optional(parser_.value(option)) : std::nullopt;
+}
+
+void Given::refuse(const QString& option, const QString& expected) const
+{
+    throw WrongUsage{
+        Commands::tr("--%1 %2: give %3.").arg(option, parser_.value(option), expected)};
+}
+
+std::optional<quint64> Given::count(const QString& option, quint64 least, quint64 most) const
+{
+    const auto given = text(option);
+    if (!given)
+        return std::nullopt;
+    bool isNumber = false;
+    const quint64 number = given->toULongLong(&isNumber);
+    if (!isNumber || number < least || number > most)
+        refuse(option, Commands::tr("a whole number from %1 to %2").arg(least).arg(most));
+    return number;
+}
+
+std::optional<double> Given::positive(const QString& option) const
+{
+    const auto given = text(option);
+    if (!given)
+        return std::nullopt;
+    const auto number = parseNumber(trimmed(*given));
+    if (!number || *number <= 0)
+        refuse(option, Commands::tr("a number greater than 0"));
+    return number;
+}
+
+std::optional<Length> Given::length(const QString& option) const
+{
+    const auto given = text(option);
+    if (!given)
+        return std::nullopt;
+    const auto length = parseLength(given->toStdString());
+    if (!length || length->unit == Unit::Percent)
+        refuse(option, Commands::tr("a length such as 0.5 or 10mm"));
+    return length;
+}
+
+std::optional<std::array<Length, 4>> Given::rectangle(const QString& option) const
+{
+    const auto given = text(option);
+    if (!given)
+        return std::nullopt;
+    std::array<Length, 4> lengths;
+    const QStringList parts = given->split(u',');
+    bool fits = parts.size() == 4;
+    for (qsizetype i = 0; fits && i < 4; ++i) {
+        const auto length = parseLength(parts[i].toStdString());
+        fits = length && length->unit != Unit::Percent;
+        lengths[std::size_t(i)] = length.value_or(Length{});
+    }
+    if (!fits)
+        refuse(option, Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as -100,-75,100,75 or "
+                                    "0,0,10cm,70mm"));
+    return lengths;
+}
+
+std::vector<const clipping::Algorithm*> Given::algorithms(const QString& option) const
+{
+    std::vector<const clipping::Algorithm*> found;
+    const auto given = text(option);
+    if (!given)
+        return found;
+    const QStringList names = given->split(u',');
+    for (const QString& name : names) {
+        if (name == QLatin1String("all"))
+            for (const auto& algorithm : clipping::algorithms())
+                found.push_back(&algorithm);
+        else if (const auto* algorithm = clipping::findAlgorithm(trimmed(name)))
+            found.push_back(algorithm);
+        else
+            throw WrongUsage{Commands::tr("There is no algorithm “%1”. “clearcut algorithms” lists "
+                                          "them all.")
+                                 .arg(name)};
+    }
+    return found;
+}
+
+const Format* Given::format(const QString& option) const
+{
+    const auto given = text(option);
+    if (!given)
+        return nullptr;
+    if (const Format* format = findFormat(*given))
+        return format;
+    QStringList keys;
+    for (const Format& format : formats())
+        keys << QLatin1StringView(format.key);
+    refuse(option, keys.join(QStringLiteral(", ")));
+}
+
+std::size_t Given::choice(const QString& option, const QStringList& words) const
+{
+    const auto given = text(option);
+    if (!given)
+        return 0;
+    const auto index = words.indexOf(given->toLower());
+    if (index < 0)
+        refuse(option, words.join(Commands::tr(" or ")));
+    return std::size_t(index);
+}
+
+QString aligned(const std::vector<std::pair<QString, QString>>& rows)
+{
+    constexpr qsizetype width = 96;
+    qsizetype indent = 0;
+    for (const auto& row : rows)
+        indent = std::max(indent, row.first.size() + 4);
+    QString text;
+    for (const auto& [left, right] : rows) {
+        QString line = (QStringLiteral("  ") + left).leftJustified(indent);
+        const QStringList words = right.split(u' ');
+        for (const QString& word : words) {
+            if (line.size() + word.size() > width) {
+                text += line.trimmed().isEmpty() ? QString() : line.chopped(1) + u'\n';
+                line = QString(indent, u' ');
+            }
+            line += word + u' ';
+        }
+        text += line.chopped(1) + u'\n';
+    }
+    return text;
+}
+
+QString helpOf(const Command& command)
+{
+    QString text = Commands::tr("Usage: clearcut %1 %2\n\n%3\n\nOptions:\n")
+                       .arg(QLatin1StringView(command.key), command.usage, command.summary);
+    std::vector<std::pair<QString, QString>> rows;
+    for (const Option& option : optionsOf(command)) {
+        QString names = option.names.size() > 1 ? QString() : QStringLiteral("    ");
+        for (const QString& name : option.names)
+            names += (names.trimmed().isEmpty() ? QString() : QStringLiteral(", "))
+                     + (name.size() > 1 ? QStringLiteral("--") : QStringLiteral("-")) + name;
+        rows.emplace_back(option.value.isEmpty() ? names : names + u' ' + option.value,
+                          option.meaning);
+    }
+    text += aligned(rows);
+    if (!command.examples.isEmpty())
+        text +=
+            Commands::tr("\nExamples:\n  %1\n").arg(command.examples.join(QStringLiteral("\n  ")));
+    return text;
+}
+
+} // namespace app

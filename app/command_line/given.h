@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/command.h"
+#include "app/document/length.h"
+#include "app/formats/format.h"
+#include "clipping/algorithm.h"
+
+#include <QCommandLineParser>
+
+#include <optional>
+
+namespace app {
+
+/// The arguments of a command, taken apart by its table of options. Each question throws WrongUsage
+/// if what was given does not fit.
+class Given {
+public:
+    /// `arguments` without the command's key.
+    Given(const Command& command, const QStringList& arguments);
+
+    bool helpWanted() const { return has(QStringLiteral("help")); }
+    bool has(const QString& option) const { return parser_.isSet(option); }
+    QStringList operands() const { return parser_.positionalArguments(); }
+    /// As it was written; nothing if it was not.
+    std::optional<QString> text(const QString& option) const;
+
+    /// A whole number from `least` to `most`.
+    std::optional<quint64> count(const QString& option, quint64 least, quint64 most) const;
+    std::optional<double> positive(const QString& option) const;
+    std::optional<Length> length(const QString& option) const;
+    /// XMIN,YMIN,XMAX,YMAX, each with a unit of its own if it likes.
+    std::optional<std::array<Length, 4>> rectangle(const QString& option) const;
+    /// A comma-separated list of keys and abbreviations; `all` is every one. Empty if not given.
+    std::vector<const clipping::Algorithm*> algorithms(const QString& option) const;
+    const Format* format(const QString& option) const;
+    /// Which of `words` it is; the first one if it was not given.
+    std::size_t choice(const QString& option, const QStringList& words) const;
+
+private:
+    [[noreturn]] void refuse(const QString& option, const QString& expected) const;
+
+    QCommandLineParser parser_;
+};
+
+/// What `clearcut KEY --help` prints.
+QString helpOf(const Command& command);
+
+/// Lines of two columns, the second one aligned and broken where the terminal ends.
+QString aligned(const std::vector<std::pair<QString, QString>>& rows);
+
+} // namespace app
