@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/command.h"
+#include "ui/editor.h"
 
-#include <QApplication>
+#include <QGuiApplication>
 
 int main(int argc, char** argv)
 {
@@ -13,5 +14,5 @@ int main(int argc, char** argv)
         const QGuiApplication application(argc, argv);
         return app::runCommandLine(arguments);
     }
-    return 0;
+    return ui::runEditor(argc, argv, arguments);
 }

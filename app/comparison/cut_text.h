@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/cut.h"
+
+#include <QString>
+
+namespace app {
+
+/// "12 shapes whole, 3 cut, 40 left out. 2 closed shapes are open now." Counts of 0 are left out.
+QString cutText(const CutCounts& counts);
+
+} // namespace app

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/inspection.h"
+
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <glm/geometric.hpp>
+
+#include <array>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("inspection", text); }
+
+QLatin1StringView latin(std::string_view text)
+{
+    return QLatin1StringView(text.data(), qsizetype(text.size()));
+}
+
+LineClass classOf(const Inspection& line)
+{
+    if (line.from.inside() && line.to.inside())
+        return LineClass::Inside;
+    const auto same = [](int a, int b) { return a != 0 && a == b; };
+    if (same(line.from.column, line.to.column) || same(line.from.row, line.to.row))
+        return LineClass::Rejected;
+    return line.visible ? LineClass::Cut : LineClass::Missed;
+}
+
+/// The edge as it appears on the screen.
+QString edgeName(Edge edge)
+{
+    switch (edge) {
+    case Edge::Left:
+        return tr("left edge");
+    case Edge::Right:
+        return tr("right edge");
+    case Edge::Bottom:
+        return tr("upper edge");
+    case Edge::Top:
+        return tr("lower edge");
+    default:
+        return {};
+    }
+}
+
+QString exact(double number)
+{
+    QString text = QLocale().toString(number, 'g', QLocale::FloatingPointShortest);
+    return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
+}
+
+QString pointText(const Point& p) { return QStringLiteral("(%1; %2)").arg(exact(p.x), exact(p.y)); }
+
+QString stepText(const clipping::Step& step)
+{
+    QString text = latin(step.what);
+    if (const QString edge = edgeName(step.edge); !edge.isEmpty())
+        text += QStringLiteral(", ") + edge;
+    QStringList values;
+    for (const auto& value : step.values)
+        values << latin(value.name) + QStringLiteral(" = ") + exact(value.value);
+    if (!values.isEmpty())
+        text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
+    return tr("%1. Left: %2 to %3").arg(text, pointText(step.segment.a), pointText(step.segment.b));
+}
+
+QString endText(const Inspection& line)
+{
+    switch (line.trace.outcome) {
+    case clipping::Outcome::DidNotEnd:
+        return tr("It did not end and was stopped: nothing visible");
+    case clipping::Outcome::Invisible:
+        return tr("Nothing is visible");
+    case clipping::Outcome::Visible:
+        break;
+    }
+    return tr("Visible: %1 to %2")
+        .arg(pointText(line.trace.visible.a), pointText(line.trace.visible.b));
+}
+
+} // namespace
+
+QString Region::outcode() const
+{
+    const auto bit = [](bool set) { return set ? u'1' : u'0'; };
+    return QString(bit(row < 0)) + bit(row > 0) + bit(column > 0) + bit(column < 0);
+}
+
+QString Region::words() const
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{"above left", "above", "above right"},
+         {"left", "inside", "right"},
+         {"below left", "below", "below right"}}};
+    return tr(names[std::size_t(row + 1)][std::size_t(column + 1)]);
+}
+
+Region regionOf(const Point& point, const clipping::Window& window)
+{
+    const auto side = [](double x, double low, double high) {
+        return x < low ? -1 : x > high ? 1 : 0;
+    };
+    return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
+}
+
+QString words(LineClass lineClass)
+{
+    switch (lineClass) {
+    case LineClass::Inside:
+        return tr("wholly inside");
+    case LineClass::Rejected:
+        return tr("rejected at once");
+    case LineClass::Cut:
+        return tr("cut");
+    case LineClass::Missed:
+        return tr("misses the window");
+    }
+    return {};
+}
+
+Inspection inspect(const Session& session, std::size_t segment)
+{
+    const clipping::Window& window = session.sheet().window;
+    const auto& uses = session.uses();
+    Inspection line{.number = segment,
+                    .shape = session.scene.shapeOf(segment),
+                    .segment = session.scene.segments()[segment]};
+    line.from = regionOf(line.segment.a, window);
+    line.to = regionOf(line.segment.b, window);
+    line.visible = uses.clip(line.segment, window);
+    line.lineClass = classOf(line);
+    line.cost = uses.count({&line.segment, 1}, window);
+    line.trace = uses.trace(line.segment, window);
+    if (line.visible) {
+        const double whole = glm::distance(line.segment.a, line.segment.b);
+        line.share = whole > 0 ? glm::distance(line.visible->a, line.visible->b) / whole : 1;
+    }
+    return line;
+}
+
+QString costText(const clipping::OperationCounts& cost)
+{
+    QStringList parts;
+    const auto add = [&](std::uint64_t count, const char* what) {
+        if (count > 0)
+            parts << tr(what).arg(countText(count));
+    };
+    add(cost.comparisons, "%1 compare");
+    add(cost.additions, "%1 add");
+    add(cost.multiplications, "%1 multiply");
+    add(cost.divisions, "%1 divide");
+    add(cost.negations, "%1 negate");
+    return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
+}
+
+QStringList stepTexts(const Inspection& line)
+{
+    QStringList texts;
+    for (const clipping::Step& step : line.trace.steps)
+        texts << stepText(step);
+    return texts << endText(line);
+}
+
+} // namespace app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace app {
+
+/// Where a point lies, as it appears on the screen (y down): above is the library's Bottom.
+struct Region {
+    int column = 0; ///< -1 left of the window, 0 between, 1 right
+    int row = 0;    ///< -1 above, 0 between, 1 below
+    bool inside() const { return column == 0 && row == 0; }
+    /// The paper's outcode, four bits above-below-right-left: "1001".
+    QString outcode() const;
+    /// "inside", "left", "above right".
+    QString words() const;
+};
+Region regionOf(const Point& point, const clipping::Window& window);
+
+/// What can be said of a line before any arithmetic, and what came of it.
+enum class LineClass : std::uint8_t { Inside, Rejected, Cut, Missed };
+QString words(LineClass lineClass);
+
+/// One line under the magnifying glass: the window and the algorithm that are chosen.
+struct Inspection {
+    std::size_t number = 0; ///< index into the scene's segments
+    std::size_t shape = 0;
+    clipping::Segment segment{};
+    Region from{}, to{};
+    LineClass lineClass = LineClass::Inside;
+    std::optional<clipping::Segment> visible{}; ///< what the algorithm leaves
+    double share = 0;                           ///< of the length; a point: 1 if visible
+    clipping::OperationCounts cost{};
+    clipping::Trace trace{};
+};
+Inspection inspect(const Session& session, std::size_t segment);
+
+/// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
+QString costText(const clipping::OperationCounts& cost);
+/// One line of text for each step of the trace: what is done, with which values, what is left.
+QStringList stepTexts(const Inspection& inspection);
+
+} // namespace app

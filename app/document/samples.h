@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+#include <span>
+
+namespace app {
+
+/// One sample drawing that comes with the program: a line of resources/samples/index.txt.
+struct Sample {
+    QString key;   ///< "rosette"
+    QString title; ///< "Guilloche rosette"
+    QString file;  ///< a path among the program's resources
+};
+
+/// All samples, in the order of the start panel; none where the resources are not linked in.
+std::vector<Sample> samples();
+
+} // namespace app

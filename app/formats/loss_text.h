@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+namespace app {
+
+/// "3 texts and 1 masks cannot be kept." Empty if nothing was lost.
+QString lossSentence(const std::vector<Loss>& report);
+
+/// One line for each entry: what was lost, then what was kept in another way.
+QStringList lossLines(const std::vector<Loss>& report);
+
+} // namespace app

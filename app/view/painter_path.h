@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+#include <QPainterPath>
+
+namespace app {
+
+/// The shape's outline in user units, curves as curves, with its fill rule.
+QPainterPath painterPath(const Shape& shape);
+
+} // namespace app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/thumbnail.h"
+
+#include "app/view/raster.h"
+
+#include <QPainter>
+
+namespace app {
+
+namespace {
+
+constexpr double margin = 4, outline = 1.5; // points
+
+Colour plain(const QColor& colour)
+{
+    return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
+}
+
+} // namespace
+
+QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
+                 const ThumbnailColours& colours)
+{
+    const Drawing drawing(sheet);
+    Scene scene(drawing);
+    View view;
+    view.size = {points.width(), points.height()};
+    view.fit(sheet.page.rectangle(), margin);
+    const auto frame =
+        scene.clip(clipping::algorithms().front().corrected, sheet.window, Scene::Removed::Kept);
+    PictureOptions options{.view = view, .page = plain(colours.page)};
+    options.leastWidth = 0.5;
+    const QSize pixels = points * pixelRatio;
+    const QImage lines = rasterised(picture(sheet, scene, frame, options), pixels.width(),
+                                    {0, pixels.height()}, pixelRatio, colours.ghost);
+    QImage image(pixels, QImage::Format_RGB32);
+    image.fill(colours.page);
+    QPainter painter(&image);
+    painter.drawImage(QRect({}, pixels), lines);
+    painter.scale(pixelRatio, pixelRatio);
+    painter.setPen(QPen(colours.accent, outline));
+    const Point a = view.toScreen(sheet.window.min), b = view.toScreen(sheet.window.max);
+    painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
+    painter.end();
+    image.setDevicePixelRatio(pixelRatio);
+    return image;
+}
+
+} // namespace app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QColor>
+#include <QImage>
+
+namespace app {
+
+/// The colours of a small picture of a drawing.
+struct ThumbnailColours {
+    QColor page, accent;
+    double ghost; ///< opacity of what the window removes
+};
+
+/// A drawing with its clip window, really clipped by the library; `points` in size, each as many
+/// pixels wide as the ratio says. Takes no screen: may be made on any thread.
+QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
+                 const ThumbnailColours& colours);
+
+} // namespace app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/questions.h"
+
+#include "app/formats/loss_text.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Questions", text); }
+
+QString ending(const app::Format& format)
+{
+    return QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
+}
+
+QString filter(const app::Format& format)
+{
+    return QStringLiteral("%1 (*.%2)").arg(format.name, ending(format));
+}
+
+/// A message box with verbs; -1 for Cancel or Esc.
+int ask(QWidget& parent, const QString& sentence, const QString& more, const QStringList& verbs)
+{
+    QMessageBox box(QMessageBox::NoIcon, QCoreApplication::applicationName(), sentence,
+                    QMessageBox::NoButton, &parent);
+    box.setInformativeText(more);
+    QList<QPushButton*> buttons;
+    for (const QString& verb : verbs)
+        buttons << box.addButton(verb, buttons.isEmpty() ? QMessageBox::AcceptRole
+                                                         : QMessageBox::DestructiveRole);
+    box.setDefaultButton(buttons.front());
+    box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    box.exec();
+    return int(buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));
+}
+
+} // namespace
+
+QString Questions::fileToOpen(const QString& folder)
+{
+    QStringList all, filters;
+    for (const app::Format& format : app::formats())
+        if (format.read) {
+            all << QStringLiteral("*.") + ending(format);
+            filters << filter(format);
+        }
+    filters.prepend(tr("All drawings (%1)").arg(all.join(u' ')));
+    return QFileDialog::getOpenFileName(&window_, tr("Open"), folder,
+                                        filters.join(QStringLiteral(";;")));
+}
+
+QString Questions::fileToSave(const QString& title, const QString& proposal, Formats which)
+{
+    QStringList filters;
+    for (const app::Format& format : app::formats())
+        if (format.write && (which == Formats::All || filters.isEmpty()))
+            filters << filter(format);
+    QFileDialog dialog(&window_, title, QFileInfo(proposal).path(),
+                       filters.join(QStringLiteral(";;")));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(ending(app::formats().front()));
+    dialog.selectFile(QFileInfo(proposal).fileName());
+    const auto follow = [&dialog](const QString& chosen) {
+        for (const app::Format& format : app::formats())
+            if (filter(format) == chosen)
+                dialog.setDefaultSuffix(ending(format));
+    };
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, follow);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+Questions::Answer Questions::saveChanges(const QString& name)
+{
+    const int verb = ask(window_, tr("Save the changes to %1?").arg(name),
+                         tr("Without saving they are lost."), {tr("Save"), tr("Don't Save")});
+    return verb == 0 ? Answer::Save : verb == 1 ? Answer::DontSave : Answer::Cancel;
+}
+
+bool Questions::saveAsNewFile(const std::vector<app::Loss>& losses)
+{
+    return ask(window_, tr("%1 Save as a new file?").arg(app::lossSentence(losses)),
+               tr("The file it came from stays as it is."), {tr("Save as…")})
+           == 0;
+}
+
+void Questions::showLosses(const QString& name, const std::vector<app::Loss>& losses)
+{
+    QMessageBox box(QMessageBox::NoIcon, QCoreApplication::applicationName(),
+                    tr("What became of %1").arg(name), QMessageBox::Close, &window_);
+    box.setInformativeText(app::lossLines(losses).join(u'\n'));
+    box.exec();
+}
+
+bool Questions::overwriteChanged(const QString& path)
+{
+    return ask(window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
+               tr("Saving replaces what is there now."), {tr("Overwrite")})
+           == 0;
+}
+
+} // namespace ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+#include <QString>
+
+class QWidget;
+
+namespace ui {
+
+/// Everything that has to be asked about files, as dialogs over a window. Tests answer in its
+/// place.
+class Questions {
+public:
+    explicit Questions(QWidget& window) : window_(window) {}
+    virtual ~Questions() = default;
+
+    enum class Answer : std::uint8_t { Save, DontSave, Cancel };
+    enum class Formats : std::uint8_t { Native, All };
+
+    /// Files to read; empty: cancelled.
+    virtual QString fileToOpen(const QString& folder);
+    /// Where to write, one of all formats that can be or of the native one; empty: cancelled. An
+    /// ending is added where there is none.
+    virtual QString fileToSave(const QString& title, const QString& proposal, Formats which);
+    virtual Answer saveChanges(const QString& name);
+    /// What an import lost is about to be lost for good; true: save as a new file.
+    virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);
+    virtual void showLosses(const QString& name, const std::vector<app::Loss>& losses);
+    /// The file was changed by somebody else since it was opened; true: overwrite it.
+    virtual bool overwriteChanged(const QString& path);
+
+private:
+    QWidget& window_;
+};
+
+} // namespace ui

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/algorithm_list.h"
+
+#include "ui/look.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+class RowPainter : public QStyledItemDelegate {
+public:
+    RowPainter(const app::Session& session, QObject* parent)
+        : QStyledItemDelegate(parent), session_(session)
+    {
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    {
+        return {160, space::rowHeight};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const auto& row = clipping::algorithms()[std::size_t(index.row())];
+        const Look& look = lookOf(option.palette);
+        const QFontMetrics metrics(semiBold(option.font));
+        drawRowGround(*painter, option);
+        const QRect r = option.rect.adjusted(space::dockMargin, 0, -space::dockMargin, 0);
+        const auto text = [&](int x, int width, const QColor& colour, const QFont& font,
+                              const QString& words, Qt::Alignment side = Qt::AlignLeft) {
+            painter->setPen(colour);
+            painter->setFont(font);
+            painter->drawText(QRect(x, r.top(), width, r.height()), int(side | Qt::AlignVCenter),
+                              QFontMetrics(font).elidedText(words, Qt::ElideRight, width));
+        };
+        const int year =
+            QFontMetrics(captionFont(option.font)).horizontalAdvance(QStringLiteral("0000")) + 2;
+        const int abbreviation = metrics.horizontalAdvance(QStringLiteral("Skala")) + 12;
+        int x = r.left();
+        if (index.row() < 9)
+            text(x, 12, look.muted, captionFont(option.font), QString::number(index.row() + 1));
+        x += 17;
+        const auto form = usesOf(row, session_.display().form) ? session_.display().form
+                                                               : clipping::Form::Corrected;
+        drawMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), row, form, option.palette);
+        x += 20;
+        text(x, abbreviation, look.text, semiBold(option.font), latin(row.abbreviation));
+        x += abbreviation;
+        text(x, r.right() - year - 8 - x, look.text, option.font, latin(row.name));
+        text(r.right() - year, year + 1, look.muted, captionFont(option.font),
+             QString::number(row.year), Qt::AlignRight);
+    }
+
+private:
+    const app::Session& session_;
+};
+
+} // namespace
+
+void drawRowGround(QPainter& painter, const QStyleOptionViewItem& option)
+{
+    const Look& look = lookOf(option.palette);
+    if (option.state & QStyle::State_Selected) {
+        painter.fillRect(option.rect, look.tint);
+        painter.fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())),
+                         look.selection);
+    } else if (option.state & QStyle::State_MouseOver) {
+        painter.fillRect(option.rect, look.hover);
+    }
+    if (option.state & QStyle::State_HasFocus) {
+        painter.setPen(QPen(look.selection, 1));
+        painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
+    }
+}
+
+int AlgorithmModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(clipping::algorithms().size());
+}
+
+QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
+{
+    const auto& row = clipping::algorithms()[std::size_t(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return latin(row.name);
+    case Qt::ToolTipRole:
+        return QStringLiteral("%1 (%2)\n%3")
+            .arg(latin(row.name))
+            .arg(row.year)
+            .arg(latin(row.idea));
+    case Qt::AccessibleTextRole:
+        return QStringLiteral("%1, %2").arg(latin(row.abbreviation), latin(row.name));
+    default:
+        return {};
+    }
+}
+
+AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
+    : QListView(parent), session_(session)
+{
+    setModel(new AlgorithmModel(this));
+    setItemDelegate(new RowPainter(session, this));
+    setAccessibleName(tr("Algorithm"));
+    setFrameShape(QFrame::NoFrame);
+    setUniformItemSizes(true);
+    setMouseTracking(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    viewport()->setAutoFillBackground(false);
+    connect(&session, &app::Session::displayChanged, this, &AlgorithmList::follow);
+    follow();
+}
+
+QSize AlgorithmList::sizeHint() const
+{
+    return {space::rowHeight * 10, model()->rowCount() * space::rowHeight};
+}
+
+void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex& previous)
+{
+    QListView::currentChanged(current, previous);
+    if (!current.isValid())
+        return;
+    app::Display display = session_.display();
+    display.algorithm = &clipping::algorithms()[std::size_t(current.row())];
+    session_.setDisplay(display);
+}
+
+void AlgorithmList::follow()
+{
+    const auto row = session_.display().algorithm - clipping::algorithms().data();
+    setCurrentIndex(model()->index(int(row), 0));
+    viewport()->update();
+}
+
+} // namespace ui

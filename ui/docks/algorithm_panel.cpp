@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/algorithm_panel.h"
+
+#include "ui/docks/algorithm_list.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int idleMilliseconds = 400;
+constexpr std::size_t mostLinesUnasked = 150'000; // some 50 ms with seven algorithms
+
+} // namespace
+
+AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), corrected_(new QRadioButton(tr("corrected"))),
+      published_(new QRadioButton(tr("as published"))), tick_(new QLabel), verdict_(new QLabel),
+      ask_(new QPushButton(tr("Compare all algorithms")))
+{
+    auto* label = new QLabel(tr("Form"));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    corrected_->setToolTip(tr("With its published defects mended"));
+    published_->setToolTip(tr("As its authors printed it, faults included"));
+    corrected_->setAccessibleName(tr("Form: corrected"));
+    published_->setAccessibleName(tr("Form: as published"));
+    verdict_->setWordWrap(true);
+    verdict_->setAccessibleName(tr("Agreement"));
+    tick_->setFixedSize(16, 16);
+
+    auto* form = new QHBoxLayout;
+    form->setContentsMargins(space::dockMargin, 4, space::dockMargin, 0);
+    form->addWidget(label);
+    form->addSpacing(space::labelToField);
+    form->addWidget(corrected_);
+    form->addSpacing(space::labelToField);
+    form->addWidget(published_);
+    form->addStretch();
+    auto* agree = new QHBoxLayout;
+    agree->setContentsMargins(space::dockMargin, 2, space::dockMargin, 8);
+    agree->setSpacing(6);
+    agree->addWidget(tick_, 0, Qt::AlignTop);
+    agree->addWidget(verdict_, 1);
+    agree->addWidget(ask_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 4, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(new AlgorithmList(session));
+    column->addLayout(form);
+    column->addLayout(agree);
+    column->addStretch();
+
+    const auto choose = [this](clipping::Form chosen) {
+        app::Display display = session_.display();
+        display.form = chosen;
+        session_.setDisplay(display);
+    };
+    connect(corrected_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Corrected); });
+    connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });
+    connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
+    connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
+    connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
+    idle_.setSingleShot(true);
+    idle_.setInterval(idleMilliseconds);
+    connect(&idle_, &QTimer::timeout, this, &AlgorithmPanel::compare);
+    follow();
+}
+
+void AlgorithmPanel::compare()
+{
+    idle_.stop();
+    const auto& display = session_.display();
+    differences_ = app::differences(session_.scene.segments(), session_.sheet().window,
+                                    *display.algorithm, display.form);
+    verdict_->setText(app::sentence(differences_));
+    verdict_->show();
+    tick_->show();
+    ask_->hide();
+    paintVerdict();
+}
+
+void AlgorithmPanel::outdate()
+{
+    const bool unasked = session_.scene.segments().size() <= mostLinesUnasked;
+    if (unasked && isVisible())
+        idle_.start();
+    if (!unasked) {
+        verdict_->hide();
+        tick_->hide();
+    }
+    ask_->setVisible(!unasked);
+}
+
+void AlgorithmPanel::follow()
+{
+    const auto& display = session_.display();
+    published_->setEnabled(display.algorithm->published);
+    const bool published = display.form == clipping::Form::Published;
+    (published && display.algorithm->published ? published_ : corrected_)->setChecked(true);
+    outdate();
+}
+
+void AlgorithmPanel::paintVerdict()
+{
+    const Look& look = lookOf(palette());
+    const bool good = differences_.empty();
+    QPalette inks = verdict_->palette();
+    inks.setColor(QPalette::WindowText, good ? look.good : look.differs);
+    verdict_->setPalette(inks);
+    verdict_->setFont(good ? font() : semiBold(font()));
+    tick_->setPixmap(icon(good ? "tick" : "warning").pixmap(QSize(16, 16), devicePixelRatioF()));
+}
+
+void AlgorithmPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    outdate();
+}
+
+void AlgorithmPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintVerdict();
+}
+
+} // namespace ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <QLabel>
+
+#include <string_view>
+
+namespace ui {
+
+class DockTitle;
+
+/// A panel at the side of the window, under a title of our own; its buttons are seen only while the
+/// pointer or the focus is in it. Among tabs the tab is the title.
+class Dock : public QDockWidget {
+    Q_OBJECT
+
+public:
+    Dock(std::string_view key, const QString& title, QWidget* body, QWidget* parent = nullptr);
+
+    void setName(const QString& name); ///< in the title bar; the tab keeps the dock's own
+    /// What the title goes on with, in muted text.
+    void setRemark(const QString& remark);
+    /// One more button in the title, before float and close.
+    void addTitleAction(QAction* action);
+
+    enum class Title : std::uint8_t { Shown, InTab };
+    void setTitle(Title where);
+
+private:
+    DockTitle* title_;
+    QWidget* noTitle_;
+};
+
+} // namespace ui

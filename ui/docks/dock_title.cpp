@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/dock_title.h"
+
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QEvent>
+#include <QPainter>
+
+namespace ui {
+
+DockTitle::DockTitle(QDockWidget& dock)
+    : QWidget(&dock), dock_(dock), name_(new QLabel(dock.windowTitle())), remark_(new QLabel),
+      row_(new QHBoxLayout(this))
+{
+    name_->setFont(semiBold(font()));
+    remark_->setForegroundRole(QPalette::PlaceholderText);
+    row_->setContentsMargins(space::dockMargin, 0, 4, 0);
+    row_->setSpacing(2);
+    row_->addWidget(name_);
+    row_->addSpacing(6);
+    row_->addWidget(remark_, 1);
+    auto* floating = new QAction(icon("float"), tr("Detach or attach this panel"), this);
+    auto* close = new QAction(icon("close"), tr("Close this panel"), this);
+    connect(floating, &QAction::triggered, &dock,
+            [&dock] { dock.setFloating(!dock.isFloating()); });
+    connect(close, &QAction::triggered, &dock, &QDockWidget::close);
+    addButton(floating);
+    addButton(close);
+    dock.installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, &DockTitle::showButtons);
+    showButtons();
+}
+
+void DockTitle::setName(const QString& name) { name_->setText(name); }
+
+void DockTitle::setRemark(const QString& remark) { remark_->setText(remark); }
+
+void DockTitle::addButton(QAction* action)
+{
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setIconSize({16, 16});
+    button->setFixedSize(22, 22);
+    button->setAccessibleName(action->text());
+    auto policy = button->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    button->setSizePolicy(policy);
+    const bool ofTheTitle = action->parent() == this;
+    const int at = ofTheTitle ? row_->count() : std::max(0, row_->count() - 2);
+    row_->insertWidget(at, button);
+    buttons_ << button;
+    showButtons();
+}
+
+QSize DockTitle::sizeHint() const { return {120, space::dockTitleHeight}; }
+
+void DockTitle::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().window());
+}
+
+bool DockTitle::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave)
+        showButtons();
+    return QWidget::eventFilter(object, event);
+}
+
+void DockTitle::showButtons()
+{
+    const QWidget* focus = QApplication::focusWidget();
+    const bool wanted = dock_.underMouse() || (focus && dock_.isAncestorOf(focus));
+    for (QToolButton* button : buttons_)
+        button->setVisible(wanted);
+}
+
+} // namespace ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace ui {
+
+/// The title bar of a dock: name, remark, and buttons that are seen while pointer or focus are in
+/// the dock (they keep their room, so that nothing jumps).
+class DockTitle : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DockTitle(QDockWidget& dock);
+
+    void setName(const QString& name);
+    void setRemark(const QString& remark);
+    void addButton(QAction* action);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void showButtons();
+
+    QDockWidget& dock_;
+    QLabel *name_, *remark_;
+    QHBoxLayout* row_;
+    QList<QToolButton*> buttons_;
+};
+
+} // namespace ui

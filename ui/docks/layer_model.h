@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QAbstractListModel>
+
+namespace ui {
+
+/// The layers of the drawing, the topmost first. Every change is an undoable step.
+class LayerModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role { VisibleRole = Qt::UserRole, LockedRole, CountRole };
+
+    explicit LayerModel(app::Session& session, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+    std::uint32_t layerOf(const QModelIndex& index) const;
+    QModelIndex indexOf(std::uint32_t layer) const;
+
+    void addLayer();
+    void removeLayer(std::uint32_t layer); ///< not the last one
+
+private:
+    void follow(const app::Change& change);
+
+    app::Session& session_;
+};
+
+} // namespace ui

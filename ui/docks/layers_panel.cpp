@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/layers_panel.h"
+
+#include "app/view/ink.h"
+#include "app/view/numbers.h"
+#include "ui/docks/algorithm_list.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/tabular.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+class RowPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    {
+        return {160, space::rowHeight};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const Look& look = lookOf(option.palette);
+        drawRowGround(*painter, option);
+        const bool visible = index.data(LayerModel::VisibleRole).toBool();
+        const bool locked = index.data(LayerModel::LockedRole).toBool();
+        const bool hovered = option.state & QStyle::State_MouseOver;
+        icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
+        if (locked || hovered)
+            icon(locked ? "lock" : "unlock").paint(painter, lock(option.rect));
+        const QRect ink(eye(option.rect).right() + 9, option.rect.center().y() - 5, 12, 12);
+        if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid())
+            painter->fillRect(ink, shown(colour, look));
+        painter->setPen(visible ? look.text : look.muted);
+        painter->setFont(option.font);
+        painter->drawText(nameBox(option.rect), Qt::AlignVCenter,
+                          option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight,
+                                                        nameBox(option.rect).width()));
+        painter->setPen(look.muted);
+        painter->setFont(captionFont(option.font));
+        const QString count = app::countText(index.data(LayerModel::CountRole).toULongLong());
+        drawTabular(*painter, option.rect.adjusted(0, 0, -38, 0), Qt::AlignRight | Qt::AlignVCenter,
+                    visible ? count : QStringLiteral("–"));
+    }
+
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex&) const override
+    {
+        editor->setGeometry(nameBox(option.rect));
+    }
+
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) override
+    {
+        if (event->type() != QEvent::MouseButtonRelease)
+            return false;
+        const QPoint at = static_cast<QMouseEvent*>(event)->position().toPoint();
+        for (const auto& [box, role] : {std::pair(eye(option.rect), LayerModel::VisibleRole),
+                                        std::pair(lock(option.rect), LayerModel::LockedRole)})
+            if (box.adjusted(-4, -4, 4, 4).contains(at))
+                return model->setData(index, !index.data(role).toBool(), role);
+        return false;
+    }
+
+private:
+    static QRect eye(const QRect& row)
+    {
+        return {row.left() + space::dockMargin, row.center().y() - 7, 16, 16};
+    }
+    static QRect lock(const QRect& row)
+    {
+        return {row.right() - space::dockMargin - 15, row.center().y() - 7, 16, 16};
+    }
+    static QRect nameBox(const QRect& row)
+    {
+        return row.adjusted(space::dockMargin + 46, 0, -110, 0);
+    }
+    /// As the canvas shows it on this page.
+    static QColor shown(const QColor& ink, const Look& look)
+    {
+        const auto plain = [](const QColor& c) {
+            return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()),
+                               std::uint8_t(c.blue())};
+        };
+        const app::Colour seen =
+            look.dark ? app::shownInk(plain(ink), plain(look.paper)) : plain(ink);
+        return QColor(seen.red, seen.green, seen.blue);
+    }
+};
+
+} // namespace
+
+LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
+      list_(new QListView), add_(new QAction(icon("plus"), tr("Add layer"), this)),
+      remove_(new QAction(icon("bin"), tr("Delete layer"), this))
+{
+    list_->setModel(model_);
+    list_->setItemDelegate(new RowPainter(list_));
+    list_->setAccessibleName(tr("Layers"));
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setMouseTracking(true);
+    list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    list_->viewport()->setAutoFillBackground(false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 4, 0, 4);
+    column->addWidget(list_);
+    connect(add_, &QAction::triggered, this, [this] {
+        model_->addLayer();
+        list_->setCurrentIndex(model_->index(0));
+    });
+    connect(remove_, &QAction::triggered, this,
+            [this] { model_->removeLayer(session_.pen.layer); });
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& current) {
+                if (current.isValid())
+                    session_.pen.layer = model_->layerOf(current);
+            });
+    connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
+    connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
+    follow();
+}
+
+void LayersPanel::follow()
+{
+    const auto count = std::uint32_t(session_.sheet().layers.size());
+    session_.pen.layer = std::min(session_.pen.layer, count - 1);
+    list_->setCurrentIndex(model_->indexOf(session_.pen.layer));
+    remove_->setEnabled(count > 1);
+}
+
+} // namespace ui

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/line_panel.h"
+
+#include "app/view/numbers.h"
+#include "ui/look.h"
+
+#include <QFontDatabase>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+enum Column { Name, XColumn, YColumn, RegionColumn, AfterColumn };
+enum Row { Header, From, To, VisibleA, VisibleB, Cost };
+
+} // namespace
+
+LinePanel::LinePanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session),
+      nothing_(new QLabel(tr("Click a line to see what happens to it."))), table_(new QWidget),
+      grid_(new QGridLayout(table_)), cost_(new QLabel), steps_(new QPlainTextEdit)
+{
+    nothing_->setForegroundRole(QPalette::PlaceholderText);
+    nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
+    nothing_->setWordWrap(true);
+    grid_->setContentsMargins(space::dockMargin, 6, space::dockMargin, 0);
+    grid_->setHorizontalSpacing(space::labelToField + 2);
+    grid_->setVerticalSpacing(3);
+    grid_->setColumnStretch(AfterColumn, 1);
+    cost_->setFont(captionFont(font()));
+    cost_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    cost_->setWordWrap(true);
+    grid_->addWidget(cost_, Cost, XColumn, 1, 4);
+    steps_->setReadOnly(true);
+    steps_->setFrameShape(QFrame::NoFrame);
+    steps_->setFont(captionFont(font()));
+    steps_->setAccessibleName(tr("Steps"));
+    steps_->setMinimumHeight(40);
+    QPalette quiet = steps_->palette();
+    quiet.setColor(QPalette::Base, Qt::transparent);
+    steps_->setPalette(quiet);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, space::labelToField);
+    column->setSpacing(6);
+    column->addWidget(nothing_);
+    column->addWidget(table_);
+    column->addWidget(steps_, 1);
+    column->addStretch();
+
+    soon_.setSingleShot(true);
+    soon_.setInterval(30);
+    connect(&soon_, &QTimer::timeout, this, &LinePanel::show);
+    const auto later = [this] {
+        if (!soon_.isActive())
+            soon_.start();
+    };
+    connect(&session, &app::Session::inspectedChanged, this, later);
+    connect(&session, &app::Session::displayChanged, this, later);
+    connect(&session.scene, &app::Scene::outdated, this, later);
+    show();
+}
+
+void LinePanel::show()
+{
+    const auto inspected = session_.inspected();
+    const bool some = inspected && *inspected < session_.scene.segments().size();
+    nothing_->setVisible(!some);
+    table_->setVisible(some);
+    steps_->setVisible(some);
+    if (some)
+        showLine(app::inspect(session_, *inspected));
+    else
+        emit titled(tr("Line"), {});
+}
+
+void LinePanel::showLine(const app::Inspection& line)
+{
+    const double size = session_.sheet().page.millimetresPerUnit();
+    const app::Unit unit = session_.display().unit;
+    const auto number = [&](double length) { return app::lengthNumber(length, unit, size, 1); };
+    const auto& layer = session_.sheet().layers[session_.sheet().shapes[line.shape].layer];
+    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer.name));
+
+    const auto point = [&](int row, const app::Point& p) {
+        put(row, XColumn, number(p.x), Qt::AlignRight);
+        put(row, YColumn, number(p.y), Qt::AlignRight);
+    };
+    const auto end = [&](int row, const QString& name, const app::Point& p,
+                         const app::Region& region, const app::Point* after) {
+        put(row, Name, name);
+        point(row, p);
+        put(row, RegionColumn, tr("%1 (%2)").arg(region.words(), region.outcode()));
+        put(row, AfterColumn, !after ? tr("gone") : *after == p ? tr("kept") : tr("cut"));
+    };
+    put(Header, XColumn, tr("x"), Qt::AlignRight);
+    put(Header, YColumn, tr("y"), Qt::AlignRight);
+    put(Header, RegionColumn, tr("region"));
+    put(Header, AfterColumn, tr("after"));
+    end(From, tr("From"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);
+    end(To, tr("To"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
+    put(VisibleA, Name, line.visible ? tr("Visible") : tr("Nothing visible"));
+    for (const int row : {VisibleA, VisibleB})
+        for (const int column : {XColumn, YColumn, RegionColumn})
+            put(row, column, {});
+    if (line.visible) {
+        point(VisibleA, line.visible->a);
+        point(VisibleB, line.visible->b);
+        put(VisibleA, RegionColumn, tr("%1 of its length").arg(app::percentText(line.share)));
+    }
+    put(VisibleB, RegionColumn, app::words(line.lineClass));
+    put(Cost, Name, tr("Cost"));
+    cost_->setText(app::costText(line.cost));
+    steps_->setPlainText(app::stepTexts(line).join(u'\n'));
+}
+
+QLabel* LinePanel::cell(int row, int column)
+{
+    if (auto* item = grid_->itemAtPosition(row, column))
+        return static_cast<QLabel*>(item->widget());
+    auto* label = new QLabel;
+    label->setFont(column == Name && row == VisibleA ? semiBold(captionFont(font()))
+                                                     : captionFont(font()));
+    if (row == Header || column == AfterColumn)
+        label->setForegroundRole(QPalette::PlaceholderText);
+    if (column == Name && row == VisibleA)
+        label->setForegroundRole(QPalette::Link);
+    if (row != Header)
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    const bool wide = column == RegionColumn && (row == VisibleA || row == VisibleB);
+    grid_->addWidget(label, row, column, 1, wide ? 2 : 1);
+    return label;
+}
+
+void LinePanel::put(int row, int column, const QString& text, Qt::Alignment alignment)
+{
+    QLabel* label = cell(row, column);
+    label->setAlignment(alignment | Qt::AlignVCenter);
+    label->setText(text);
+}
+
+} // namespace ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/inspection.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QTimer>
+
+namespace ui {
+
+/// The inspected line: where its ends lie, what the chosen algorithm leaves of it, what that costs,
+/// and its steps as text.
+class LinePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LinePanel(app::Session& session, QWidget* parent = nullptr);
+
+    QString steps() const { return steps_->toPlainText(); }
+
+signals:
+    void titled(const QString& title, const QString& remark);
+
+private:
+    void show();
+    void showLine(const app::Inspection& line);
+    void put(int row, int column, const QString& text, Qt::Alignment alignment = Qt::AlignLeft);
+    QLabel* cell(int row, int column);
+
+    app::Session& session_;
+    QLabel* nothing_;
+    QWidget* table_;
+    QGridLayout* grid_;
+    QLabel* cost_;
+    QPlainTextEdit* steps_;
+    QTimer soon_; ///< many changes in one event are shown once
+};
+
+} // namespace ui

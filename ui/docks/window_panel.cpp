@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/window_panel.h"
+
+#include "app/commands/set_window.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/unit_box.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+namespace ui {
+
+namespace {
+
+enum Field : std::size_t { X, Y, Width, Height };
+
+clipping::Window edited(const clipping::Window& window, std::size_t field, double length,
+                        bool proportional)
+{
+    clipping::Window next = window;
+    const auto size = window.max - window.min;
+    const glm::length_t axis = field == X || field == Width ? 0 : 1;
+    if (field == X || field == Y) {
+        next.min[axis] = length;
+        next.max[axis] = length + size[axis];
+        return next;
+    }
+    next.max[axis] = window.min[axis] + length;
+    const glm::length_t other = 1 - axis;
+    if (proportional && size[axis] > 0)
+        next.max[other] = window.min[other] + size[other] * length / size[axis];
+    return next;
+}
+
+} // namespace
+
+WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), chain_(new QToolButton), unit_(new UnitBox(session))
+{
+    using Range = LengthField::Range;
+    constexpr auto none = LengthField::Suffix::None;
+    fields_ = {new LengthField(tr("X"), Range::Any, none),
+               new LengthField(tr("Y"), Range::Any, none),
+               new LengthField(tr("Width"), Range::NotNegative, none),
+               new LengthField(tr("Height"), Range::NotNegative, none)};
+    const QStringList labels{tr("&X"), tr("&Y"), tr("&W"), tr("&H")};
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        auto* label = new QLabel(labels[qsizetype(i)]);
+        label->setForegroundRole(QPalette::PlaceholderText);
+        label->setBuddy(fields_[i]);
+        grid->addWidget(label, int(i % 2), i < 2 ? 0 : 2);
+        grid->addWidget(fields_[i], int(i % 2), i < 2 ? 1 : 3);
+        connect(fields_[i], &LengthField::edited, this,
+                [this, i](double length) { edit(i, length); });
+        connect(fields_[i], &LengthField::refused, this, &WindowPanel::refused);
+    }
+    chain_->setIcon(icon("chain"));
+    chain_->setCheckable(true);
+    chain_->setAutoRaise(true);
+    chain_->setToolTip(tr("Keep the proportion of width and height"));
+    chain_->setAccessibleName(chain_->toolTip());
+    grid->addWidget(unit_, 0, 4);
+    grid->addWidget(chain_, 1, 4, Qt::AlignLeft);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    grid->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
+                             space::dockMargin);
+    setLayout(grid);
+    for (LengthField* field : fields_)
+        field->setMinimumWidth(72);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(&session.drawing, &app::Drawing::changed, this, &WindowPanel::follow);
+    connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
+    follow();
+}
+
+void WindowPanel::follow()
+{
+    const clipping::Window& window = session_.sheet().window;
+    const double size = session_.sheet().page.millimetresPerUnit();
+    const std::array values{window.min.x, window.min.y, window.max.x - window.min.x,
+                            window.max.y - window.min.y};
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        fields_[i]->show(values[i], session_.display().unit, size);
+}
+
+void WindowPanel::edit(std::size_t field, double length)
+{
+    const clipping::Window& before = session_.sheet().window;
+    const clipping::Window after = edited(before, field, length, chain_->isChecked());
+    if (after != before)
+        session_.history.push(new app::SetWindow(session_.drawing, after));
+}
+
+} // namespace ui

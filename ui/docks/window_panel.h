@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QComboBox>
+#include <QToolButton>
+
+#include <array>
+
+namespace ui {
+
+class LengthField;
+
+/// The clip window in numbers. Each edit is one step to undo.
+class WindowPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
+
+signals:
+    void refused(const QString& sentence); ///< a number that cannot be
+
+private:
+    void follow();
+    void edit(std::size_t field, double length);
+
+    app::Session& session_;
+    std::array<LengthField*, 4> fields_; ///< X Y W H
+    QToolButton* chain_;                 ///< on: W and H keep their proportion
+    QComboBox* unit_;
+};
+
+} // namespace ui

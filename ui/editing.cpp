@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editing.h"
+
+#include "app/commands/add_shapes.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/document/clipboard.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QMimeData>
+
+#include <map>
+
+namespace ui {
+
+namespace {
+
+constexpr double offsetMillimetres = 5; // of a copy from what it is a copy of
+
+QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
+
+/// One command for each layer, in one undo step; then they are what is selected.
+void add(app::Session& session, std::vector<app::Shape> shapes, const QString& text)
+{
+    std::map<std::uint32_t, std::vector<app::Shape>> byLayer;
+    const double offset = offsetMillimetres / session.sheet().page.millimetresPerUnit();
+    for (app::Shape& shape : shapes)
+        byLayer[shape.layer].push_back(app::moved(std::move(shape), {offset, offset}));
+    session.history.beginMacro(text);
+    std::set<std::size_t> added;
+    for (auto& [layer, some] : byLayer) { // from the lowest: later ones do not move earlier ones
+        auto* command = new app::AddShapes(session.drawing, std::move(some), text);
+        session.history.push(command);
+        added.merge(command->shapes());
+    }
+    session.history.endMacro();
+    session.select(std::move(added));
+}
+
+std::vector<app::Shape> selected(const app::Session& session)
+{
+    std::vector<app::Shape> shapes;
+    for (const std::size_t shape : session.selection())
+        shapes.push_back(session.sheet().shapes[shape]);
+    return shapes;
+}
+
+} // namespace
+
+void copySelection(const app::Session& session)
+{
+    if (!session.selection().empty())
+        QGuiApplication::clipboard()->setMimeData(
+            app::copied(session.sheet(), session.selection()).release()); // the clipboard owns it
+}
+
+void cutSelection(app::Session& session)
+{
+    if (session.selection().empty())
+        return;
+    copySelection(session);
+    session.history.push(new app::RemoveShapes(session.drawing, session.selection(), tr("Cut")));
+    session.select({});
+}
+
+std::optional<QString> paste(app::Session& session)
+{
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    auto shapes = data ? app::pasted(*data, session.sheet().page, session.pen.layer)
+                       : std::vector<app::Shape>();
+    if (shapes.empty())
+        return tr("The clipboard holds no drawing. Copy lines first.");
+    add(session, std::move(shapes), tr("Paste"));
+    return std::nullopt;
+}
+
+void duplicateSelection(app::Session& session)
+{
+    if (!session.selection().empty())
+        add(session, selected(session), tr("Duplicate"));
+}
+
+void deleteSelection(app::Session& session)
+{
+    if (session.selection().empty())
+        return;
+    session.history.push(new app::RemoveShapes(session.drawing, session.selection()));
+    session.select({});
+}
+
+void selectAll(app::Session& session)
+{
+    const app::Sheet& sheet = session.sheet();
+    std::set<std::size_t> all;
+    for (std::size_t i = 0; i < sheet.shapes.size(); ++i)
+        if (sheet.shown(sheet.shapes[i]) && !sheet.layers[sheet.shapes[i].layer].locked)
+            all.insert(all.end(), i);
+    session.select(std::move(all));
+}
+
+} // namespace ui

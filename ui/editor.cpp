@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor.h"
+
+#include "app/command_line/command.h"
+#include "ui/files.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QUrl>
+
+#include <cstdio>
+#include <map>
+
+namespace ui {
+
+namespace {
+
+struct Options {
+    Backend backend = Backend::Automatic;
+    std::optional<Theme> theme;
+    QString file, screenshot;
+    std::optional<QSize> size;
+    bool verbose = false;
+};
+
+QString tr(const char* text) { return QCoreApplication::translate("Editor", text); }
+
+void complain(const QString& sentence)
+{
+    std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
+}
+
+std::optional<QSize> parsedSize(const QString& text)
+{
+    const QStringList numbers = text.split(u'x');
+    const QSize size(numbers.value(0).toInt(), numbers.value(1).toInt());
+    return numbers.size() == 2 && size.isValid() && !size.isEmpty() ? std::optional(size)
+                                                                    : std::nullopt;
+}
+
+/// One option with its value; the sentence that says what is wrong with it.
+std::optional<QString> take(Options& options, const QString& name, const QString& value)
+{
+    static const std::map<QString, Backend> backends{
+        {"auto", Backend::Automatic}, {"opengl", Backend::OpenGL}, {"raster", Backend::Raster}};
+    static const std::map<QString, Theme> themes{
+        {"system", Theme::System}, {"light", Theme::Light}, {"dark", Theme::Dark}};
+    if (name == "--renderer" && backends.contains(value))
+        options.backend = backends.at(value);
+    else if (name == "--theme" && themes.contains(value))
+        options.theme = themes.at(value);
+    else if (name == "--size" && parsedSize(value))
+        options.size = parsedSize(value);
+    else if (name == "--screenshot" && !value.isEmpty())
+        options.screenshot = value;
+    else if (name == "--renderer")
+        return tr("--renderer is auto, opengl or raster.");
+    else if (name == "--theme")
+        return tr("--theme is system, light or dark.");
+    else if (name == "--size")
+        return tr("--size is a width and a height, such as 1280x800.");
+    else
+        return tr("There is no option %1 with the value \"%2\". Try --help.").arg(name, value);
+    return std::nullopt;
+}
+
+std::optional<QString> parse(Options& options, const QStringList& arguments)
+{
+    bool onlyFiles = false;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        const QString& argument = arguments[i];
+        if (argument == "--" && !onlyFiles) {
+            onlyFiles = true;
+        } else if (argument == "--verbose" && !onlyFiles) {
+            options.verbose = true;
+        } else if (argument.startsWith("--") && !onlyFiles) {
+            const bool joined = argument.contains(u'=');
+            const QString value = joined ? argument.section(u'=', 1) : arguments.value(++i);
+            if (const auto error = take(options, argument.section(u'=', 0, 0), value))
+                return error;
+        } else if (!options.file.isEmpty()) {
+            return tr("Name one file: %1 is one too many.").arg(argument);
+        } else {
+            const QUrl url(argument);
+            options.file = url.isLocalFile() ? url.toLocalFile() : argument;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether a window can be shown; asked before Qt ends the program for want of a display.
+bool displayAtHand()
+{
+#if defined(Q_OS_LINUX)
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY")
+           || qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+void nameProgram()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("Clearcut"));
+    QCoreApplication::setApplicationName(QStringLiteral("Clearcut"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("io.github.clearcut.Clearcut"));
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+}
+
+bool savedPicture(MainWindow& window, const QString& path)
+{
+    window.canvas().settle();
+    QCoreApplication::processEvents();
+    return window.grab().save(path);
+}
+
+/// Opens what was asked for; the picture is taken when all has been painted.
+int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
+{
+    MainWindow window(options.backend);
+    if (options.size)
+        window.resize(*options.size);
+    if (options.file.isEmpty())
+        window.showStart();
+    else
+        window.files().open(options.file);
+    if (options.verbose)
+        QObject::connect(&window.canvas(), &Canvas::frameShown, &window,
+                         [&clock, once = false]() mutable {
+                             if (!std::exchange(once, true))
+                                 std::fprintf(stderr, "first frame after %lld ms\n",
+                                              static_cast<long long>(clock.elapsed()));
+                         });
+    window.show();
+    if (options.screenshot.isEmpty())
+        return application.exec();
+    bool saved = false;
+    constexpr int forThumbnails = 1500; // milliseconds; they are painted on another thread
+    QTimer::singleShot(forThumbnails, &window, [&] {
+        saved = savedPicture(window, options.screenshot);
+        application.quit();
+    });
+    application.exec();
+    if (!saved)
+        complain(tr("Cannot write %1.").arg(options.screenshot));
+    return int(saved ? app::Exit::Done : app::Exit::Failed);
+}
+
+} // namespace
+
+int runEditor(int argc, char** argv, const QStringList& arguments)
+{
+    QElapsedTimer clock;
+    clock.start();
+    Options options;
+    if (const auto error = parse(options, arguments)) {
+        complain(*error);
+        return int(app::Exit::Usage);
+    }
+    if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (!displayAtHand()) {
+        complain(tr("There is no display for the editor. Start it from a desktop, or use a command "
+                    "that needs none: clearcut clip IN -o OUT (clearcut --help lists them)."));
+        return int(app::Exit::Failed);
+    }
+    nameProgram();
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    const Theme saved = Theme(QSettings().value("theme", int(Theme::System)).toInt());
+    applyTheme(application, options.theme.value_or(saved));
+    return show(application, options, clock);
+}
+
+} // namespace ui

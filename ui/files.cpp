@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files.h"
+
+#include "app/commands/crop_to_window.h"
+#include "app/comparison/cut_text.h"
+#include "app/formats/loss_text.h"
+#include "ui/dialogs/in_background.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+
+namespace ui {
+
+namespace {
+
+constexpr double exportDpi = 300;         // of pictures
+constexpr double newPenMillimetres = 0.3; // the width of a fresh drawing's pen
+
+app::Sheet emptySheet()
+{
+    app::Sheet sheet;
+    sheet.page = {{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}};
+    sheet.window = {{105, 74.25}, {315, 222.75}}; // the middle half
+    return sheet;
+}
+
+} // namespace
+
+Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> questions)
+    : session_(session), window_(window), questions_(std::move(questions))
+{
+    connect(&session, &app::Session::fileChanged, this, &Files::nameChanged);
+}
+
+void Files::setQuestions(std::unique_ptr<Questions> questions)
+{
+    questions_ = std::move(questions);
+}
+
+QString Files::name() const
+{
+    if (!session_.path().isEmpty())
+        return QFileInfo(session_.path()).fileName();
+    return title_.isEmpty() ? tr("Untitled") : title_;
+}
+
+QString Files::folder() const
+{
+    if (!session_.path().isEmpty())
+        return QFileInfo(session_.path()).absolutePath();
+    const auto files = recent();
+    return files.empty() ? QDir::homePath() : QFileInfo(files.front().path).absolutePath();
+}
+
+void Files::show(app::Imported imported, const QString& path, const QString& title)
+{
+    title_ = title;
+    sample_.clear();
+    session_.load(std::move(imported), path);
+    session_.pen.style.width = newPenMillimetres / session_.sheet().page.millimetresPerUnit();
+    seen_ = QFileInfo(path).lastModified();
+    emit nameChanged();
+    emit told({});
+}
+
+void Files::startNew()
+{
+    if (mayClose())
+        show({emptySheet(), {}}, {}, {});
+}
+
+void Files::open()
+{
+    if (const QString path = questions_->fileToOpen(folder()); !path.isEmpty())
+        open(path);
+}
+
+void Files::open(const QString& path)
+{
+    if (!mayClose())
+        return;
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    auto read = inBackground(&window_, tr("Opening %1…").arg(QFileInfo(path).fileName()),
+                             [absolute] { return app::readFile(absolute); });
+    if (!read)
+        return;
+    if (!*read) {
+        emit told({Message::Kind::Warning, tr("%1 Nothing was changed.").arg(read->error)});
+        return;
+    }
+    show(std::move(*read->value), absolute, {});
+    noteRecent();
+    if (const auto& losses = session_.losses(); !losses.empty()) {
+        const QString sentence = app::lossSentence(losses);
+        emit told({Message::Kind::Warning,
+                   sentence.isEmpty() ? tr("Some things were kept in another way.") : sentence,
+                   tr("Details"), [this, losses] { questions_->showLosses(name(), losses); }});
+    }
+}
+
+void Files::openSample(const app::Sample& sample)
+{
+    if (!mayClose())
+        return;
+    auto read = app::readFile(sample.file);
+    if (!read) {
+        emit told({Message::Kind::Warning, read.error});
+        return;
+    }
+    show(std::move(*read.value), {}, sample.title);
+    sample_ = sample.key;
+    emit nameChanged();
+}
+
+bool Files::save()
+{
+    const QString path = session_.path();
+    const bool native = app::formatOfFile(path) == &app::formats().front();
+    if (path.isEmpty() || !native)
+        return saveAs();
+    if (session_.mustSaveAs())
+        return questions_->saveAsNewFile(session_.losses()) && saveAs();
+    const bool changedElsewhere =
+        QFileInfo::exists(path) && QFileInfo(path).lastModified() != seen_;
+    return (!changedElsewhere || questions_->overwriteChanged(path)) && write(path);
+}
+
+bool Files::saveAs()
+{
+    const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
+    const QString path = questions_->fileToSave(
+        tr("Save as"), QDir(folder()).filePath(base + QStringLiteral(".svg")),
+        Questions::Formats::Native);
+    return !path.isEmpty() && write(path);
+}
+
+bool Files::write(const QString& path)
+{
+    if (const auto error = session_.save(path)) {
+        emit told({Message::Kind::Warning, *error});
+        return false;
+    }
+    seen_ = QFileInfo(path).lastModified();
+    title_.clear();
+    sample_.clear();
+    noteRecent();
+    emit nameChanged();
+    emit told({});
+    return true;
+}
+
+app::CutOptions Files::cutOptions() const
+{
+    return {.algorithm = &session_.uses(),
+            .window = session_.sheet().window,
+            .keep = session_.display().keep};
+}
+
+void Files::exportCut()
+{
+    const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
+    const QString path = questions_->fileToSave(
+        tr("Export cut drawing"), QDir(folder()).filePath(base + QStringLiteral("-cut.svg")),
+        Questions::Formats::All);
+    if (path.isEmpty())
+        return;
+    app::CutOptions options = cutOptions();
+    options.keepContacts = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+    app::WriteOptions writing;
+    writing.dpi = exportDpi;
+    const auto job = [sheet = session_.sheet(), options, path, writing] {
+        const app::Cut cut = app::cut(sheet, options);
+        return std::pair(app::writeFile(cut.sheet, path, writing), cut.counts);
+    };
+    const auto done =
+        inBackground(&window_, tr("Exporting %1…").arg(QFileInfo(path).fileName()), job);
+    if (!done)
+        return;
+    const auto& [error, counts] = *done;
+    if (error)
+        emit told({Message::Kind::Warning, *error});
+    else
+        emit told({Message::Kind::Done,
+                   tr("Exported %1: %2").arg(QFileInfo(path).fileName(), app::cutText(counts))});
+}
+
+void Files::crop()
+{
+    app::CutOptions options = cutOptions();
+    options.onlyShown = false;
+    auto* command = new app::CropToWindow(session_.drawing, options);
+    const app::CutCounts counts = command->counts();
+    session_.history.push(command);
+    emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
+}
+
+bool Files::mayClose()
+{
+    if (session_.history.isClean())
+        return true;
+    switch (questions_->saveChanges(name())) {
+    case Questions::Answer::Save:
+        return save();
+    case Questions::Answer::DontSave:
+        return true;
+    case Questions::Answer::Cancel:
+        break;
+    }
+    return false;
+}
+
+std::vector<app::RecentFile> Files::recent() const { return app::recentFiles(QSettings()); }
+
+void Files::noteRecent()
+{
+    QSettings settings;
+    app::remember(settings, {QFileInfo(session_.path()).absoluteFilePath(),
+                             session_.scene.segments().size(), QDateTime::currentDateTime()});
+    emit recentChanged();
+}
+
+void Files::forgetRecent()
+{
+    QSettings settings;
+    app::forgetRecentFiles(settings);
+    emit recentChanged();
+}
+
+} // namespace ui

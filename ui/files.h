@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/recent_files.h"
+#include "app/document/samples.h"
+#include "app/document/session.h"
+#include "ui/dialogs/questions.h"
+#include "ui/widgets/message_strip.h"
+
+#include <QDateTime>
+
+namespace ui {
+
+/// What the File menu does with one session. Unsaved changes are asked about before anything
+/// replaces them; reading, cutting and big writes keep the window alive.
+class Files : public QObject {
+    Q_OBJECT
+
+public:
+    Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> questions);
+
+    void setQuestions(std::unique_ptr<Questions> questions);
+
+    void startNew(); ///< an empty A3 sheet
+    void open();
+    void open(const QString& path);
+    void openSample(const app::Sample& sample);
+    bool save(); ///< true: saved
+    bool saveAs();
+    void exportCut();
+    void crop(); ///< undoable
+    bool mayClose();
+
+    QString name() const; ///< for the title: the file's, the sample's, or "Untitled"
+    QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
+    std::vector<app::RecentFile> recent() const;
+    void forgetRecent();
+
+signals:
+    void told(const ui::Message& message);
+    void recentChanged();
+    void nameChanged();
+
+private:
+    void show(app::Imported imported, const QString& path, const QString& title);
+    bool write(const QString& path);
+    void noteRecent();
+    QString folder() const;
+    app::CutOptions cutOptions() const;
+
+    app::Session& session_;
+    QWidget& window_;
+    std::unique_ptr<Questions> questions_;
+    QString title_, sample_;
+    QDateTime seen_; ///< when the file was last changed, as far as we know
+};
+
+} // namespace ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look_icon.h"
+
+#include "app/formats/format.h"
+#include "app/view/painter_path.h"
+#include "ui/look.h"
+
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+/// Reads the file once, at the first painting, and paints it as paths at every size.
+class Engine : public QIconEngine {
+public:
+    explicit Engine(QString path) : path_(std::move(path)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
+    {
+        const app::Sheet& drawing = sheet();
+        const Look& look = lookOf(QApplication::palette());
+        const double scale = rect.width() / drawing.page.size.x;
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        if (mode == QIcon::Disabled)
+            painter->setOpacity(painter->opacity() * 0.45);
+        painter->translate(rect.topLeft());
+        painter->scale(scale, scale);
+        painter->translate(-drawing.page.min.x, -drawing.page.min.y);
+        for (const app::Shape& shape : drawing.shapes)
+            paint(*painter, shape, look);
+        painter->restore();
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
+    {
+        QPixmap picture(size);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paint(&painter, QRect({}, size), mode, state);
+        return picture;
+    }
+
+    QIconEngine* clone() const override { return new Engine(*this); }
+
+private:
+    const app::Sheet& sheet()
+    {
+        if (!sheet_) {
+            sheet_.emplace();
+            sheet_->page.size = {20, 20};
+            QFile file(path_);
+            const app::Format* svg = app::findFormat(u"svg");
+            if (svg && svg->read && file.open(QIODevice::ReadOnly))
+                if (auto imported = svg->read(file))
+                    sheet_ = std::move(imported.value->sheet);
+        }
+        return *sheet_;
+    }
+
+    static QColor shown(const app::Colour& ink, const Look& look)
+    {
+        const bool black = ink.red == 0 && ink.green == 0 && ink.blue == 0;
+        return black ? look.text : look.accent;
+    }
+
+    static void paint(QPainter& painter, const app::Shape& shape, const Look& look)
+    {
+        const app::Style& style = shape.style;
+        painter.setPen(style.stroke ? QPen(shown(*style.stroke, look), style.width, Qt::SolidLine,
+                                           Qt::RoundCap, Qt::RoundJoin)
+                                    : QPen(Qt::NoPen));
+        painter.setBrush(style.fill ? QBrush(shown(*style.fill, look)) : QBrush(Qt::NoBrush));
+        painter.drawPath(app::painterPath(shape));
+    }
+
+    QString path_;
+    std::optional<app::Sheet> sheet_;
+};
+
+} // namespace
+
+QIcon icon(std::string_view key)
+{
+    const QLatin1StringView name(key.data(), qsizetype(key.size()));
+    return QIcon(new Engine(QStringLiteral(":/icons/%1.svg").arg(name)));
+}
+
+} // namespace ui

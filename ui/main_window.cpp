@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/dock.h"
+#include "ui/files.h"
+#include "ui/look_icon.h"
+#include "ui/status_bar.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/option_bar.h"
+#include "ui/widgets/window_note.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDropEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize smallest(1024, 640);
+
+Theme savedTheme() { return Theme(QSettings().value("theme", int(Theme::System)).toInt()); }
+
+} // namespace
+
+MainWindow::MainWindow(Backend backend, QWidget* parent)
+    : QMainWindow(parent), theme_(savedTheme()), canvas_(new Canvas(session_, backend)),
+      strip_(new MessageStrip),
+      files_(std::make_unique<Files>(session_, *this, std::make_unique<Questions>(*this)))
+{
+    setMinimumSize(smallest);
+    setAcceptDrops(true);
+    setWindowIcon(icon("clearcut"));
+    addCentre();
+    addTools();
+    addPanels();
+    addMenus(*this);
+    addBars();
+    connectFiles();
+    for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
+                              &app::Session::fileChanged})
+        connect(&session_, signal, this, &MainWindow::refreshActions);
+    connect(&session_.drawing, &app::Drawing::changed, this, &MainWindow::refreshActions);
+    connect(&session_.history, &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+    restoreLayout();
+    refreshActions();
+    showTitle();
+    canvas_->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::addCentre()
+{
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(strip_);
+    column->addWidget(canvas_, 1);
+    canvas_->setAccessibleName(tr("Drawing"));
+    setCentralWidget(centre);
+    status_ = new StatusBar(session_, *canvas_);
+    setStatusBar(status_);
+}
+
+void MainWindow::addTools()
+{
+    auto* group = new QActionGroup(this);
+    for (const ToolInfo& tool : tools()) {
+        auto* action = new QAction(icon(tool.key), tool.name, this);
+        action->setObjectName(QStringLiteral("tool-")
+                              + QString::fromUtf8(tool.key.data(), qsizetype(tool.key.size())));
+        action->setShortcut(tool.shortcut);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        action->setToolTip(
+            tr("%1 (%2)").arg(tool.name, tool.shortcut.toString(QKeySequence::NativeText)));
+        action->setCheckable(true);
+        action->setProperty("newGroup", tool.key == "line" || tool.key == "window");
+        group->addAction(action);
+        canvas_->addAction(action);
+        toolActions_ << action;
+        connect(action, &QAction::triggered, canvas_, [this, key = tool.key] {
+            canvas_->setTool(key);
+            canvas_->setFocus();
+        });
+        connect(canvas_, &Canvas::toolChanged, action,
+                [this, action, key = tool.key] { action->setChecked(canvas_->tool() == key); });
+        action->setChecked(canvas_->tool() == tool.key);
+    }
+}
+
+void MainWindow::addBars()
+{
+    const auto find = [this](const char* name) {
+        return findChild<QAction*>(QLatin1StringView(name));
+    };
+    auto* options = new OptionBar(session_, *canvas_, find("undo"), find("redo"), find("export"));
+    connect(options, &OptionBar::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
+    addToolBar(Qt::TopToolBarArea, options);
+    auto* bar = new QToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setIconSize({20, 20});
+    bar->setFixedWidth(space::toolBarWidth);
+    for (QAction* action : toolActions_) {
+        if (action->property("newGroup").toBool())
+            bar->addSeparator();
+        bar->addAction(action);
+        if (QWidget* button = bar->widgetForAction(action))
+            button->setFixedSize(space::toolButton, space::toolButton);
+    }
+    addToolBar(Qt::LeftToolBarArea, bar);
+}
+
+void MainWindow::connectFiles()
+{
+    connect(files_.get(), &Files::told, this, &MainWindow::tell);
+    connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
+    connect(&session_, &app::Session::loaded, canvas_, &Canvas::fitDrawing);
+}
+
+void MainWindow::setQuestions(std::unique_ptr<Questions> questions)
+{
+    files_->setQuestions(std::move(questions));
+}
+
+void MainWindow::showTitle()
+{
+    setWindowTitle(tr("%1[*] – Clearcut").arg(files_->name()));
+    setWindowFilePath(session_.path());
+    setWindowModified(!session_.history.isClean());
+}
+
+void MainWindow::setTheme(Theme theme)
+{
+    theme_ = theme;
+    QSettings().setValue("theme", int(theme));
+    applyTheme(*qApp, theme);
+}
+
+void MainWindow::showStart()
+{
+    if (const auto samples = app::samples(); !samples.empty())
+        files_->openSample(samples.front());
+    canvas_->setTool("window");
+    starting_ = true;
+    arrange();
+    if (!QSettings().value("windowDragged").toBool()) {
+        note_ = new WindowNote(session_, *canvas_);
+        note_->show();
+        connect(note_, &WindowNote::learnt, this, [this] {
+            QSettings().setValue("windowDragged", true);
+            note_->hide();
+        });
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!files_->mayClose())
+        return event->ignore();
+    saveLayout();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            return event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) {
+            event->acceptProposedAction();
+            // After the drop is over: a question may follow, and the other program waits.
+            QMetaObject::invokeMethod(
+                this, [this, path = url.toLocalFile()] { files_->open(path); },
+                Qt::QueuedConnection);
+            return;
+        }
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowActivate)
+        refreshActions();
+    return QMainWindow::event(event);
+}
+
+} // namespace ui

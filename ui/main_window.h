@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/canvas.h"
+#include "ui/dialogs/questions.h"
+#include "ui/look.h"
+#include "ui/widgets/message_strip.h"
+
+#include <QMainWindow>
+
+namespace ui {
+
+class AlgorithmPanel;
+class Dock;
+class Files;
+class StatusBar;
+class WindowNote;
+
+/// The editor's window around one session: menus, bars, canvas and panels. It only puts them
+/// together; what a command does is in its row (menus/) and in Files.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Backend backend = Backend::Automatic, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// What answers instead of dialogs (tests).
+    void setQuestions(std::unique_ptr<Questions> questions);
+
+    app::Session& session() { return session_; }
+    const app::Session& session() const { return session_; }
+    Canvas& canvas() { return *canvas_; }
+    Files& files() { return *files_; }
+    AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
+    StatusBar& status() { return *status_; }
+
+    /// The first sample on the canvas, its window ready to drag, and the start panel in front.
+    void showStart();
+    void tell(const Message& message) { strip_->tell(message); }
+    QString message() const { return strip_->sentence(); }
+
+    QList<QAction*> toolActions() const { return toolActions_; }
+    QList<QAction*> panelToggles() const;
+    void raisePanel(const QString& key);
+    void resetLayout();
+
+    Theme theme() const { return theme_; }
+    void setTheme(Theme theme);
+
+    void refreshActions() { emit actionsOutdated(); }
+
+signals:
+    void actionsOutdated(); ///< what can be done, or is on, may have changed
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void addCentre();
+    void addTools();
+    void addPanels();
+    void addBars();
+    void connectFiles();
+    void showTitle();
+    void arrange();
+    enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
+    void arrangeAs(Arrangement arrangement);
+    Arrangement fittingArrangement() const;
+    void refreshDockTitles();
+    void leaveStart();
+    void saveLayout();
+    void restoreLayout();
+
+    app::Session session_;
+    Theme theme_;
+    Canvas* canvas_;
+    MessageStrip* strip_;
+    StatusBar* status_ = nullptr;
+    AlgorithmPanel* algorithmPanel_ = nullptr;
+    std::unique_ptr<Files> files_;
+    QList<Dock*> docks_; ///< Start first, then as they are stacked
+    QList<QAction*> toolActions_;
+    WindowNote* note_ = nullptr;
+    Arrangement arrangement_ = Arrangement::Stacked;
+    bool arranging_ = false; ///< docks move because we move them
+    bool ownLayout_ = false; ///< the person moved them: never rearranged
+    bool starting_ = false;  ///< the start panel is in front
+};
+
+} // namespace ui

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/dock.h"
+#include "ui/docks/layers_panel.h"
+#include "ui/docks/line_panel.h"
+#include "ui/docks/start_panel.h"
+#include "ui/docks/window_panel.h"
+#include "ui/files.h"
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QScopedValueRollback>
+#include <QSettings>
+#include <QTabBar>
+#include <QTimer>
+
+// The panels at the right, and where they stand. A layout that the person made is kept as it is.
+
+namespace ui {
+
+namespace {
+
+constexpr int layoutVersion = 1;
+constexpr int wide = 1200, high = 760; // below: narrow panels; tabs instead of a stack
+constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396;
+
+} // namespace
+
+void MainWindow::addPanels()
+{
+    auto* start = new StartPanel;
+    algorithmPanel_ = new AlgorithmPanel(session_);
+    auto* window = new WindowPanel(session_);
+    auto* line = new LinePanel(session_);
+    auto* layers = new LayersPanel(session_);
+    docks_ = {new Dock("start", tr("Start"), start),
+              new Dock("algorithm", tr("Algorithm"), algorithmPanel_),
+              new Dock("window", tr("Clip window"), window), new Dock("line", tr("Line"), line),
+              new Dock("layers", tr("Layers"), layers)};
+    for (Dock* dock : docks_) {
+        dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+        dock->setMinimumWidth(narrowPanelWidth);
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        const auto moved = [this] {
+            if (!arranging_ && isVisible())
+                ownLayout_ = true;
+        };
+        connect(dock, &QDockWidget::topLevelChanged, this, moved);
+        connect(dock, &QDockWidget::dockLocationChanged, this, moved);
+        connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::refreshDockTitles,
+                Qt::QueuedConnection);
+    }
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setDockOptions(dockOptions() & ~AnimatedDocks);
+    docks_[4]->addTitleAction(layers->addAction());
+    docks_[4]->addTitleAction(layers->removeAction());
+    connect(line, &LinePanel::titled, docks_[3],
+            [this](const QString& title, const QString& remark) {
+                docks_[3]->setRemark(remark);
+                docks_[3]->setName(title);
+            });
+    connect(window, &WindowPanel::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
+    connect(start, &StartPanel::drawWanted, this, [this] {
+        files_->startNew();
+        canvas_->setTool("line");
+    });
+    connect(start, &StartPanel::openWanted, this, [this] { files_->open(); });
+    connect(start, &StartPanel::fileWanted, this,
+            [this](const QString& path) { files_->open(path); });
+    connect(start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
+    const auto follow = [this, start] { start->showRecent(files_->recent()); };
+    connect(files_.get(), &Files::recentChanged, start, follow);
+    connect(files_.get(), &Files::nameChanged, start,
+            [this, start] { start->markSample(files_->sample()); });
+    follow();
+    // Choosing or drawing leads on from Start to what can be done there.
+    connect(&session_, &app::Session::loaded, this, &MainWindow::leaveStart);
+    connect(&session_.history, &QUndoStack::indexChanged, this, [this](int index) {
+        if (index > 0)
+            leaveStart();
+    });
+}
+
+QList<QAction*> MainWindow::panelToggles() const
+{
+    QList<QAction*> toggles;
+    for (Dock* dock : docks_)
+        toggles << dock->toggleViewAction();
+    return toggles;
+}
+
+void MainWindow::raisePanel(const QString& key)
+{
+    for (Dock* dock : docks_)
+        if (dock->objectName() == key) {
+            const QScopedValueRollback quiet(arranging_, true);
+            dock->show();
+            dock->raise();
+        }
+}
+
+void MainWindow::leaveStart()
+{
+    if (!starting_)
+        return;
+    starting_ = false;
+    arrange();
+    if (arrangement_ == Arrangement::Tabs)
+        raisePanel(QStringLiteral("algorithm"));
+}
+
+MainWindow::Arrangement MainWindow::fittingArrangement() const
+{
+    return starting_         ? Arrangement::StartInFront
+           : height() < high ? Arrangement::Tabs
+                             : Arrangement::Stacked;
+}
+
+void MainWindow::arrange()
+{
+    if (!ownLayout_)
+        arrangeAs(fittingArrangement());
+    else if (starting_)
+        raisePanel(QStringLiteral("start"));
+}
+
+void MainWindow::arrangeAs(Arrangement arrangement)
+{
+    const QScopedValueRollback quiet(arranging_, true);
+    arrangement_ = arrangement;
+    for (Dock* dock : docks_) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    const bool tabs = arrangement != Arrangement::Stacked;
+    const bool start = arrangement == Arrangement::StartInFront;
+    Dock* last = nullptr;
+    for (Dock* dock : docks_) {
+        if (dock == docks_[0] && !start)
+            continue;
+        if (dock == docks_[3] && start)
+            continue; // no line is chosen yet
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        if (tabs && last)
+            tabifyDockWidget(last, dock);
+        dock->show();
+        last = dock;
+    }
+    (start ? docks_[0] : docks_[1])->raise();
+    const int column = width() < wide ? narrowPanelWidth : start ? startWidth : panelWidth;
+    resizeDocks({docks_[1]}, {column}, Qt::Horizontal);
+    if (!tabs)
+        resizeDocks({docks_[1], docks_[2], docks_[3], docks_[4]}, {290, 110, 200, 180},
+                    Qt::Vertical);
+    refreshDockTitles();
+}
+
+/// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
+void MainWindow::refreshDockTitles()
+{
+    for (Dock* dock : docks_)
+        dock->setTitle(tabifiedDockWidgets(dock).isEmpty() || dock->isFloating()
+                           ? Dock::Title::Shown
+                           : Dock::Title::InTab);
+    for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        bar->setExpanding(false);
+        bar->setDrawBase(false);
+        bar->setElideMode(Qt::ElideNone);
+    }
+}
+
+void MainWindow::resetLayout()
+{
+    ownLayout_ = false;
+    arrange();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    if (!ownLayout_ && fittingArrangement() != arrangement_)
+        arrange();
+}
+
+void MainWindow::saveLayout()
+{
+    QSettings settings;
+    settings.setValue("geometry", saveGeometry());
+    settings.setValue("ownLayout", ownLayout_);
+    if (ownLayout_)
+        settings.setValue("layout", saveState(layoutVersion));
+}
+
+void MainWindow::restoreLayout()
+{
+    const QScopedValueRollback quiet(arranging_, true);
+    const QSettings settings;
+    resize(1280, 800);
+    restoreGeometry(settings.value("geometry").toByteArray());
+    ownLayout_ = settings.value("ownLayout").toBool()
+                 && restoreState(settings.value("layout").toByteArray(), layoutVersion);
+    arrange();
+}
+
+} // namespace ui

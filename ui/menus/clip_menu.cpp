@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "app/view/picking.h"
+#include "ui/actions.h"
+#include "ui/files.h"
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ClipMenu", text); }
+
+void change(MainWindow& window, const std::function<void(app::Display&)>& edit)
+{
+    app::Display display = window.session().display();
+    edit(display);
+    window.session().setDisplay(display);
+}
+
+/// The algorithms, the first nine by digit while the canvas has the focus.
+void addAlgorithms(MainWindow& window, QMenu& menu)
+{
+    auto* group = new QActionGroup(&menu);
+    int number = 0;
+    for (const clipping::Algorithm& row : clipping::algorithms()) {
+        auto* action = menu.addAction(
+            QString::fromUtf8(row.name.data(), qsizetype(row.name.size())), &window,
+            [&window, &row] {
+                change(window, [&](app::Display& display) { display.algorithm = &row; });
+            });
+        action->setCheckable(true);
+        group->addAction(action);
+        if (++number <= 9) {
+            action->setShortcut(QKeySequence(QString::number(number)));
+            action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+            window.canvas().addAction(action);
+        }
+        QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, &row, action] {
+            action->setChecked(window.session().display().algorithm == &row);
+        });
+    }
+}
+
+void complete(MainWindow& window, QMenu& menu)
+{
+    menu.addSeparator();
+    addAlgorithms(window, *menu.addMenu(tr("&Algorithm")));
+}
+
+template <app::Keep keep>
+bool keeps(const MainWindow& window)
+{
+    return window.session().display().keep == keep;
+}
+
+template <app::RemovedPart removed>
+bool shows(const MainWindow& window)
+{
+    return window.session().display().removed == removed;
+}
+
+template <app::Keep keep>
+void setKeep(MainWindow& window)
+{
+    change(window, [](app::Display& display) { display.keep = keep; });
+}
+
+template <app::RemovedPart removed>
+void setRemoved(MainWindow& window)
+{
+    change(window, [](app::Display& display) { display.removed = removed; });
+}
+
+void windowToPage(MainWindow& window)
+{
+    app::Session& session = window.session();
+    session.history.push(new app::SetWindow(session.drawing, session.sheet().page.rectangle()));
+}
+
+} // namespace
+
+MenuInfo clipMenu()
+{
+    using app::Keep;
+    using app::RemovedPart;
+    const auto some = [](const MainWindow& w) { return !w.session().scene.segments().empty(); };
+    return {tr("&Clip"),
+            {
+                {"crop",
+                 tr("&Crop to window"),
+                 {QKeySequence("Ctrl+Shift+X")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.files().crop(); },
+                 some},
+                {"window-to-page", tr("&Window to page"), {}, Reach::Window, {}, windowToPage},
+                {},
+                {"keep-inside",
+                 tr("Keep &inside"),
+                 {},
+                 Reach::Window,
+                 {},
+                 setKeep<Keep::Inside>,
+                 nullptr,
+                 keeps<Keep::Inside>},
+                {"keep-outside",
+                 tr("Keep &outside"),
+                 {},
+                 Reach::Window,
+                 {},
+                 setKeep<Keep::Outside>,
+                 nullptr,
+                 keeps<Keep::Outside>},
+                {},
+                {"removed-ghosted",
+                 tr("Removed part &ghosted"),
+                 {},
+                 Reach::Window,
+                 {},
+                 setRemoved<RemovedPart::Ghosted>,
+                 nullptr,
+                 shows<RemovedPart::Ghosted>},
+                {"removed-hidden",
+                 tr("Removed part &hidden"),
+                 {},
+                 Reach::Window,
+                 {},
+                 setRemoved<RemovedPart::Hidden>,
+                 nullptr,
+                 shows<RemovedPart::Hidden>},
+                {"removed-shown",
+                 tr("Removed part &shown"),
+                 {},
+                 Reach::Window,
+                 {},
+                 setRemoved<RemovedPart::Shown>,
+                 nullptr,
+                 shows<RemovedPart::Shown>},
+            },
+            complete};
+}
+
+} // namespace ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/agreement.h"
+#include "ui/actions.h"
+#include "ui/docks/algorithm_panel.h"
+#include "ui/main_window.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
+
+/// The shapes whose lines some algorithm treats in another way.
+void selectDiffering(MainWindow& window)
+{
+    AlgorithmPanel& panel = window.algorithmPanel();
+    panel.compare();
+    std::set<std::size_t> shapes;
+    for (const app::Difference& difference : panel.differences())
+        for (const std::uint32_t segment : difference.segments)
+            shapes.insert(window.session().scene.shapeOf(segment));
+    window.tell({Message::Kind::Done, panel.verdict()});
+    window.session().select(std::move(shapes));
+}
+
+/// The next line, or the one before, in the inspector; from the first or last one on.
+void inspectNext(MainWindow& window, std::ptrdiff_t by)
+{
+    app::Session& session = window.session();
+    const auto count = std::ptrdiff_t(session.scene.segments().size());
+    const auto now = session.inspected() ? std::ptrdiff_t(*session.inspected())
+                     : by > 0            ? -1
+                                         : count;
+    session.inspect(std::size_t((now + by + count) % count));
+    window.raisePanel("line");
+}
+
+void choose(MainWindow& window, clipping::Form form)
+{
+    app::Display display = window.session().display();
+    display.form = form;
+    window.session().setDisplay(display);
+}
+
+bool someLines(const MainWindow& window) { return !window.session().scene.segments().empty(); }
+
+} // namespace
+
+MenuInfo compareMenu()
+{
+    return {tr("Co&mpare"),
+            {
+                {"form-corrected",
+                 tr("&Corrected form"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { choose(w, clipping::Form::Corrected); },
+                 nullptr,
+                 [](const MainWindow& w) {
+                     return w.session().display().form == clipping::Form::Corrected;
+                 }},
+                {"form-published",
+                 tr("Form as &published"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { choose(w, clipping::Form::Published); },
+                 [](const MainWindow& w) {
+                     return w.session().display().algorithm->published != nullptr;
+                 },
+                 [](const MainWindow& w) {
+                     return w.session().display().form == clipping::Form::Published;
+                 }},
+                {},
+                {"agree",
+                 tr("Do all &algorithms agree?"),
+                 {QKeySequence("F7")},
+                 Reach::Window,
+                 "tick",
+                 [](MainWindow& w) {
+                     w.raisePanel("algorithm");
+                     w.algorithmPanel().compare();
+                 },
+                 someLines},
+                {"select-differing",
+                 tr("&Select lines that differ"),
+                 {QKeySequence("Shift+F7")},
+                 Reach::Window,
+                 {},
+                 selectDiffering,
+                 someLines},
+                {},
+                {"next-line",
+                 tr("Inspect &next line"),
+                 {QKeySequence("F8")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { inspectNext(w, 1); },
+                 someLines},
+                {"previous-line",
+                 tr("Inspect p&revious line"),
+                 {QKeySequence("Shift+F8")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { inspectNext(w, -1); },
+                 someLines},
+            }};
+}
+
+} // namespace ui

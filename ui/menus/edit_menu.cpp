@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions.h"
+#include "ui/editing.h"
+#include "ui/look_icon.h"
+#include "ui/main_window.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("EditMenu", text); }
+
+bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
+
+/// Undo and redo carry the name of the step.
+void complete(MainWindow& window, QMenu& menu)
+{
+    QUndoStack& history = window.session().history;
+    auto* undo = history.createUndoAction(&menu, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo"));
+    undo->setIcon(icon("undo"));
+    undo->setShortcuts(keys(QKeySequence::Undo));
+    auto* redo = history.createRedoAction(&menu, tr("&Redo"));
+    redo->setObjectName(QStringLiteral("redo"));
+    redo->setIcon(icon("redo"));
+    redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
+    QAction* first = menu.actions().front();
+    menu.insertActions(first, {undo, redo});
+    menu.insertSeparator(first);
+}
+
+} // namespace
+
+MenuInfo editMenu()
+{
+    using K = QKeySequence;
+    return {tr("&Edit"),
+            {
+                {"cut",
+                 tr("Cu&t"),
+                 keys(K::Cut),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { cutSelection(w.session()); },
+                 someSelected},
+                {"copy",
+                 tr("&Copy"),
+                 keys(K::Copy),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { copySelection(w.session()); },
+                 someSelected},
+                {"paste",
+                 tr("&Paste"),
+                 keys(K::Paste),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) {
+                     if (const auto error = paste(w.session()))
+                         w.tell({Message::Kind::Warning, *error});
+                 }},
+                {"duplicate",
+                 tr("D&uplicate"),
+                 {K("Ctrl+D")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { duplicateSelection(w.session()); },
+                 someSelected},
+                {"delete",
+                 tr("&Delete"),
+                 {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
+                 Reach::Canvas,
+                 "bin",
+                 [](MainWindow& w) { deleteSelection(w.session()); },
+                 someSelected},
+                {},
+                {"select-all",
+                 tr("Select &all"),
+                 keys(K::SelectAll),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { selectAll(w.session()); },
+                 [](const MainWindow& w) { return !w.session().sheet().shapes.empty(); }},
+                {"deselect",
+                 tr("D&eselect"),
+                 keys(K::Deselect, {K("Ctrl+Shift+A")}),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.session().select({}); },
+                 someSelected},
+            },
+            complete};
+}
+
+} // namespace ui

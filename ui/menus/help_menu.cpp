@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions.h"
+#include "ui/dialogs/pages.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("HelpMenu", text); }
+
+} // namespace
+
+MenuInfo helpMenu()
+{
+    using K = QKeySequence;
+    return {tr("&Help"),
+            {
+                {"start", tr("&Start"), keys(K::HelpContents, {K("F1")}), Reach::Window, "book",
+                 [](MainWindow& w) { w.raisePanel("start"); }},
+                {"about-algorithm",
+                 tr("About this &algorithm"),
+                 {K("Shift+F1")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { showAlgorithmPage(*w.session().display().algorithm, w); }},
+                {"shortcuts",
+                 tr("&Keyboard shortcuts"),
+                 {K("Ctrl+?")},
+                 Reach::Window,
+                 "keyboard",
+                 [](MainWindow& w) { showShortcuts(w); }},
+                {},
+                {"about",
+                 tr("A&bout Clearcut"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { showAbout(w); }},
+                {"about-qt",
+                 tr("About &Qt"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow&) { QApplication::aboutQt(); }},
+            }};
+}
+
+} // namespace ui

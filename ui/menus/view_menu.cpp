@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions.h"
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ViewMenu", text); }
+
+void toggle(MainWindow& window, bool app::Display::*member)
+{
+    app::Display display = window.session().display();
+    display.*member = !(display.*member);
+    window.session().setDisplay(display);
+}
+
+void addThemes(MainWindow& window, QMenu& menu)
+{
+    auto* group = new QActionGroup(&menu);
+    const std::pair<Theme, QString> themes[]{{Theme::System, tr("As the &desktop")},
+                                             {Theme::Light, tr("&Light")},
+                                             {Theme::Dark, tr("D&ark")}};
+    for (const auto& [theme, text] : themes) {
+        QAction* action =
+            menu.addAction(text, &window, [&window, theme = theme] { window.setTheme(theme); });
+        action->setObjectName(QStringLiteral("theme-%1").arg(int(theme)));
+        action->setCheckable(true);
+        action->setChecked(window.theme() == theme);
+        group->addAction(action);
+    }
+}
+
+/// Theme and panels come before "Full screen".
+void complete(MainWindow& window, QMenu& menu)
+{
+    QAction* before = nullptr;
+    for (QAction* action : menu.actions())
+        if (action->objectName() == QStringLiteral("full-screen"))
+            before = action;
+    auto* themes = new QMenu(tr("&Theme"), &menu);
+    addThemes(window, *themes);
+    auto* panels = new QMenu(tr("&Panels"), &menu);
+    for (QAction* toggle : window.panelToggles())
+        panels->addAction(toggle);
+    menu.insertMenu(before, themes);
+    menu.insertMenu(before, panels);
+}
+
+} // namespace
+
+MenuInfo viewMenu()
+{
+    using K = QKeySequence;
+    return {tr("&View"),
+            {
+                {"zoom-in",
+                 tr("Zoom &in"),
+                 keys(K::ZoomIn, {K("Ctrl+=")}),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.canvas().zoomBy(1.25); }},
+                {"zoom-out",
+                 tr("Zoom &out"),
+                 keys(K::ZoomOut),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.canvas().zoomBy(1 / 1.25); }},
+                {"zoom-100",
+                 tr("&Real size"),
+                 {K("Ctrl+0")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.canvas().setZoom(1); }},
+                {"fit-drawing",
+                 tr("&Fit drawing"),
+                 {K("Shift+1")},
+                 Reach::Canvas,
+                 {},
+                 [](MainWindow& w) { w.canvas().fitDrawing(); }},
+                {"fit-selection",
+                 tr("Fit &selection"),
+                 {K("Shift+2")},
+                 Reach::Canvas,
+                 {},
+                 [](MainWindow& w) { w.canvas().fitSelection(); },
+                 [](const MainWindow& w) { return !w.session().selection().empty(); }},
+                {"fit-window",
+                 tr("Fit clip &window"),
+                 {K("Shift+3")},
+                 Reach::Canvas,
+                 {},
+                 [](MainWindow& w) { w.canvas().fitWindow(); }},
+                {"previous-view",
+                 tr("&Previous view"),
+                 {K("`")},
+                 Reach::Canvas,
+                 {},
+                 [](MainWindow& w) { w.canvas().previousView(); }},
+                {"next-view",
+                 tr("&Next view"),
+                 {K("~")},
+                 Reach::Canvas,
+                 {},
+                 [](MainWindow& w) { w.canvas().nextView(); }},
+                {},
+                {"regions",
+                 tr("Re&gions"),
+                 {K("Ctrl+R")},
+                 Reach::Window,
+                 "regions",
+                 [](MainWindow& w) { toggle(w, &app::Display::regions); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.session().display().regions; }},
+                {"as-printed",
+                 tr("Paper: as prin&ted"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { toggle(w, &app::Display::asPrinted); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.session().display().asPrinted; }},
+                {},
+                {"full-screen",
+                 tr("F&ull screen"),
+                 keys(K::FullScreen, {K("F11")}),
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.setWindowState(w.windowState() ^ Qt::WindowFullScreen); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.isFullScreen(); }},
+                {"reset-layout",
+                 tr("Reset la&yout"),
+                 {},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.resetLayout(); }},
+            },
+            complete};
+}
+
+} // namespace ui

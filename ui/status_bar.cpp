@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/status_bar.h"
+
+#include "app/view/numbers.h"
+#include "ui/look.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/status_cell.h"
+
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t leastLinesToTime = 1000;
+constexpr int updateMilliseconds = 100; // ten times a second
+
+QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+} // namespace
+
+StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
+    : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new QLabel),
+      position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
+      algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
+      renderer_(new StatusCell(tr("Renderer"))), zoom_(new QToolButton)
+{
+    setSizeGripEnabled(false);
+    setFixedHeight(space::statusHeight);
+    hint_->setFont(captionFont(font()));
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    hint_->setAccessibleName(tr("Hint"));
+    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(hint_, 1);
+    for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
+        addPermanentWidget(cell);
+    addZoomMenu();
+    pause_.setSingleShot(true);
+    pause_.setInterval(updateMilliseconds);
+    connect(&pause_, &QTimer::timeout, this, &StatusBar::showTimes);
+    connect(&canvas, &Canvas::frameShown, this, &StatusBar::note);
+    connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
+    connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
+    connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
+    connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
+    connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
+    connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
+    keepRoom();
+    showHint({});
+}
+
+QString StatusBar::times() const { return times_->text(); }
+QString StatusBar::visibility() const { return visible_->text(); }
+QString StatusBar::position() const { return position_->text(); }
+
+void StatusBar::showHint(const QString& hint)
+{
+    const ToolInfo* tool = findTool(canvas_.tool());
+    hint_->setText(!hint.isEmpty() || !tool ? hint : tool->hint);
+    hint_->setToolTip(hint_->text());
+}
+
+void StatusBar::note(const FrameTimes& times)
+{
+    if (times.total != last_.total) {
+        clip_.forget();
+        draw_.forget();
+    }
+    clip_.add(times.clipMs);
+    draw_.add(times.drawMs);
+    last_ = times;
+    if (!pause_.isActive())
+        pause_.start();
+}
+
+void StatusBar::showTimes()
+{
+    visible_->setText(
+        tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
+    if (last_.total < leastLinesToTime) {
+        times_->setText(tr("too few to time"));
+        times_->setToolTip(
+            tr("Under %1 lines a time says nothing.").arg(app::countText(leastLinesToTime)));
+        return;
+    }
+    const double clip = clip_.median();
+    times_->setText(tr("clip %1  draw %2")
+                        .arg(app::millisecondsText(clip), app::millisecondsText(draw_.median())));
+    times_->setToolTip(
+        tr("Clipping: %1 ns per line. Both times are the middle of the last %2 frames.")
+            .arg(app::numberText(clip * 1e6 / double(last_.total), 1))
+            .arg(app::FrameStatistics::length));
+}
+
+void StatusBar::showPosition(std::optional<app::Point> position)
+{
+    if (!position)
+        return position_->setText({});
+    const double size = session_.sheet().page.millimetresPerUnit();
+    const app::Unit unit = session_.display().unit;
+    position_->setText(tr("x %1  y %2")
+                           .arg(app::lengthNumber(position->x, unit, size),
+                                app::lengthText(position->y, unit, size)));
+}
+
+void StatusBar::showZoom()
+{
+    zoom_->setText(tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
+}
+
+/// Every cell gets the room of the widest text that this drawing can bring.
+void StatusBar::keepRoom()
+{
+    const auto& page = session_.sheet().page;
+    const double size = page.millimetresPerUnit();
+    const app::Unit unit = session_.display().unit;
+    const double farthest = -10 * std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
+    position_->setWidest(
+        tr("x %1  y %2")
+            .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
+    const QString total =
+        app::countText(std::max<std::size_t>(session_.scene.segments().size(), 9999));
+    visible_->setWidest(tr("%1 of %2 visible").arg(total, total));
+    times_->setWidest(
+        tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
+    QString widest;
+    for (const auto& row : clipping::algorithms())
+        if (fontMetrics().horizontalAdvance(latin(row.abbreviation))
+            > fontMetrics().horizontalAdvance(widest))
+            widest = latin(row.abbreviation);
+    const auto& display = session_.display();
+    const bool published = display.form == clipping::Form::Published;
+    const QString mark = tr(", published");
+    algorithm_->setWidest(published ? widest + mark : widest);
+    algorithm_->setText(latin(display.algorithm->abbreviation) + (published ? mark : QString()));
+    algorithm_->setToolTip(latin(display.algorithm->name));
+    renderer_->setWidest(QStringLiteral("OpenGL"));
+    renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
+    renderer_->setToolTip(canvas_.backendReason());
+    showZoom();
+}
+
+void StatusBar::resizeEvent(QResizeEvent* event)
+{
+    QStatusBar::resizeEvent(event);
+    renderer_->setVisible(width() >= 1200);
+}
+
+void StatusBar::addZoomMenu()
+{
+    auto* menu = new QMenu(zoom_);
+    for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
+        menu->addAction(tr("%1 %").arg(percent), this,
+                        [this, percent] { canvas_.setZoom(percent / 100); });
+    menu->addSeparator();
+    menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
+    menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);
+    menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
+    zoom_->setMenu(menu);
+    zoom_->setPopupMode(QToolButton::InstantPopup);
+    zoom_->setAutoRaise(true);
+    zoom_->setFont(captionFont(font()));
+    zoom_->setAccessibleName(tr("Zoom"));
+    zoom_->setToolTip(tr("Zoom"));
+    zoom_->setFixedHeight(space::statusHeight - 2);
+    zoom_->setFixedWidth(zoom_->fontMetrics().horizontalAdvance(tr("%1 % ▾").arg(u"100,000")) + 16);
+    zoom_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    addPermanentWidget(zoom_);
+}
+
+} // namespace ui

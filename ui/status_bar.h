@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/frame_statistics.h"
+#include "ui/canvas/canvas.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
+
+namespace ui {
+
+class StatusCell;
+
+/// The tool's hint at the left; at the right cells as wide as their widest text, so that nothing
+/// ever jumps: position, visible of total, algorithm, times (medians of 60 frames, shown at most
+/// ten times a second), zoom.
+class StatusBar : public QStatusBar {
+    Q_OBJECT
+
+public:
+    StatusBar(app::Session& session, Canvas& canvas, QWidget* parent = nullptr);
+
+    QString times() const; ///< as shown
+    QString visibility() const;
+    QString position() const;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void note(const FrameTimes& times);
+    void showTimes();
+    void showPosition(std::optional<app::Point> position);
+    void showHint(const QString& hint);
+    void showZoom();
+    void keepRoom();
+    void addZoomMenu();
+
+    app::Session& session_;
+    Canvas& canvas_;
+    QLabel* hint_;
+    StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
+    QToolButton* zoom_;
+    app::FrameStatistics clip_, draw_;
+    FrameTimes last_;
+    QTimer pause_;
+};
+
+} // namespace ui

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/algorithm_marker.h"
+
+#include "ui/look.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace ui {
+
+namespace {
+
+/// A figure around (0, 0) that fits into the circle of radius 1.
+QPainterPath star(int points, double inner, double turn)
+{
+    QPolygonF corners;
+    for (int i = 0; i < 2 * points; ++i) {
+        const double angle = turn + std::numbers::pi * i / points;
+        const double radius = i % 2 == 0 ? 1 : inner;
+        corners << QPointF(radius * std::sin(angle), -radius * std::cos(angle));
+    }
+    QPainterPath path;
+    path.addPolygon(corners);
+    path.closeSubpath();
+    return path;
+}
+
+QPainterPath polygon(int corners, double turn)
+{
+    return star(corners, std::cos(std::numbers::pi / corners), turn);
+}
+
+QPainterPath disc()
+{
+    QPainterPath path;
+    path.addEllipse(QPointF(), 0.9, 0.9);
+    return path;
+}
+
+QPainterPath cross(double turn)
+{
+    QPainterPath one, other;
+    one.addRect(-0.32, -0.95, 0.64, 1.9);
+    other.addRect(-0.95, -0.32, 1.9, 0.64);
+    return QTransform().rotate(turn).map(one.united(other));
+}
+
+struct Mark {
+    std::string_view abbreviation;
+    QRgb light, dark;
+    QPainterPath path;
+};
+
+const Mark& markOf(const clipping::Algorithm& algorithm)
+{
+    constexpr double half = std::numbers::pi;
+    static const std::array marks{
+        Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
+        Mark{"CS", 0x091C86, 0x8194FF, disc()},
+        Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
+        Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
+        Mark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0)},
+        Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
+        Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
+        Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
+        Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row that nobody gave a mark yet
+    };
+    const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
+    return found == marks.end() ? marks.back() : *found;
+}
+
+} // namespace
+
+QColor algorithmColour(const clipping::Algorithm& algorithm, const QPalette& palette)
+{
+    const Mark& mark = markOf(algorithm);
+    return QColor(lookOf(palette).dark ? mark.dark : mark.light);
+}
+
+void drawMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
+                clipping::Form form, const QPalette& palette)
+{
+    const double radius = box.width() / 2;
+    const bool hollow = form == clipping::Form::Published;
+    const QColor colour = algorithmColour(algorithm, palette);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(box.center());
+    painter.scale(radius, radius);
+    painter.setPen(
+        QPen(colour, hollow ? 1.5 / radius : 0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (!hollow)
+        painter.setPen(Qt::NoPen);
+    painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(colour));
+    const double scale = hollow ? 0.86 : 1;
+    painter.scale(scale, scale);
+    painter.drawPath(markOf(algorithm).path);
+    painter.restore();
+}
+
+} // namespace ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/length.h"
+
+#include <QDoubleSpinBox>
+
+namespace ui {
+
+/// A field for a length of the drawing, shown in the window's unit. Typing a unit ("2in") converts.
+/// It answers when editing is finished or an arrow is used, never at every key.
+class LengthField : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    enum class Range : std::uint8_t { Any, NotNegative };
+    enum class Suffix : std::uint8_t { None, Unit };
+
+    /// `name` is what it is called to those who do not see its label, and in messages.
+    LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent = nullptr);
+
+    /// In user units; sends no signal.
+    void show(double length, app::Unit unit, double millimetresPerUnit);
+
+signals:
+    void edited(double length);            ///< in user units
+    void refused(const QString& sentence); ///< what was typed is out of range: shown instead
+
+protected:
+    QValidator::State validate(QString& text, int& position) const override;
+    double valueFromText(const QString& text) const override;
+    QString textFromValue(double value) const override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void finish();
+
+    QString name_;
+    Range range_;
+    app::Unit unit_ = app::Unit::Mm;
+    double millimetresPerUnit_ = 1;
+    double shown_ = 0;
+};
+
+} // namespace ui

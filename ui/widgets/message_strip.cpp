@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/message_strip.h"
+
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QAccessible>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+namespace ui {
+
+MessageStrip::MessageStrip(QWidget* parent)
+    : QFrame(parent), text_(new QLabel), button_(new QPushButton)
+{
+    setAccessibleName(tr("Message"));
+    auto* close = new QToolButton;
+    close->setIcon(icon("close"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(close->toolTip());
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(36, 4, 8, 4);
+    row->addWidget(text_, 1);
+    row->addWidget(button_);
+    row->addWidget(close);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(button_, &QPushButton::clicked, this, [this] {
+        hide();
+        if (const auto action = message_.action)
+            action();
+    });
+    hide();
+}
+
+void MessageStrip::tell(Message message)
+{
+    message_ = std::move(message);
+    text_->setText(message_.sentence);
+    button_->setText(message_.button);
+    button_->setVisible(!message_.button.isEmpty());
+    setVisible(!message_.sentence.isEmpty());
+    QAccessibleEvent event(text_, QAccessible::Alert);
+    QAccessible::updateAccessibility(&event);
+    update();
+}
+
+void MessageStrip::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    const bool warning = message_.kind == Message::Kind::Warning;
+    QPainter painter(this);
+    painter.fillRect(rect(), warning ? look.warningGround : look.panel);
+    painter.fillRect(0, height() - 1, width(), 1, look.rule);
+    QPalette inks = text_->palette();
+    inks.setColor(QPalette::WindowText, warning ? look.warning : look.text);
+    if (inks != text_->palette())
+        text_->setPalette(inks);
+    icon(warning ? "warning" : "tick").paint(&painter, QRect(10, (height() - 18) / 2, 18, 18));
+}
+
+} // namespace ui

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/option_bar.h"
+
+#include "app/commands/set_style.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/dash_icon.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/segments.h"
+
+#include <QAction>
+#include <QColorDialog>
+#include <QPainter>
+#include <QResizeEvent>
+
+namespace ui {
+
+namespace {
+
+constexpr int widthForCaptions = 1200;
+
+/// The square of an ink, in the true colour; a struck-through one for no stroke.
+QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
+{
+    QPixmap picture(32, 32);
+    picture.setDevicePixelRatio(2);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    const QRect square(1, 1, 14, 14);
+    painter.fillRect(square, ink ? QColor(ink->red, ink->green, ink->blue, ink->alpha) : look.base);
+    painter.setPen(look.border);
+    painter.drawRect(square.adjusted(0, 0, -1, -1));
+    if (!ink)
+        painter.drawLine(square.bottomLeft(), square.topRight());
+    return picture;
+}
+
+} // namespace
+
+OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
+                     QAction* exportCut, QWidget* parent)
+    : QToolBar(tr("Tool options"), parent), session_(session), ink_(new QToolButton),
+      width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
+                             LengthField::Suffix::Unit)),
+      dashes_(new QComboBox), keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
+      removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
+      export_(new QToolButton)
+{
+    setObjectName(QStringLiteral("options"));
+    setIconSize({18, 18});
+    setFixedHeight(space::optionsHeight);
+    addAction(undo);
+    addAction(redo);
+    addSeparator();
+    addStroke();
+    addSeparator();
+    addSnapping(canvas);
+    addSeparator();
+    addClipping();
+    auto* room = new QWidget;
+    room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(room);
+    addExport(exportCut);
+    connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
+    connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
+    connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
+    connect(&session.drawing, &app::Drawing::changed, this, &OptionBar::followStyle);
+    followDisplay();
+}
+
+void OptionBar::addStroke()
+{
+    ink_->setToolTip(tr("Stroke colour"));
+    ink_->setAccessibleName(tr("Stroke colour"));
+    ink_->setAutoRaise(true);
+    addWidget(ink_);
+    addCaption(tr("Stroke"))->setForegroundRole(QPalette::WindowText);
+    width_->setToolTip(tr("Stroke width"));
+    width_->setFixedWidth(width_->fontMetrics().horizontalAdvance(QStringLiteral("00.000 mm"))
+                          + 28);
+    addWidget(width_);
+    dashes_->setToolTip(tr("Dashes"));
+    dashes_->setAccessibleName(tr("Dashes"));
+    dashes_->setIconSize({36, 12});
+    dashes_->setFixedSize(72, space::fieldHeight);
+    for (const DashPattern& pattern : dashPatterns())
+        dashes_->addItem(dashIcon(pattern, lookOf(palette()).text), QString());
+    for (int i = 0; i < dashes_->count(); ++i)
+        dashes_->setItemData(i, dashPatterns()[std::size_t(i)].name, Qt::AccessibleTextRole);
+    addWidget(dashes_);
+
+    connect(ink_, &QToolButton::clicked, this, &OptionBar::chooseInk);
+    connect(width_, &LengthField::refused, this, &OptionBar::refused);
+    connect(width_, &LengthField::edited, this, [this](double width) {
+        restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"));
+    });
+    connect(dashes_, &QComboBox::activated, this, [this](int index) {
+        const auto& pattern = dashPatterns()[std::size_t(index)];
+        restyle([&](app::Style& style) { style.dashes = scaled(pattern, style.width); },
+                tr("Dashes"));
+    });
+}
+
+void OptionBar::addSnapping(Canvas& canvas)
+{
+    auto* magnet = new QLabel;
+    magnet->setPixmap(icon("snap").pixmap(QSize(18, 18), devicePixelRatioF()));
+    magnet->setToolTip(tr("Snapping; Ctrl suspends it"));
+    auto* choice = new QComboBox;
+    choice->setAccessibleName(tr("Snapping"));
+    choice->setToolTip(magnet->toolTip());
+    choice->setFixedHeight(space::fieldHeight);
+    choice->addItem(tr("All"), int(app::SnapTo::All));
+    choice->addItem(tr("Ends"), int(app::SnapTo::Ends));
+    choice->addItem(tr("Middles"), int(app::SnapTo::Middles));
+    choice->addItem(tr("Window edges"), int(app::SnapTo::WindowEdges));
+    choice->addItem(tr("Nothing"), int(app::SnapTo::Nothing));
+    addWidget(magnet);
+    addWidget(choice);
+    connect(choice, &QComboBox::activated, &canvas, [&canvas, choice](int index) {
+        canvas.setSnapping(app::SnapTo(choice->itemData(index).toInt()));
+    });
+}
+
+void OptionBar::addClipping()
+{
+    addCaption(tr("Keep"));
+    addWidget(keep_);
+    addSeparator();
+    addCaption(tr("Removed part"));
+    addWidget(removed_);
+    connect(keep_, &Segments::picked, this, [this](int index) {
+        app::Display display = session_.display();
+        display.keep = app::Keep(index);
+        session_.setDisplay(display);
+    });
+    connect(removed_, &Segments::picked, this, [this](int index) {
+        app::Display display = session_.display();
+        display.removed = app::RemovedPart(index);
+        session_.setDisplay(display);
+    });
+}
+
+void OptionBar::addExport(QAction* exportCut)
+{
+    export_->setDefaultAction(exportCut);
+    export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    export_->setFixedHeight(space::fieldHeight + 2);
+    export_->setProperty("framed", true);
+    addWidget(export_);
+}
+
+QLabel* OptionBar::addCaption(const QString& text)
+{
+    auto* caption = new QLabel(text);
+    caption->setForegroundRole(QPalette::PlaceholderText);
+    caption->setContentsMargins(2, 0, 4, 0);
+    addWidget(caption);
+    captions_ << caption;
+    return caption;
+}
+
+void OptionBar::resizeEvent(QResizeEvent* event)
+{
+    QToolBar::resizeEvent(event);
+    const bool wide = event->size().width() >= widthForCaptions;
+    for (QAction* action : actions())
+        if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
+            action->setVisible(wide);
+    export_->setToolButtonStyle(wide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void OptionBar::followDisplay()
+{
+    keep_->choose(int(session_.display().keep));
+    removed_->choose(int(session_.display().removed));
+    followStyle();
+}
+
+const app::Style& OptionBar::style() const
+{
+    const auto& selection = session_.selection();
+    return selection.empty() ? session_.pen.style
+                             : session_.sheet().shapes[*selection.begin()].style;
+}
+
+void OptionBar::followStyle()
+{
+    const auto& selection = session_.selection();
+    if (!selection.empty() && *selection.rbegin() >= session_.sheet().shapes.size())
+        return; // the selection is about to follow the drawing
+    const app::Style& now = style();
+    ink_->setIcon(inkIcon(now.stroke, lookOf(palette())));
+    width_->show(now.width, session_.display().unit, session_.sheet().page.millimetresPerUnit());
+    dashes_->setCurrentIndex(patternOf(now));
+}
+
+void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QString& text)
+{
+    change(session_.pen.style);
+    if (!session_.selection().empty())
+        session_.history.push(
+            new app::SetStyle(session_.drawing, session_.selection(), change, text));
+    followStyle();
+}
+
+void OptionBar::chooseInk()
+{
+    const app::Colour now = style().stroke.value_or(app::Colour{});
+    const QColor chosen =
+        QColorDialog::getColor(QColor(now.red, now.green, now.blue, now.alpha), window(),
+                               tr("Stroke colour"), QColorDialog::ShowAlphaChannel);
+    if (!chosen.isValid())
+        return;
+    const app::Colour ink{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
+                          std::uint8_t(chosen.blue()), std::uint8_t(chosen.alpha())};
+    restyle([ink](app::Style& style) { style.stroke = ink; }, tr("Stroke colour"));
+}
+
+} // namespace ui

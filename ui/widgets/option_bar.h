@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/snap.h"
+#include "ui/canvas/canvas.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace ui {
+
+class LengthField;
+class Segments;
+
+/// The bar across the top: undo, redo, the stroke of what is selected or drawn next, snapping, what
+/// is kept and how the rest is shown, export. Where it is narrow, captions go first.
+class OptionBar : public QToolBar {
+    Q_OBJECT
+
+public:
+    OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
+              QAction* exportCut, QWidget* parent = nullptr);
+
+signals:
+    void refused(const QString& sentence);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void addStroke();
+    void addSnapping(Canvas& canvas);
+    void addClipping();
+    void addExport(QAction* exportCut);
+    QLabel* addCaption(const QString& text);
+    void followDisplay();
+    void followStyle();
+    void restyle(const std::function<void(app::Style&)>& change, const QString& text);
+    const app::Style& style() const;
+    void chooseInk();
+
+    app::Session& session_;
+    QToolButton* ink_;
+    LengthField* width_;
+    QComboBox* dashes_;
+    Segments *keep_, *removed_;
+    QList<QLabel*> captions_;
+    QToolButton* export_;
+};
+
+} // namespace ui

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/segments.h"
+
+#include "ui/look.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace ui {
+
+namespace {
+
+enum class Place : std::uint8_t { First, Middle, Last };
+
+class Segment : public QToolButton {
+public:
+    Segment(const QString& text, Place place) : place_(place)
+    {
+        setText(text);
+        setCheckable(true);
+        setFocusPolicy(Qt::TabFocus);
+    }
+    QSize sizeHint() const override
+    {
+        return {fontMetrics().horizontalAdvance(text()) + 20, space::fieldHeight};
+    }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        const Look& look = lookOf(palette());
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        // One outline around all: each paints its part of it, shared sides once.
+        QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+        if (place_ != Place::First)
+            box.setLeft(-4);
+        if (place_ != Place::Last)
+            box.setRight(width() + 4);
+        QPainterPath outline;
+        outline.addRoundedRect(box, space::radius, space::radius);
+        painter.fillPath(outline, isChecked() ? look.tint : underMouse() ? look.hover : look.base);
+        painter.strokePath(outline, QPen(look.border, 1));
+        if (place_ != Place::First)
+            painter.fillRect(0, 0, 1, height(), look.border);
+        if (isChecked())
+            painter.fillRect(0, height() - 2, width(), 2, look.selection);
+        if (hasFocus()) {
+            painter.setPen(QPen(look.selection, 2));
+            painter.drawRect(rect().adjusted(1, 1, -1, -1));
+        }
+        painter.setPen(look.text);
+        painter.drawText(rect(), Qt::AlignCenter, text());
+    }
+
+private:
+    Place place_;
+};
+
+} // namespace
+
+Segments::Segments(const QString& name, const QStringList& choices, QWidget* parent)
+    : QWidget(parent)
+{
+    setAccessibleName(name);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (int i = 0; i < choices.size(); ++i) {
+        auto* button = new Segment(choices[i], i == 0                    ? Place::First
+                                               : i + 1 == choices.size() ? Place::Last
+                                                                         : Place::Middle);
+        button->setAccessibleName(name + QStringLiteral(": ") + choices[i]);
+        row->addWidget(button);
+        group_.addButton(button, i);
+    }
+    connect(&group_, &QButtonGroup::idClicked, this, &Segments::picked);
+    choose(0);
+}
+
+void Segments::choose(int index) { group_.button(index)->setChecked(true); }
+
+} // namespace ui

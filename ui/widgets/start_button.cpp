@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/start_button.h"
+
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QPainter>
+
+namespace ui {
+
+StartButton::StartButton(std::string_view iconKey, const QString& verb, const QString& what,
+                         QWidget* parent)
+    : QAbstractButton(parent), what_(what)
+{
+    setText(verb);
+    setIcon(ui::icon(iconKey));
+    setAccessibleDescription(what);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+    setFocusPolicy(Qt::StrongFocus);
+}
+
+void StartButton::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double pen = hasFocus() ? 2 : 1;
+    painter.setPen(QPen(hasFocus() ? look.selection : look.border, pen));
+    painter.setBrush(isDown() ? look.tint : underMouse() ? look.hover : look.base);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2),
+                            space::radius, space::radius);
+    icon().paint(&painter, QRect(14, height() / 2 - 10, 20, 20));
+    const QRect words(48, height() / 2 - 19, width() - 54, 19);
+    painter.setPen(look.text);
+    painter.setFont(semiBold(font()));
+    painter.drawText(words, Qt::AlignVCenter, text());
+    painter.setPen(look.muted);
+    painter.setFont(captionFont(font()));
+    painter.drawText(words.translated(0, 19), Qt::AlignVCenter, what_);
+}
+
+} // namespace ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/unit_box.h"
+
+#include "ui/look.h"
+
+namespace ui {
+
+std::vector<app::Unit> shownUnits()
+{
+    using app::Unit;
+    return {Unit::Mm, Unit::Cm, Unit::Inch, Unit::Px, Unit::Pt};
+}
+
+UnitBox::UnitBox(app::Session& session, QWidget* parent) : QComboBox(parent)
+{
+    setAccessibleName(tr("Unit"));
+    setFixedHeight(space::fieldHeight);
+    for (const app::Unit unit : shownUnits()) {
+        const auto suffix = app::infoOf(unit).suffix;
+        addItem(QString::fromUtf8(suffix.data(), qsizetype(suffix.size())), int(unit));
+    }
+    const auto follow = [this, &session] {
+        setCurrentIndex(findData(int(session.display().unit)));
+    };
+    connect(this, &QComboBox::activated, this, [this, &session](int index) {
+        app::Display display = session.display();
+        display.unit = app::Unit(itemData(index).toInt());
+        session.setDisplay(display);
+    });
+    connect(&session, &app::Session::displayChanged, this, follow);
+    follow();
+}
+
+} // namespace ui

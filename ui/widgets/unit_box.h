@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QComboBox>
+
+namespace ui {
+
+/// The unit in which the window shows lengths.
+class UnitBox : public QComboBox {
+    Q_OBJECT
+
+public:
+    explicit UnitBox(app::Session& session, QWidget* parent = nullptr);
+};
+
+/// The units to choose from, in menu order.
+std::vector<app::Unit> shownUnits();
+
+} // namespace ui
