@@ -18,7 +18,8 @@ public:
         double along = std::fmod(phase, period);
         if (along < 0)
             along += period;
-        for (left_ = pattern_[0]; along >= left_; left_ = pattern_[index_ % pattern_.size()]) {
+        for (left_ = pattern_[0]; along > 0 && along >= left_;
+             left_ = pattern_[index_ % pattern_.size()]) {
             along -= left_;
             ++index_;
         }
@@ -54,12 +55,13 @@ std::vector<std::vector<QPointF>> dashes(std::span<const QPointF> polyline,
         const double length = std::hypot(along.x(), along.y());
         for (double at = 0;;) {
             const double next = std::min(length, at + rhythm.left());
-            if (rhythm.drawn()) {
+            const bool beginsAtEnd = !open && at == length && length > 0 && rhythm.left() > 0;
+            if (rhythm.drawn() && !beginsAtEnd) {
                 if (!open)
                     all.push_back({from + along * (length > 0 ? at / length : 0)});
                 all.back().push_back(from + along * (length > 0 ? next / length : 0));
             }
-            open = rhythm.drawn();
+            open = rhythm.drawn() && !beginsAtEnd;
             if (at + rhythm.left() > length) {
                 rhythm.advance(length - at);
                 break;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_shapes.h"
+#include "app/commands/crop_to_window.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/commands/set_layers.h"
+#include "app/commands/set_style.h"
+#include "app/commands/set_window.h"
+#include "app/document/session.h"
+
+#include <QTest>
+
+#include <random>
+
+namespace {
+
+app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
+{
+    app::Shape shape;
+    shape.paths.push_back({a, {{b}}, false});
+    shape.style.stroke = app::Colour{};
+    shape.layer = layer;
+    return shape;
+}
+
+app::Sheet sheet(int perLayer)
+{
+    app::Sheet result;
+    result.layers = {{"a"}, {"b"}, {"c"}};
+    for (std::uint32_t layer = 0; layer < 3; ++layer)
+        for (int i = 0; i < perLayer; ++i)
+            result.shapes.push_back(line({i, layer}, {i + 5, layer + 1}, layer));
+    return result;
+}
+
+class Steps {
+public:
+    explicit Steps(app::Drawing& drawing) : drawing_(drawing) {}
+
+    QUndoCommand* next()
+    {
+        const app::Sheet& sheet = drawing_.sheet();
+        const std::uint32_t layer = std::uint32_t(random_() % sheet.layers.size());
+        switch (random_() % 8) {
+        case 0:
+            return new app::AddShapes(
+                drawing_, {line({1, 1}, {number(), 2}, layer), line({3, number()}, {4, 4}, layer)},
+                "Add");
+        case 1:
+            return new app::RemoveShapes(drawing_, some());
+        case 2:
+            return new app::MoveShapes(drawing_, some(), {number(), number()});
+        case 3:
+            return new app::SetStyle(
+                drawing_, some(), [&](app::Style& s) { s.width = number(); }, "Width");
+        case 4:
+            return new app::SetWindow(drawing_, {{0, 0}, {number(), 5}});
+        case 5: {
+            auto layers = sheet.layers;
+            layers.push_back({"new"});
+            layers.front().locked = !layers.front().locked;
+            return new app::SetLayers(drawing_, layers, "Layers");
+        }
+        case 6:
+            return sheet.layers.size() > 1
+                       ? static_cast<QUndoCommand*>(new app::RemoveLayer(drawing_, layer))
+                       : next();
+        default: {
+            app::CutOptions options;
+            options.algorithm = &clipping::algorithms().front().corrected;
+            options.window = sheet.window;
+            options.onlyShown = false;
+            return random_() % 4 ? next() : new app::CropToWindow(drawing_, options);
+        }
+        }
+    }
+
+private:
+    double number() { return double(random_() % 1000) / 16; }
+    std::set<std::size_t> some()
+    {
+        std::set<std::size_t> chosen;
+        for (std::size_t i = 0; i < drawing_.sheet().shapes.size(); ++i)
+            if (random_() % 3 == 0)
+                chosen.insert(i);
+        return chosen;
+    }
+
+    app::Drawing& drawing_;
+    std::mt19937_64 random_{7};
+};
+
+} // namespace
+
+class CommandsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whateverIsDoneCanBeUndoneAndRedone()
+    {
+        for (int round = 0; round < 20; ++round) {
+            app::Drawing drawing(sheet(20));
+            QUndoStack history;
+            Steps steps(drawing);
+            std::vector<app::Sheet> states{drawing.sheet()};
+            for (int i = 0; i < 30; ++i) {
+                history.push(steps.next());
+                states.push_back(drawing.sheet());
+                QVERIFY(std::ranges::is_sorted(drawing.sheet().shapes, {}, &app::Shape::layer));
+            }
+            for (int i = 30; i > 0; --i) {
+                QVERIFY(drawing.sheet() == states[std::size_t(i)]);
+                history.undo();
+            }
+            for (int i = 0; i < 30; ++i) {
+                QVERIFY(drawing.sheet() == states[std::size_t(i)]);
+                history.redo();
+            }
+            QVERIFY(drawing.sheet() == states.back());
+        }
+    }
+    void nudgesAreOneStepAndDragsAreNot()
+    {
+        app::Session session;
+        session.drawing.load(sheet(2));
+        const auto before = session.sheet();
+        for (int i = 0; i < 5; ++i)
+            session.history.push(
+                new app::MoveShapes(session.drawing, {0, 2}, {1, 0}, app::Merging::WithLast));
+        QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.sheet().shapes[2].paths[0].start,
+                 (before.shapes[2].paths[0].start + app::Point(5, 0)));
+        session.history.undo();
+        QVERIFY(session.sheet() == before);
+        session.history.redo();
+        session.history.push(new app::MoveShapes(session.drawing, {0, 2}, {1, 0}));
+        session.history.push(
+            new app::MoveShapes(session.drawing, {0}, {1, 0}, app::Merging::WithLast));
+        QCOMPARE(session.history.count(), 3);
+        for (int i = 0; i < 3; ++i)
+            session.history.push(new app::SetWindow(session.drawing, {{i * 1.0, 0}, {i + 9.0, 9}},
+                                                    app::Merging::WithLast));
+        QCOMPARE(session.history.count(), 5); // the first changed its size, too
+    }
+    void theSelectionFollows()
+    {
+        app::Session session;
+        session.drawing.load(sheet(4));
+        session.select({1, 6, 9});
+        session.history.push(new app::RemoveShapes(session.drawing, {0, 6}));
+        QCOMPARE(session.selection(), (std::set<std::size_t>{0, 7}));
+        session.history.undo();
+        QVERIFY(session.selection().contains(1) && session.selection().contains(9));
+    }
+    void shapesArriveOnTopOfTheirLayer()
+    {
+        app::Drawing drawing(sheet(2));
+        QUndoStack history;
+        auto* add = new app::AddShapes(drawing, {line({0, 0}, {9, 9}, 1)}, "Add");
+        history.push(add);
+        QCOMPARE(add->shapes(), std::set<std::size_t>{4});
+        QCOMPARE(drawing.sheet().shapes[4].layer, 1U);
+    }
+};
+
+QTEST_APPLESS_MAIN(CommandsTest)
+#include "commands_test.moc"

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/picture.h"
+#include "app/view/raster.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+
+app::Shape square(app::Point min, double side)
+{
+    app::Shape shape;
+    shape.paths.push_back(
+        {min, {{{min.x + side, min.y}}, {min + side}, {{min.x, min.y + side}}}, true});
+    shape.style.stroke = app::Colour{};
+    shape.style.fill = app::Colour{200, 0, 0};
+    return shape;
+}
+
+// One pixel to the unit, 100 x 100, the window the left half.
+struct Stage {
+    explicit Stage(std::vector<app::Shape> shapes)
+    {
+        app::Sheet sheet;
+        sheet.page = {{0, 0}, {100, 100}, {100, app::Unit::Px}, {100, app::Unit::Px}};
+        sheet.window = {{0, 0}, {50, 100}};
+        sheet.shapes = std::move(shapes);
+        session.drawing.load(std::move(sheet));
+        options.view.size = {100, 100};
+        options.view.centre = {50, 50};
+    }
+    app::Picture picture()
+    {
+        const auto frame =
+            session.scene.clip(session.uses(), session.sheet().window, app::Scene::Removed::Kept);
+        return app::picture(session.sheet(), session.scene, frame, options);
+    }
+    QImage image() { return app::rasterised(picture(), 100, {0, 100}, 1, 0.32); }
+
+    app::Session session;
+    app::PictureOptions options;
+};
+
+std::size_t fillsIn(const app::Plate& plate)
+{
+    return std::size_t(
+        std::ranges::count_if(plate.coats, [](const auto& coat) { return !coat.stroke; }));
+}
+
+} // namespace
+
+class PictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onlyWholeShapesAreFilled()
+    {
+        Stage stage({square({10, 10}, 20), square({40, 10}, 20), square({70, 10}, 20)});
+        const app::Picture picture = stage.picture();
+        QCOMPARE(fillsIn(picture.kept), std::size_t(1));
+        QCOMPARE(fillsIn(picture.ghost), std::size_t(1));
+        const QImage image = stage.image();
+        QCOMPARE(image.pixelColor(20, 20), QColor(200, 0, 0));
+        QCOMPARE(image.pixelColor(45, 20).alpha(), 0);
+        QVERIFY(std::abs(image.pixelColor(80, 20).alpha() - 0.32 * 255) < 2);
+    }
+    void theRemovedPartIsHiddenOrShown()
+    {
+        Stage stage({square({40, 10}, 20), square({70, 10}, 20)});
+        stage.options.removed = app::RemovedPart::Hidden;
+        QCOMPARE(stage.image().pixelColor(80, 20).alpha(), 0);
+        stage.options.removed = app::RemovedPart::Shown;
+        QCOMPARE(stage.image().pixelColor(80, 20), QColor(200, 0, 0));
+        QCOMPARE(stage.image().pixelColor(45, 20), QColor(200, 0, 0));
+    }
+    void theOutsideCanBeKept()
+    {
+        Stage stage({square({10, 10}, 20), square({70, 10}, 20)});
+        stage.options.keep = app::Keep::Outside;
+        QCOMPARE(stage.image().pixelColor(80, 20), QColor(200, 0, 0));
+        QVERIFY(std::abs(stage.image().pixelColor(20, 20).alpha() - 0.32 * 255) < 2);
+    }
+    void anAreaWithoutStrokeIsOutlinedWhenCut()
+    {
+        app::Shape shape = square({40, 10}, 20);
+        shape.style.stroke.reset();
+        Stage stage({shape});
+        const app::Picture picture = stage.picture();
+        QCOMPARE(picture.kept.coats.size(), std::size_t(1));
+        QCOMPARE(picture.kept.coats[0].stroke->colour, (app::Colour{200, 0, 0}));
+    }
+    void oneStrokeIsOneChainAndCutEndsAreButt()
+    {
+        app::Shape shape;
+        shape.style.stroke = app::Colour{};
+        shape.style.cap = app::Cap::Round;
+        shape.paths.push_back({{10, 10}, {{{30, 12}}, {{30, 40}}, {{80, 40}}}, false});
+        Stage stage({shape});
+        const app::Picture picture = stage.picture();
+        QCOMPARE(picture.kept.chains.size(), std::size_t(1));
+        QCOMPARE(picture.kept.chains[0].count, 4U);
+        QVERIFY(picture.kept.chains[0].capAtStart && !picture.kept.chains[0].capAtEnd);
+        QCOMPARE(picture.ghost.chains.size(), std::size_t(1));
+        QVERIFY(!picture.ghost.chains[0].capAtStart && picture.ghost.chains[0].capAtEnd);
+        QCOMPARE(picture.kept.points.back(), QPointF(50, 40));
+    }
+    void deepZoomHandsOutNoHugeNumbers()
+    {
+        Stage stage({square({-1e6, -1e6}, 2.1e6), square({10, 10}, 20)});
+        stage.session.drawing.setWindow({{-2e6, -2e6}, {2e6, 2e6}});
+        stage.options.view.zoom = 1e7;
+        stage.options.view.centre = {10, 10};
+        const app::Picture picture = stage.picture();
+        QVERIFY(!picture.kept.points.empty());
+        for (const QPointF& p : picture.kept.points)
+            QVERIFY2(std::abs(p.x()) < 1e9 && std::abs(p.y()) < 1e9,
+                     qPrintable(QString::number(p.x())));
+        QCOMPARE(stage.image().pixelColor(90, 90),
+                 QColor(0, 0, 0)); // the stroke is far wider than the view
+    }
+    void dashesGoOnThroughTheWindow()
+    {
+        app::Shape shape;
+        shape.style.stroke = app::Colour{};
+        shape.style.dashes = {10, 10};
+        shape.style.width = 2;
+        shape.paths.push_back({{5, 50}, {{{95, 50}}}, false});
+        Stage stage({shape});
+        const QImage image = stage.image();
+        for (int x = 6; x < 94; ++x)
+            if ((x - 5) % 10 != 0 && (x - 5) % 10 != 9 && std::abs(x - 50) > 1)
+                QCOMPARE(image.pixelColor(x, 50).alpha() > 0, (x - 5) % 20 < 10);
+    }
+    void theSelectionIsLitWhole()
+    {
+        Stage stage({square({40, 10}, 20)});
+        stage.options.selection = {0};
+        stage.options.light = {0, 0, 255};
+        const app::Picture picture = stage.picture();
+        QCOMPARE(picture.lit.chains.size(), std::size_t(1));
+        QCOMPARE(picture.lit.chains[0].count, 5U);
+    }
+    void bandsTogetherAreTheWhole()
+    {
+        std::vector<app::Shape> shapes;
+        for (int i = 0; i < 40; ++i) {
+            app::Shape shape = square({i * 2.3, i * 1.9}, 11);
+            shape.style.width = i * 0.2;
+            shape.style.cap = app::Cap(i % 3);
+            shape.paths[0].closed = i % 2 == 0;
+            shapes.push_back(shape);
+        }
+        Stage stage(std::move(shapes));
+        const app::Picture picture = stage.picture();
+        const QImage whole = app::rasterised(picture, 100, {0, 100}, 1, 0.32);
+        std::vector<QImage> parts;
+        for (const app::Band band : app::bandsOf(100, 7))
+            parts.push_back(app::rasterised(picture, 100, band, 1, 0.32));
+        QCOMPARE(app::joined(parts).size(), whole.size());
+        const QImage joined = app::joined(parts);
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 100; ++x)
+                QVERIFY(std::abs(qAlpha(joined.pixel(x, y)) - qAlpha(whole.pixel(x, y))) <= 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(PictureTest)
+#include "picture_test.moc"
