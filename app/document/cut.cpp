@@ -135,27 +135,15 @@ private:
         }
     }
 
-    // A cut shape has no inside to fill any more, so a shape that was only filled is outlined. A
-    // cap would reach over the window's edge, so its ends are butt. Dashes go on where they were,
-    // and as a shape has one dash offset, each dashed run becomes a shape of its own.
+    // A cut shape has no inside to fill any more, so a shape that was only filled is outlined.
     void addCutShape(const Shape& shape, std::vector<Run>& runs)
     {
-        Shape cut{{}, shape.style, shape.id, shape.layer, false};
-        if (!cut.style.stroke)
-            cut.style.stroke = cut.style.fill;
-        cut.style.fill.reset();
-        cut.style.cap = Cap::Butt;
-        for (Run& run : runs) {
-            cut.paths.push_back(std::move(run.path));
-            if (shape.style.dashes.empty())
-                continue;
-            cut.style.dashOffset = shape.style.dashOffset + run.before;
-            result_.sheet.shapes.push_back(cut);
-            cut.paths.clear();
-            cut.id.clear(); // an id names one element
-        }
-        if (!cut.paths.empty())
-            result_.sheet.shapes.push_back(std::move(cut));
+        Shape outline{{}, shape.style, shape.id, shape.layer, false};
+        if (!outline.style.stroke)
+            outline.style.stroke = outline.style.fill;
+        outline.style.fill.reset();
+        std::ranges::move(shapesOfRuns(outline, std::move(runs)),
+                          std::back_inserter(result_.sheet.shapes));
     }
 
     const CutOptions& options_;

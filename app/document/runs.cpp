@@ -180,4 +180,23 @@ std::vector<Run> joinRuns(const Path& path, std::span<const Chord> chords,
     return runs.take(path.closed && overStart == OverStart::Join);
 }
 
+std::vector<Shape> shapesOfRuns(const Shape& shape, std::vector<Run> runs)
+{
+    Shape one{{}, shape.style, shape.id, shape.layer, shape.hidden};
+    one.style.cap = Cap::Butt;
+    std::vector<Shape> shapes;
+    for (Run& run : runs) {
+        one.paths.push_back(std::move(run.path));
+        if (shape.style.dashes.empty())
+            continue;
+        one.style.dashOffset = shape.style.dashOffset + run.before;
+        shapes.push_back(one);
+        one.paths.clear();
+        one.id.clear();
+    }
+    if (!one.paths.empty())
+        shapes.push_back(std::move(one));
+    return shapes;
+}
+
 } // namespace app

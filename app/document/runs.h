@@ -33,4 +33,9 @@ std::vector<Run> joinRuns(const Path& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const clipping::Window& window,
                           OverStart overStart);
 
+/// The runs as a shape painted like `shape`, and as several where dashes must go on from where they
+/// were: a shape has one dash offset. Only the first has the id. Ends are butt, as a cap would reach
+/// beyond a cut.
+std::vector<Shape> shapesOfRuns(const Shape& shape, std::vector<Run> runs);
+
 } // namespace app

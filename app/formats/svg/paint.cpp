@@ -9,12 +9,6 @@ namespace {
 
 constexpr int mostGradientLinks = 50; // a gradient may take its colours from another one
 
-std::string_view hrefOf(const Tree& tree, Node node)
-{
-    const auto href = tree.attribute(node, "href");
-    return href.empty() ? tree.attribute(node, "xlink:href") : href;
-}
-
 bool isGradient(const Tree& tree, Node node)
 {
     const auto name = tree.name(node);

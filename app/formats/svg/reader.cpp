@@ -15,7 +15,7 @@ Imported import(const Tree& tree)
     Report report;
     Sheet& sheet = imported.sheet;
     const RootPage root = readPage(tree);
-    Walk walk(tree, sheet, report);
+    Walk walk(tree, sheet, report, flatteningMillimetres / root.page.millimetresPerUnit());
     try {
         walk.drawAll(root.matrix, root.page.size / Point{1, root.matrix.d});
     } catch (Refused& refused) {

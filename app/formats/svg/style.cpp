@@ -135,6 +135,11 @@ void setFontSize(P& p, Value text, const Lengths& lengths)
 
 void setDisplay(P& p, Value text, const Lengths&) { p.displayed = text != "none"; }
 void setVisibility(P& p, Value text, const Lengths&) { p.visible = text == "visible"; }
+void setOverflow(P& p, Value text, const Lengths&)
+{
+    p.overflowShown = text == "visible" || text == "auto";
+}
+
 void setVectorEffect(P& p, Value text, const Lengths&)
 {
     p.fixedWidth = text == "non-scaling-stroke";
@@ -181,6 +186,7 @@ const Styles::Property* Styles::find(std::string_view name)
         Property{"visibility", setVisibility, inherit<&P::visible>},
         Property{"display", setDisplay, inherit<&P::displayed>},
         Property{"font-size", setFontSize, inherit<&P::fontSize>},
+        Property{"overflow", setOverflow, inherit<&P::overflowShown>},
         Property{"vector-effect", setVectorEffect, inherit<&P::fixedWidth>},
         Property{"transform", setText<&P::transform>, inherit<&P::transform>},
         Property{"clip-path", setText<&P::clipPath>, inherit<&P::clipPath>},
@@ -210,6 +216,7 @@ Properties Properties::inherited() const
     const Properties initial;
     child.opacity = initial.opacity;
     child.displayed = initial.displayed;
+    child.overflowShown = initial.overflowShown;
     child.fixedWidth = initial.fixedWidth;
     child.transform = child.clipPath = child.mask = child.filter = child.blending = {};
     child.stopColour = initial.stopColour;

@@ -34,7 +34,8 @@ struct Properties {
     // the element's own
     double opacity = 1;
     bool displayed = true;
-    bool fixedWidth = false; ///< vector-effect: non-scaling-stroke
+    bool overflowShown = false; ///< what is outside of the element's viewport
+    bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
     std::string_view transform{}, clipPath{}, mask{}, filter{}, blending{};
     Paint stopColour{Paint::Kind::Solid};
     double stopOpacity = 1;

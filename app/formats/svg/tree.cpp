@@ -185,6 +185,12 @@ Node Tree::find(std::string_view id) const
     return found == ids_.end() ? noNode : found->second;
 }
 
+std::string_view hrefOf(const Tree& tree, Node node)
+{
+    const auto href = tree.attribute(node, "href");
+    return href.empty() ? tree.attribute(node, "xlink:href") : href;
+}
+
 Node Tree::findReference(std::string_view reference) const
 {
     reference = trimmed(reference);

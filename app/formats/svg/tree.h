@@ -73,6 +73,9 @@ private:
     std::unordered_map<std::string_view, Node> ids_;
 };
 
+/// "href", or the older "xlink:href".
+std::string_view hrefOf(const Tree& tree, Node node);
+
 /// The children of an element, for range-based loops.
 class Children {
 public:

@@ -10,9 +10,7 @@ void Walk::drawUse(Node node, const Place& around)
 {
     Place place = inside(node, around);
     reportEffects(place.properties, true);
-    auto href = tree_.attribute(node, "href");
-    if (href.empty())
-        href = tree_.attribute(node, "xlink:href");
+    const auto href = hrefOf(tree_, node);
     const Node target = tree_.findReference(href);
     if (target == noNode) {
         if (!trimmed(href).starts_with('#'))
@@ -67,6 +65,8 @@ void Walk::drawViewport(Node node, Node sizes, const Place& around)
     if (!(viewport.size.x > 0 && viewport.size.y > 0))
         return;
     Place place = around;
+    if (!place.properties.overflowShown)
+        addViewportClip(viewport, place);
     const auto box = parseViewBox(tree_.attribute(node, "viewBox"));
     if (box)
         place.matrix =

@@ -61,8 +61,9 @@ const Walk::Row* Walk::find(std::string_view element)
     return found == all.end() ? nullptr : &*found;
 }
 
-Walk::Walk(const Tree& tree, Sheet& sheet, Report& report)
-    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report), layers_(sheet)
+Walk::Walk(const Tree& tree, Sheet& sheet, Report& report, double tolerance)
+    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report), layers_(sheet),
+      tolerance_(tolerance)
 {
 }
 
@@ -114,6 +115,8 @@ Place Walk::inside(Node node, const Place& around)
         place.matrix = place.matrix * *matrix;
     else
         report_.lost(tr("transforms that are not understood"));
+    if (!place.properties.clipPath.empty())
+        addClipPath(node, place);
     return place;
 }
 
@@ -125,8 +128,6 @@ void Walk::reportEffects(const Properties& properties, bool group)
         report_.lost(tr("filters"));
     if (!properties.blending.empty())
         report_.lost(tr("blend modes"));
-    if (!properties.clipPath.empty())
-        report_.lost(tr("clip paths"));
     if (group && properties.opacity < 1)
         report_.remark(tr("group opacities (given to each shape)"));
 }
@@ -192,8 +193,7 @@ void Walk::drawOutline(Node node, const Place& around)
     shape.hidden = place.hidden || !properties.visible;
     shape.id = QString::fromUtf8(
         around.useId.empty() && !place.repeated ? tree_.attribute(node, "id") : around.useId);
-    countParts(shape);
-    layers_.add(std::move(shape));
+    addClipped(std::move(shape), place);
 }
 
 std::vector<Path> Walk::placed(Outline outline, const Matrix& matrix)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/svg/convex_region.h"
 #include "app/formats/svg/layers.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/transform.h"
+
+#include <memory>
 
 namespace app::svg {
 
@@ -18,12 +21,14 @@ struct Place {
     bool repeated = false;    ///< inside a <use>
     std::string_view useId{}; ///< of a <use> that draws just this element
     int depth = 0;
+    std::vector<std::shared_ptr<const ConvexRegion>> clips{}; ///< outermost first
 };
 
 /// Draws the tree into a sheet: one row of a list for each element that SVG can paint.
 class Walk {
 public:
-    Walk(const Tree& tree, Sheet& sheet, Report& report);
+    /// `tolerance`, in user units, is for curves that clip paths cut.
+    Walk(const Tree& tree, Sheet& sheet, Report& report, double tolerance);
 
     /// Everything under the root. Throws Refused.
     void drawAll(const Matrix& rootMatrix, const Point& viewport);
@@ -52,6 +57,12 @@ private:
     void drawUsed(Node use, Node target, const Place& place);
     void drawViewport(Node node, Node sizes, const Place& place);
 
+    void addClipPath(Node node, Place& place);
+    void addViewportClip(const Box& viewport, Place& place);
+    std::optional<ConvexRegion> clipRegion(Node clip, const Place& place);
+    std::optional<std::vector<Path>> clipOutline(Node node, const Place& base);
+    void addClipped(Shape shape, const Place& place);
+
     std::vector<Path> placed(Outline outline, const Matrix& matrix);
     void countParts(const Shape& shape);
 
@@ -64,6 +75,8 @@ private:
     std::vector<Node> used_;   ///< the targets of the <use>s that are being drawn
     std::size_t repeated_ = 0; ///< elements drawn through <use>
     std::size_t parts_ = 0;
+    std::size_t clipWork_ = 0; ///< chords times sides
+    double tolerance_;
 };
 
 } // namespace app::svg

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clip paths and viewports that hide what is outside of them: both are cut for real.
+#include "app/formats/svg/clip_shape.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/scanner.h"
+#include "app/formats/svg/walk.h"
+
+namespace app::svg {
+
+void Walk::addClipPath(Node node, Place& place)
+{
+    const auto reference = place.properties.clipPath;
+    const Node clip = tree_.findReference(reference);
+    const bool local = reference.starts_with("url(");
+    if (local && (clip == noNode || tree_.name(clip) != "clipPath"))
+        return; // SVG: no such clip path, no clipping
+    const auto region = local ? clipRegion(clip, place) : std::nullopt;
+    if (region) {
+        place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
+        report_.remark(tr("clip paths cut for real"));
+    } else {
+        report_.lost(tr("clip paths (not convex or not simple)"));
+    }
+    node_ = node;
+}
+
+std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
+{
+    Place base = place;
+    base.properties = styles_.of(clip, {}, place.lengths);
+    const auto own = parseTransform(base.properties.transform);
+    if (tree_.attribute(clip, "clipPathUnits") == "objectBoundingBox" || !own
+        || !base.properties.clipPath.empty())
+        return std::nullopt;
+    base.matrix = place.matrix * *own;
+    std::vector<Path> paths;
+    for (const Node child : Children(tree_, clip)) {
+        const auto drawn = clipOutline(child, base);
+        if (!drawn)
+            return std::nullopt;
+        paths.insert(paths.end(), drawn->begin(), drawn->end());
+        if (paths.size() > 1)
+            return std::nullopt; // several areas: their union need not be convex
+    }
+    return ConvexRegion::of(paths.empty() ? Path{} : paths.front(), tolerance_);
+}
+
+// The outline of a child of a clip path; nothing for what draws something else (text).
+std::optional<std::vector<Path>> Walk::clipOutline(Node node, const Place& base)
+{
+    Properties properties = styles_.of(node, base.properties, base.lengths);
+    auto matrix = parseTransform(properties.transform);
+    if (!matrix || !properties.clipPath.empty())
+        return std::nullopt;
+    if (tree_.name(node) == "use") {
+        const Point shift{base.lengths.x(tree_.attribute(node, "x")).value_or(0),
+                          base.lengths.y(tree_.attribute(node, "y")).value_or(0)};
+        node = tree_.findReference(hrefOf(tree_, node));
+        if (node == noNode)
+            return std::vector<Path>();
+        properties = styles_.of(node, properties, base.lengths);
+        const auto inner = parseTransform(properties.transform);
+        if (!inner || tree_.name(node) == "use" || !properties.clipPath.empty())
+            return std::nullopt;
+        matrix = *matrix * translation(shift) * *inner;
+    }
+    const OutlineKind* kind = findOutlineKind(tree_.name(node));
+    if (!kind)
+        return tree_.name(node) == "text" || tree_.name(node) == "use" || tree_.name(node) == "g"
+                   ? std::nullopt
+                   : std::optional(std::vector<Path>());
+    if (!properties.displayed || !properties.visible)
+        return std::vector<Path>();
+    return placed(kind->outline(tree_, node, base.lengths), base.matrix * *matrix);
+}
+
+void Walk::addViewportClip(const Box& viewport, Place& place)
+{
+    const Point max = viewport.min + viewport.size;
+    Path path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
+    transform(path, place.matrix);
+    if (const auto region = ConvexRegion::of(path, tolerance_))
+        place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
+}
+
+// Clips a shape at all that is around it and adds what is left.
+void Walk::addClipped(Shape shape, const Place& place)
+{
+    std::vector<Shape> shapes;
+    shapes.push_back(std::move(shape));
+    for (auto region = place.clips.rbegin(); region != place.clips.rend(); ++region) {
+        std::vector<Shape> kept;
+        for (Shape& one : shapes) {
+            auto clipped = clipShape(one, **region, tolerance_);
+            if (!clipped) {
+                report_.lost(tr("clip paths (not convex or not simple)"));
+                kept.push_back(std::move(one));
+                continue;
+            }
+            clipWork_ += clipped->work;
+            if (clipWork_ > mostClipWork)
+                throw Refused{tr("is where clip paths become too much work; remove some of them.")};
+            std::ranges::move(clipped->shapes, std::back_inserter(kept));
+        }
+        shapes = std::move(kept);
+    }
+    for (Shape& one : shapes) {
+        countParts(one);
+        layers_.add(std::move(one));
+    }
+}
+
+} // namespace app::svg

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg/clip_shape.h"
+
+#include "app/formats/svg/limits.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app::svg {
+namespace {
+
+using Position = ConvexRegion::Position;
+
+// Far larger curves than the page need no finer chords than a picture of 4,000 by 4,000 would.
+double toleranceFor(const Path& path, double tolerance)
+{
+    Point min = path.start, max = path.start;
+    const auto add = [&](const Point& p) {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    };
+    for (const Stretch& stretch : path.stretches) {
+        add(stretch.to);
+        if (stretch.curved) {
+            add(stretch.control1);
+            add(stretch.control2);
+        }
+    }
+    return std::max({tolerance, (max.x - min.x) / 4000, (max.y - min.y) / 4000});
+}
+
+bool tooManyCurves(const Path& path)
+{
+    return std::size_t(std::ranges::count_if(path.stretches, &Stretch::curved)) > mostClippedCurves;
+}
+
+std::vector<Run> strokeRuns(const Path& path, std::span<const Chord> chords,
+                            const ConvexRegion& region, OverStart overStart)
+{
+    std::vector<KeptPart> parts;
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        if (const auto part = region.clip(chords[i], i))
+            parts.push_back(*part);
+    return joinRuns(path, chords, parts, region.bounds(), overStart);
+}
+
+// The area of a filled line, but for rounding.
+bool isFlat(const std::vector<Point>& polygon)
+{
+    double area = 0, extent = 0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        const Point a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+        area += a.x * b.y - a.y * b.x;
+        extent = std::max({extent, std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    }
+    return std::abs(area) <= 1e-12 * extent * extent;
+}
+
+std::optional<Path> filledPart(std::span<const Chord> chords, const ConvexRegion& region)
+{
+    std::vector<Point> polygon;
+    for (const Chord& chord : chords)
+        polygon.push_back(chord.segment.a);
+    if (!chords.empty())
+        polygon.push_back(chords.back().segment.b);
+    polygon = region.clip(std::move(polygon));
+    while (polygon.size() > 1 && polygon.back() == polygon.front())
+        polygon.pop_back();
+    if (isFlat(polygon))
+        return std::nullopt;
+    Path path{polygon.front(), {}, true};
+    for (std::size_t i = 1; i < polygon.size(); ++i)
+        path.stretches.push_back({polygon[i]});
+    return path;
+}
+
+} // namespace
+
+std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& region,
+                                      double tolerance)
+{
+    const auto at = [&](const Path& path) { return region.position(path); };
+    const auto isInside = [](Position p) { return p == Position::Inside; };
+    const auto isOutside = [](Position p) { return p == Position::Outside; };
+    ClippedShape result;
+    for (const Path& path : shape.paths)
+        result.work += (1 + path.stretches.size()) * region.sides();
+    if (std::ranges::all_of(shape.paths, isInside, at)) {
+        result.shapes.push_back(shape);
+        return result;
+    }
+    if (std::ranges::all_of(shape.paths, isOutside, at))
+        return result;
+    if (std::ranges::any_of(shape.paths, tooManyCurves))
+        return std::nullopt;
+    result.cut = true;
+    Shape area{{}, shape.style, shape.id, shape.layer, shape.hidden};
+    area.style.stroke.reset();
+    std::vector<Run> runs;
+    const auto overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
+    for (const Path& path : shape.paths) {
+        if (region.position(path) == Position::Inside) {
+            runs.push_back({path, 0});
+            area.paths.push_back(path);
+            continue;
+        }
+        std::vector<Chord> chords;
+        flatten(path, toleranceFor(path, tolerance), chords);
+        result.work += chords.size() * region.sides();
+        if (shape.style.stroke)
+            std::ranges::move(strokeRuns(path, chords, region, overStart),
+                              std::back_inserter(runs));
+        if (shape.style.fill)
+            if (auto filled = filledPart(chords, region))
+                area.paths.push_back(std::move(*filled));
+    }
+    if (!area.paths.empty() && shape.style.fill)
+        result.shapes.push_back(std::move(area));
+    Shape outline{
+        {}, shape.style, result.shapes.empty() ? shape.id : QString(), shape.layer, shape.hidden};
+    outline.style.fill.reset();
+    std::ranges::move(shapesOfRuns(outline, std::move(runs)), std::back_inserter(result.shapes));
+    return result;
+}
+
+} // namespace app::svg

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was read and written again looks as the original does, to another program.
+#include <QDir>
+#include <QImage>
+#include <QProcess>
+#include <QTest>
+
+#include "tests/app/formats/svg/text.h"
+
+namespace {
+
+constexpr int side = 600;               // pixels of the larger side of a picture
+constexpr double strongDifference = 64; // of 255: more than the rounding of edges
+constexpr double fewStrong = 0.002, smallMean = 0.5;
+
+QImage picture(const QByteArray& svg)
+{
+    QProcess rsvg;
+    const QString size = QString::number(side);
+    rsvg.start("rsvg-convert",
+               {"-w", size, "-h", size, "--keep-aspect-ratio", "-b", "white", "-f", "png"});
+    rsvg.write(svg);
+    rsvg.closeWriteChannel();
+    if (!rsvg.waitForFinished() || rsvg.exitCode() != 0)
+        return {};
+    return QImage::fromData(rsvg.readAllStandardOutput()).convertToFormat(QImage::Format_RGB32);
+}
+
+struct Difference {
+    double mean = 255, strong = 1;
+};
+
+Difference difference(const QImage& a, const QImage& b)
+{
+    if (a.isNull() || a.size() != b.size())
+        return {};
+    double sum = 0, strong = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            const int largest =
+                std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                          std::abs(qBlue(p) - qBlue(q))});
+            sum += largest;
+            strong += largest > strongDifference;
+        }
+    const double pixels = double(a.width()) * a.height();
+    return {sum / pixels, strong / pixels};
+}
+
+} // namespace
+
+class PictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY2(QProcess::execute("rsvg-convert", {"--version"}) == 0,
+                 "rsvg-convert is missing: install librsvg2-bin");
+    }
+
+    void looksLikeTheOriginal_data()
+    {
+        QTest::addColumn<QString>("path");
+        for (const char* place : {"/tests/app/formats/data", "/resources/samples"}) {
+            const QDir folder(SOURCE_DIR + QString(place));
+            for (const QString& name : folder.entryList({"*.svg"}))
+                QTest::newRow(qPrintable(name)) << folder.filePath(name);
+        }
+    }
+    void looksLikeTheOriginal()
+    {
+        QFETCH(QString, path);
+        const QByteArray original = contentOf(path);
+        const auto read = readText(original);
+        QVERIFY2(read, qPrintable(read.error));
+        const QImage expected = picture(original);
+        QVERIFY(!expected.isNull());
+        const Difference found = difference(expected, picture(textOf(read.value->sheet)));
+        const auto said = QStringLiteral("mean %1, strong %2").arg(found.mean).arg(found.strong);
+        QVERIFY2(found.mean < smallMean && found.strong < fewStrong, qPrintable(said));
+    }
+
+    // The comparison can fail: one line less is seen.
+    void aMissingLineIsSeen()
+    {
+        auto read = readText(contentOf(SOURCE_DIR "/tests/app/formats/data/groups.svg"));
+        QVERIFY(read);
+        const QImage whole = picture(textOf(read.value->sheet));
+        read.value->sheet.shapes.pop_back();
+        QVERIFY(difference(whole, picture(textOf(read.value->sheet))).strong > fewStrong);
+    }
+};
+
+QTEST_GUILESS_MAIN(PictureTest)
+#include "picture_test.moc"

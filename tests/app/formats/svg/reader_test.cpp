@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages, layers, hidden things, transforms, <use>, viewports, clip paths, and the report.
+#include <QTest>
+
+#include "tests/app/formats/svg/text.h"
+
+namespace {
+
+app::Sheet sheetOf(const QByteArray& text)
+{
+    const auto result = readText(text);
+    return result ? result.value->sheet : app::Sheet{};
+}
+
+app::Page page(const QByteArray& attributes)
+{
+    return sheetOf("<svg " + attributes + "><path d='M10 20L40 80'/></svg>").page;
+}
+
+// The paths as text: "0,0 9,9 | 1,1 2,2 z".
+QString text(const std::vector<app::Path>& paths)
+{
+    QStringList all;
+    for (const app::Path& path : paths) {
+        const auto number = [](double x) {
+            return QString::number(std::round(x * 1e6) / 1e6 + 0.0, 'g', 9);
+        };
+        QStringList points{number(path.start.x) + ',' + number(path.start.y)};
+        for (const app::Stretch& stretch : path.stretches)
+            points << (stretch.curved ? "~" : "") + number(stretch.to.x) + ','
+                          + number(stretch.to.y);
+        all << points.join(' ') + (path.closed ? " z" : "");
+    }
+    return all.join(" | ");
+}
+
+QString pathsOf(const QByteArray& elements) { return text(shapeOf(elements).paths); }
+
+QString layersOf(const app::Sheet& sheet)
+{
+    QStringList all;
+    for (std::uint32_t i = 0; i < sheet.layers.size(); ++i) {
+        const auto count = std::ranges::count(sheet.shapes, i, &app::Shape::layer);
+        all << QStringLiteral("%1 %2%3%4")
+                   .arg(sheet.layers[i].name)
+                   .arg(count)
+                   .arg(sheet.layers[i].visible ? "" : " invisible",
+                        sheet.layers[i].locked ? " locked" : "");
+    }
+    return all.join(", ");
+}
+
+} // namespace
+
+class ReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pages()
+    {
+        using app::Unit;
+        QCOMPARE(page("width='20cm' height='30mm' viewBox='1 2 3 4'"),
+                 (app::Page{{1, 2}, {3, 4}, {20, Unit::Cm}, {30, Unit::Mm}}));
+        QCOMPARE(page("width='200' height='100px'"),
+                 (app::Page{{0, 0}, {200, 100}, {200, Unit::Px}, {100, Unit::Px}}));
+        QCOMPARE(page("width='1in' height='1in'").size, (app::Point{96, 96}));
+        QCOMPARE(page("viewBox='0 0 50 60'"),
+                 (app::Page{{0, 0}, {50, 60}, {100, Unit::Percent}, {100, Unit::Percent}}));
+        QCOMPARE(page("viewBox='0 0 0 60' width='5' height='6'").size, (app::Point{5, 6}));
+        QCOMPARE(page("viewBox='0,0,50,60' width='-3'").width, (app::Length{100, Unit::Percent}));
+        const app::Page around = page("");
+        QCOMPARE(around.min, (app::Point{10, 20}));
+        QCOMPARE(around.size, (app::Point{30, 60}));
+        QCOMPARE(sheetOf("<svg/>").page, app::Page{});
+        const app::Page uneven =
+            page("width='100' height='100' viewBox='0 10 100 50' preserveAspectRatio='none'");
+        QCOMPARE(uneven.min, (app::Point{0, 20}));
+        QCOMPARE(uneven.size, (app::Point{100, 100}));
+    }
+
+    void clipWindowInTheMetadata()
+    {
+        QCOMPARE(sheetOf(drawing("")).window, (clipping::Window{{0, 0}, {100, 100}}));
+        QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' xmin='.1' ymin='-2' "
+                                 "xmax='3' ymax='4e1'/></metadata>"))
+                     .window,
+                 (clipping::Window{{0.1, -2}, {3, 40}}));
+        QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' xmin='x' ymin='-2' "
+                                 "xmax='3' ymax='4'/></metadata>"))
+                     .window,
+                 (clipping::Window{{0, 0}, {100, 100}}));
+    }
+
+    void layers()
+    {
+        const QByteArray p = "<path d='M0 0h1'/>";
+        const auto layer = [](const QByteArray& attributes, const QByteArray& content) {
+            return "<g inkscape:groupmode='layer' " + attributes + ">" + content + "</g>";
+        };
+        const auto read = [&](const QByteArray& text) { return layersOf(sheetOf(drawing(text))); };
+        QCOMPARE(read(""), "Drawing 0");
+        QCOMPARE(read(p + "<g>" + p + "</g>"), "Drawing 2");
+        QCOMPARE(read(layer("inkscape:label='A'", "") + layer("id='b'", p)), "A 0, b 1");
+        QCOMPARE(read(p + layer("inkscape:label='A'", p) + p + layer("inkscape:label='B'", p) + p),
+                 "Drawing 1, A 1, Drawing (2) 1, B 1, Drawing (3) 1");
+        QCOMPARE(read(layer("inkscape:label='A'", p + layer("inkscape:label='B'", p) + p + p)),
+                 "A 1, B 1, A (2) 2");
+        QCOMPARE(read(layer("inkscape:label='A' style='display:none'", p)), "A 1 invisible");
+        QCOMPARE(read("<g xmlns:s='http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd'>"
+                      + layer("inkscape:label='A' s:insensitive='true'", p) + "</g>"),
+                 "A 1 locked");
+        const app::Sheet invisible =
+            sheetOf(drawing(layer("display='none'", p + layer("inkscape:label='B'", p))));
+        QVERIFY(!invisible.shapes.at(0).hidden && !invisible.shown(invisible.shapes.at(0)));
+        QVERIFY(!invisible.shown(invisible.shapes.at(1)));
+    }
+
+    void hiddenThings()
+    {
+        const auto hidden = [](const QByteArray& text) { return shapeOf(text).hidden; };
+        QVERIFY(!hidden("<path d='M0 0h1'/>"));
+        QVERIFY(hidden("<path d='M0 0h1' display='none'/>"));
+        QVERIFY(hidden("<g style='display:none'><path d='M0 0h1' display='inline'/></g>"));
+        QVERIFY(hidden("<g visibility='hidden'><path d='M0 0h1'/></g>"));
+        QVERIFY(!hidden("<g visibility='hidden'><path d='M0 0h1' visibility='visible'/></g>"));
+        QVERIFY(hidden("<path d='M0 0h1' visibility='collapse'/>"));
+    }
+
+    void transforms()
+    {
+        const auto moved = [](const QByteArray& transform) {
+            return pathsOf("<path d='M1 2L3 4' transform='" + transform + "'/>");
+        };
+        QCOMPARE(moved(""), "1,2 3,4");
+        QCOMPARE(moved("translate(10)"), "11,2 13,4");
+        QCOMPARE(moved(" translate( 10 , 20 ) "), "11,22 13,24");
+        QCOMPARE(moved("scale(2)"), "2,4 6,8");
+        QCOMPARE(moved("scale(2 -1)"), "2,-2 6,-4");
+        QCOMPARE(moved("rotate(90)"), "-2,1 -4,3");
+        QCOMPARE(moved("rotate(180 1 2)"), "1,2 -1,0");
+        QCOMPARE(moved("skewX(45)"), "3,2 7,4");
+        QCOMPARE(moved("skewY(45)"), "1,3 3,7");
+        QCOMPARE(moved("matrix(1 2 3 4 5 6)"), "12,16 20,28");
+        QCOMPARE(moved("translate(10)scale(2)"), "12,4 16,8");
+        QCOMPARE(moved("scale(2),translate(10)"), "22,4 26,8");
+        QCOMPARE(moved("translate(1e1-1)"), "11,1 13,3");
+        QCOMPARE(moved("turn(3)"), "1,2 3,4");
+        QCOMPARE(
+            pathsOf("<path d='M1 2L3 4' style='transform:translate(10px,1px) rotate(90deg)'/>"),
+            "8,2 6,4");
+        QCOMPARE(pathsOf("<path d='M1 2L3 4' transform='scale(0)'/>"), "");
+        QCOMPARE(reportOf("<path d='M1 2L3 4' transform='turn(3)'/>"),
+                 "1 transforms that are not understood");
+    }
+
+    void basicShapes()
+    {
+        QCOMPARE(pathsOf("<rect x='1' y='2' width='3' height='4'/>"), "1,2 4,2 4,6 1,6 z");
+        QCOMPARE(pathsOf("<rect width='10' height='10' rx='2'/>"),
+                 "2,0 8,0 ~10,2 10,8 ~8,10 2,10 ~0,8 0,2 ~2,0 z");
+        QCOMPARE(pathsOf("<rect width='10' height='10' rx='9' ry='1'/>"),
+                 "5,0 ~10,1 10,9 ~5,10 ~0,9 0,1 ~5,0 z");
+        QCOMPARE(pathsOf("<rect width='10' height='0'/>"), "");
+        QCOMPARE(pathsOf("<circle cx='5' cy='5' r='3'/>"), "8,5 ~5,8 ~2,5 ~5,2 ~8,5 z");
+        QCOMPARE(pathsOf("<circle r='0'/>"), "");
+        QCOMPARE(pathsOf("<ellipse cx='5' cy='5' rx='3' ry='1'/>"), "8,5 ~5,6 ~2,5 ~5,4 ~8,5 z");
+        QCOMPARE(pathsOf("<line x1='10%' y1='1in' x2='1cm' y2='.5'/>"), "10,96 37.795276,0.5");
+        QCOMPARE(pathsOf("<line x1='5' x2='5'/>"), "5,0");
+        QCOMPARE(pathsOf("<polyline points='1,2 3,4'/>"), "1,2 3,4");
+        QCOMPARE(pathsOf("<polygon points='1,2 3,4 5 6'/>"), "1,2 3,4 5,6 z");
+    }
+
+    void usedElements()
+    {
+        const QByteArray defs =
+            "<defs><path id='p' d='M0 0L1 1' fill='red'/>"
+            "<symbol id='s' viewBox='0 0 10 10'><path d='M0 0L10 10'/></symbol></defs>";
+        QCOMPARE(pathsOf(defs + "<use href='#p' x='5' y='6' transform='scale(2)'/>"),
+                 "10,12 12,14");
+        QCOMPARE(pathsOf(defs + "<use xlink:href='#s' width='50' height='20'/>"), "15,0 35,20");
+        QCOMPARE(pathsOf(defs + "<use xlink:href='#s' x='10'/>"), "10,0 110,100");
+        QCOMPARE(pathsOf("<svg x='10' y='20' width='50' height='50' viewBox='0 0 5 5'><path d='M0 "
+                         "0L1 1'/></svg>"),
+                 "10,20 20,30");
+        QCOMPARE(pathsOf("<svg width='50' height='20' viewBox='0 0 10 10' "
+                         "preserveAspectRatio='xMaxYMin slice' "
+                         "overflow='visible'><path d='M0 0L10 10'/></svg>"),
+                 "0,0 50,50");
+        QCOMPARE(pathsOf("<svg x='50'><line x2='100%'/></svg>"), "50,0 150,0");
+        QCOMPARE(pathsOf("<svg x='50' width='20'><line x2='90' stroke='red'/></svg>"), "50,0 70,0");
+        QCOMPARE(shapeOf(defs + "<use id='u' href='#p'/>").id, "u");
+        QCOMPARE(reportOf(defs + "<use href='#gone'/><use href='other.svg#p'/>"),
+                 "1 references to other files");
+    }
+
+    void clipPathsAreCutForReal()
+    {
+        const auto cut = [](const QByteArray& clip, const QByteArray& element) {
+            return pathsOf("<clipPath id='c'>" + clip + "</clipPath><g clip-path='url(#c)'>"
+                           + element + "</g>");
+        };
+        const QByteArray box = "<rect x='10' y='10' width='20' height='20'/>";
+        const QByteArray line = "<path d='M0 20L40 20' fill='none' stroke='red'/>";
+        QCOMPARE(cut(box, line), "10,20 30,20");
+        QCOMPARE(cut(box, "<path d='M0 0L5 9' stroke='red'/>"), "");
+        QCOMPARE(cut(box, "<path d='M12 12L20 20' fill='red'/>"), "12,12 20,20");
+        QCOMPARE(cut(box, "<path d='M0 20H15V40H25V20H40' fill='none' stroke='red'/>"),
+                 "10,20 15,20 15,30 | 25,30 25,20 30,20");
+        QCOMPARE(cut(box, "<path d='M20 0H40V40H20z' fill='red'/>"), "30,10 30,30 20,30 20,10 z");
+        QCOMPARE(cut("<path d='M20 0L40 20 20 40 0 20z'/>",
+                     "<path d='M0 10H40' stroke='red' fill='none'/>"),
+                 "10,10 30,10");
+        QCOMPARE(cut("<path d='M20 0L0 20 20 40 40 20z'/>",
+                     "<path d='M0 10H40' stroke='red' fill='none'/>"),
+                 "10,10 30,10");
+        QCOMPARE(cut("", line), "");
+        QCOMPARE(pathsOf("<clipPath id='c'>" + box
+                         + "</clipPath><path clip-path='url(#gone)' d='M0 0H9'/>"),
+                 "0,0 9,0");
+        QCOMPARE(reportOf("<clipPath id='c'>" + box
+                          + "</clipPath><g clip-path='url(#c)'/><g clip-path='url(#c)'/>"),
+                 "2 clip paths cut for real");
+        const QByteArray lost = "1 clip paths (not convex or not simple)";
+        for (const QByteArray clip :
+             {"<path d='M0 0H9L4 4 9 9H0z'/>", "<path d='M0 0L9 9 9 0 0 9z'/>", "<text>x</text>",
+              "<rect width='1' height='1'/><rect width='1' height='1'/>"}) {
+            const QByteArray elements =
+                "<clipPath id='c'>" + clip + "</clipPath><g clip-path='url(#c)'>" + line + "</g>";
+            QCOMPARE(reportOf(elements), lost);
+            QCOMPARE(pathsOf(elements), "0,20 40,20");
+        }
+    }
+
+    void cutCurvesStayCurves()
+    {
+        const auto shape = shapeOf("<clipPath id='c'><rect width='50' "
+                                   "height='100'/></clipPath><circle cx='50' cy='50' r='20' "
+                                   "fill='none' stroke='red' clip-path='url(#c)'/>");
+        QCOMPARE(text(shape.paths), "50,70 ~30,50 ~50,30");
+    }
+
+    void filledAndStrokedShapesBecomeTwo()
+    {
+        const auto result =
+            readText(drawing("<clipPath id='c'><rect width='50' height='100'/></clipPath><rect "
+                             "id='r' x='40' y='10' width='20' "
+                             "height='20' fill='red' stroke='blue' clip-path='url(#c)'/>"));
+        const auto& shapes = result.value->sheet.shapes;
+        QCOMPARE(shapes.size(), 2u);
+        QCOMPARE(text(shapes[0].paths), "40,10 50,10 50,30 40,30 z");
+        QVERIFY(shapes[0].style.fill && !shapes[0].style.stroke && shapes[0].id == "r");
+        QCOMPARE(text(shapes[1].paths), "50,30 40,30 40,10 50,10");
+        QVERIFY(!shapes[1].style.fill && shapes[1].style.stroke && shapes[1].id.isEmpty());
+    }
+
+    void whatCannotBeKeptIsReported()
+    {
+        QCOMPARE(reportOf("<text/><text/><image/><foreignObject/><script/><path d='M0 0h1' "
+                          "mask='url(#m)' filter='url(#f)' "
+                          "marker-end='url(#e)'><animate/></path>"),
+                 "2 texts; 1 images; 1 foreign objects; 1 scripts; 1 masks; 1 filters; 1 markers");
+        QCOMPARE(
+            reportOf("<title/><desc/><metadata/><defs><text/></defs><unknown><text/></unknown>"),
+            "");
+        QCOMPARE(reportOf("<switch><text/><path d='M0 0'/></switch>"), "1 texts");
+        QCOMPARE(reportOf("<g xmlns='http://other.example'><text/></g>"), "");
+    }
+
+    void idsAndNames()
+    {
+        QCOMPARE(shapeOf("<path id='a&amp;\xc3\xa9' d='M0 0h1'/>").id,
+                 QString::fromUtf8("a&\xc3\xa9"));
+    }
+};
+
+QTEST_APPLESS_MAIN(ReaderTest)
+#include "reader_test.moc"
