@@ -14,11 +14,13 @@ namespace app {
 // Each is defined in the file of its format.
 Format svgFormat();
 Format csvFormat();
+Format pdfFormat();
+Format pngFormat();
 
 // THE CATALOGUE. To add a format: write its file here, in app/formats/, and name it in both lists.
 std::span<const Format> formats()
 {
-    static const std::array all{svgFormat(), csvFormat()};
+    static const std::array all{svgFormat(), csvFormat(), pdfFormat(), pngFormat()};
     return all;
 }
 

@@ -2,12 +2,12 @@
 #include "app/formats/csv/writer.h"
 
 #include "app/document/flatten.h"
+#include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/text.h"
 #include "app/formats/number.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace app::csv {
@@ -82,31 +82,13 @@ private:
         for (const Path& path : shape.paths)
             flatten(path, tolerance_, chords_);
         for (const Chord& chord : chords_) {
-            point(chord.segment.a);
+            appendPoint(text_, chord.segment.a, ',', options_);
             text_ += ',';
-            point(chord.segment.b);
+            appendPoint(text_, chord.segment.b, ',', options_);
             text_ += rest;
             if (text_.size() > bufferSize)
                 flush();
         }
-    }
-
-    void point(const Point& p)
-    {
-        coordinate(p.x, 0);
-        text_ += ',';
-        coordinate(p.y, 1);
-    }
-
-    void coordinate(double value, int axis)
-    {
-        constexpr double all = std::numeric_limits<double>::infinity();
-        if (options_.precision < 0)
-            appendNumber(text_, value);
-        else
-            appendNumber(text_, value, options_.precision,
-                         options_.bounds ? options_.bounds->min[axis] : -all,
-                         options_.bounds ? options_.bounds->max[axis] : all);
     }
 
     void flush()

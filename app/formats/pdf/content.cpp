@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/pdf/content.h"
+
+#include "app/formats/coordinates.h"
+#include "app/formats/number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace app::pdf {
+namespace {
+
+std::string text(double value)
+{
+    std::string result;
+    appendNumber(result, value);
+    return result;
+}
+
+std::string stateName(int alpha) { return "/A" + std::to_string(alpha); }
+
+// Dashes and their phase, which PDF wants positive; an odd pattern twice, as poppler loses count of
+// it. What has no length is no pattern.
+std::string dashes(const Style& style)
+{
+    std::vector<double> pattern = style.dashes;
+    if (pattern.size() % 2 == 1)
+        pattern.insert(pattern.end(), style.dashes.begin(), style.dashes.end());
+    const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
+    if (!(period > 0))
+        return "[] 0 d\n";
+    std::string result = "[";
+    for (const double dash : pattern)
+        result += text(dash) + ' ';
+    const double phase = std::fmod(style.dashOffset, period);
+    return result + "] " + text(phase < 0 ? phase + period : phase) + " d\n";
+}
+
+std::string colour(const Colour& c)
+{
+    const auto part = [](std::uint8_t value) {
+        std::string result;
+        appendNumber(result, value / 255.0, 4, 0, 1); // enough for the same byte
+        return result;
+    };
+    return part(c.red) + ' ' + part(c.green) + ' ' + part(c.blue);
+}
+
+// Width, cap, join, miter limit and dashes.
+std::string pen(const Style& style)
+{
+    return text(style.width) + " w " + std::to_string(int(style.cap)) + " J "
+           + std::to_string(int(style.join)) + " j " + text(std::max(1.0, style.miterLimit)) + " M "
+           + dashes(style);
+}
+static_assert(int(Cap::Butt) == 0 && int(Cap::Round) == 1 && int(Cap::Square) == 2);
+static_assert(int(Join::Miter) == 0 && int(Join::Round) == 1 && int(Join::Bevel) == 2);
+
+} // namespace
+
+void Content::set(std::string& last, const std::string& now)
+{
+    if (now != last)
+        text_ += last = now;
+}
+
+void Content::place(double scale, const Point& origin)
+{
+    text_ += text(scale) + " 0 0 " + text(-scale) + ' ' + text(origin.x) + ' ' + text(origin.y)
+             + " cm\n";
+}
+
+void Content::paint(const Shape& shape)
+{
+    const Style& style = shape.style;
+    if (style.fill) {
+        setAlpha(style.fill->alpha);
+        set(fill_, colour(*style.fill) + " rg\n");
+        outline(shape);
+        text_ += style.fillRule == FillRule::EvenOdd ? "f*\n" : "f\n";
+    }
+    if (style.stroke && style.width > 0) {
+        setAlpha(style.stroke->alpha);
+        set(stroke_, colour(*style.stroke) + " RG\n");
+        set(pen_, pen(style));
+        outline(shape);
+        text_ += "S\n";
+    }
+}
+
+void Content::outline(const Shape& shape)
+{
+    const auto point = [&](const Point& p, const char* operation) {
+        appendPoint(text_, p, ' ', options_);
+        text_ += operation;
+    };
+    for (const Path& path : shape.paths) {
+        point(path.start, " m\n");
+        for (const Stretch& stretch : path.stretches) {
+            if (!stretch.curved) {
+                point(stretch.to, " l\n");
+                continue;
+            }
+            for (const Point& control : {stretch.control1, stretch.control2}) {
+                appendControl(text_, control, ' ', options_);
+                text_ += ' ';
+            }
+            point(stretch.to, " c\n");
+        }
+        if (path.stretches.empty())
+            point(path.start, " l\n"); // a point: a line without length
+        if (path.closed)
+            text_ += "h\n";
+    }
+}
+
+void Content::setAlpha(std::uint8_t alpha)
+{
+    if (alpha != 255 || !alphas_.empty()) {
+        alphas_.insert(alpha);
+        set(alpha_, stateName(alpha) + " gs\n");
+    }
+}
+
+std::string Content::resources() const
+{
+    std::string states;
+    for (const int alpha : alphas_) {
+        const std::string value = text(std::round(alpha / 255.0 * 10'000) / 10'000);
+        states += stateName(alpha) + "<</CA " + value + "/ca " + value + ">>";
+    }
+    return states.empty() ? states : "/ExtGState<<" + states + ">>";
+}
+
+} // namespace app::pdf

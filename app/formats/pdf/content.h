@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+#include <set>
+#include <string>
+
+namespace app::pdf {
+
+/// The content stream of a page: the operators that paint shapes.
+class Content {
+public:
+    explicit Content(const WriteOptions& options) : options_(options) {}
+
+    /// From now on a user unit is `scale` units of the page, y goes down, and the user's origin
+    /// lies at `origin` on the page.
+    void place(double scale, const Point& origin);
+
+    void paint(const Shape& shape);
+
+    QByteArray bytes() const { return QByteArray::fromStdString(text_); }
+    std::string resources() const; ///< the page's dictionary of what the stream names
+
+private:
+    void outline(const Shape& shape);
+    void setAlpha(std::uint8_t alpha);
+    void set(std::string& last, const std::string& now); ///< a state, where it changes
+
+    const WriteOptions& options_;
+    std::string text_;
+    std::string alpha_, fill_, stroke_, pen_; ///< what is set
+    std::set<int> alphas_;
+};
+
+} // namespace app::pdf

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/pdf/writer.h"
+
+#include "app/formats/number.h"
+#include "app/formats/paper.h"
+#include "app/formats/pdf/content.h"
+#include "app/formats/seen_part.h"
+
+#include <algorithm>
+
+namespace app::pdf {
+namespace {
+
+constexpr double pointsPerMillimetre = 72 / 25.4;
+constexpr double largestPage = 14'400; // units; larger pages have larger units
+
+std::string text(double number)
+{
+    std::string result;
+    appendNumber(result, number);
+    return result;
+}
+
+/// The objects of a PDF file, numbered from 1 in the order in which they are added.
+class Objects {
+public:
+    explicit Objects(QIODevice& out) : out_(out) { put("%PDF-1.6\n%\xe2\xe3\xcf\xd3\n"); }
+
+    void add(const std::string& body)
+    {
+        offsets_.push_back(written_);
+        put(std::to_string(offsets_.size()) + " 0 obj\n" + body + "\nendobj\n");
+    }
+
+    void addStream(const QByteArray& bytes)
+    {
+        constexpr int sizeOfQtHeader = 4; // what follows is a zlib stream, as PDF wants it
+        const QByteArray packed = qCompress(bytes).sliced(sizeOfQtHeader);
+        add("<</Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n"
+            + packed.toStdString() + "\nendstream");
+    }
+
+    void finish(const std::string& trailer)
+    {
+        const qint64 table = written_;
+        const std::string size = std::to_string(offsets_.size() + 1);
+        std::string text = "xref\n0 " + size + "\n0000000000 65535 f \n";
+        for (const qint64 offset : offsets_) {
+            const std::string digits = std::to_string(offset);
+            text += std::string(10 - std::min<std::size_t>(10, digits.size()), '0') + digits
+                    + " 00000 n \n";
+        }
+        put(text + "trailer\n<</Size " + size + trailer + ">>\nstartxref\n" + std::to_string(table)
+            + "\n%%EOF\n");
+    }
+
+    bool failed() const { return failed_; }
+
+private:
+    void put(const std::string& text)
+    {
+        failed_ = failed_ || out_.write(text.data(), qint64(text.size())) != qint64(text.size());
+        written_ += qint64(text.size());
+    }
+
+    QIODevice& out_;
+    std::vector<qint64> offsets_;
+    qint64 written_ = 0;
+    bool failed_ = false;
+};
+
+std::string pageObject(const Point& size, double userUnit, const std::string& resources)
+{
+    std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + text(size.x) + ' ' + text(size.y)
+                       + "]/Contents 4 0 R/Resources<<" + resources
+                       + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
+    if (userUnit > 1)
+        page += "/UserUnit " + text(userUnit);
+    return page + ">>";
+}
+
+} // namespace
+
+std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+{
+    const Paper paper = paperOf(sheet.page);
+    const Point points = paper.millimetres * pointsPerMillimetre;
+    const double userUnit = std::max(1.0, std::max(points.x, points.y) / largestPage);
+    const Point size = points / userUnit;
+    const double scale = paper.millimetresPerUnit * pointsPerMillimetre / userUnit;
+
+    Content content(options);
+    content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
+    for (const Shape& shape : seenPart(sheet).shapes)
+        content.paint(shape);
+
+    Objects objects(out);
+    objects.add("<</Type/Catalog/Pages 2 0 R>>");
+    objects.add("<</Type/Pages/Kids[3 0 R]/Count 1>>");
+    objects.add(pageObject(size, userUnit, content.resources()));
+    objects.addStream(content.bytes());
+    objects.add("<</Producer(Clearcut " CLEARCUT_VERSION ")>>");
+    objects.finish("/Root 1 0 R/Info 5 0 R");
+    return objects.failed() ? std::optional(out.errorString() + u'.') : std::nullopt;
+}
+
+} // namespace app::pdf

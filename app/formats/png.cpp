@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/format.h"
+#include "app/formats/paper.h"
+#include "app/formats/seen_part.h"
+#include "app/view/painter_path.h"
+
+#include <QCoreApplication>
+#include <QImageWriter>
+#include <QPainter>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace app {
+namespace {
+
+// Beyond them QPainter does not paint, and a picture takes more than 600 MB.
+constexpr double mostPixelsOfSide = 32'767, mostPixels = 150e6;
+constexpr double millimetresPerInch = 25.4;
+
+QString tr(const char* text) { return QCoreApplication::translate("formats", text); }
+
+QColor colourOf(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
+
+Qt::PenCapStyle capOf(Cap cap)
+{
+    return cap == Cap::Butt ? Qt::FlatCap : cap == Cap::Round ? Qt::RoundCap : Qt::SquareCap;
+}
+
+Qt::PenJoinStyle joinOf(Join join)
+{
+    return join == Join::Miter   ? Qt::SvgMiterJoin
+           : join == Join::Round ? Qt::RoundJoin
+                                 : Qt::BevelJoin;
+}
+
+QPen penOf(const Style& style, double pixelsPerUnit)
+{
+    QPen pen(colourOf(*style.stroke), style.width, Qt::SolidLine, capOf(style.cap),
+             joinOf(style.join));
+    pen.setMiterLimit(style.miterLimit);
+    constexpr double shortestPattern = 0.1; // pixels; a finer one is grey, and takes for ever
+    const double sum = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
+    if (sum * pixelsPerUnit < shortestPattern)
+        return pen;
+    QList<qreal> pattern; // in widths
+    for (int twice = style.dashes.size() % 2 == 0 ? 1 : 2; twice > 0; --twice)
+        for (const double dash : style.dashes)
+            pattern << dash / style.width;
+    pen.setDashPattern(pattern);
+    pen.setDashOffset(style.dashOffset / style.width);
+    return pen;
+}
+
+void paint(QPainter& painter, const Shape& shape, double pixelsPerUnit)
+{
+    const QPainterPath outline = painterPath(shape);
+    if (shape.style.fill)
+        painter.fillPath(outline, colourOf(*shape.style.fill));
+    if (!shape.style.stroke || !(shape.style.width > 0))
+        return;
+    painter.setPen(penOf(shape.style, pixelsPerUnit));
+    painter.drawPath(outline);
+    for (const Path& path : shape.paths) // a point shows only its caps
+        if (path.stretches.empty() && shape.style.cap != Cap::Butt)
+            painter.drawPoint(QPointF(path.start.x, path.start.y));
+}
+
+std::optional<QString> tooLarge(const Point& pixels, double dpi)
+{
+    const double side = std::max(pixels.x, pixels.y), area = pixels.x * pixels.y;
+    if (side <= mostPixelsOfSide && area <= mostPixels)
+        return std::nullopt;
+    const double fits = dpi * std::min(mostPixelsOfSide / side, std::sqrt(mostPixels / area));
+    const auto number = [](double x) { return QString::number(x, 'f', 0); };
+    return tr("the picture would have %1 × %2 pixels, and %3 a side and %4 in all are the most. "
+              "Ask "
+              "for %5 dpi or less.")
+        .arg(number(pixels.x), number(pixels.y), number(mostPixelsOfSide), number(mostPixels),
+             fits >= 1 ? number(std::floor(fits)) : QString::number(fits, 'g', 2));
+}
+
+std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+{
+    const Paper paper = paperOf(sheet.page);
+    const Point pixels =
+        glm::max(Point{1, 1}, glm::round(paper.millimetres / millimetresPerInch * options.dpi));
+    if (auto sentence = tooLarge(pixels, options.dpi))
+        return sentence;
+    QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
+    if (image.isNull())
+        return tr("there is not enough memory for the picture. Ask for fewer dpi.");
+    image.fill(Qt::white); // paper
+    const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double scale = options.dpi / millimetresPerInch * paper.millimetresPerUnit;
+    painter.scale(scale, scale);
+    painter.translate(-paper.corner.x, -paper.corner.y);
+    for (const Shape& shape : seenPart(sheet).shapes)
+        paint(painter, shape, scale);
+    painter.end();
+
+    QImageWriter writer(&out, "png");
+    return writer.write(image) ? std::nullopt : std::optional(out.errorString() + u'.');
+}
+
+} // namespace
+
+Format pngFormat()
+{
+    return {"png", QCoreApplication::translate("formats", "PNG picture"), nullptr, write};
+}
+
+} // namespace app
