@@ -2,7 +2,7 @@
 #include "app/command_line/command.h"
 #include "ui/editor.h"
 
-#include <QGuiApplication>
+#include <QCoreApplication>
 
 int main(int argc, char** argv)
 {
@@ -10,8 +10,7 @@ int main(int argc, char** argv)
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
     if (app::isCommandLine(arguments)) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        const QGuiApplication application(argc, argv);
+        const QCoreApplication application(argc, argv);
         return app::runCommandLine(arguments);
     }
     return ui::runEditor(argc, argv, arguments);

@@ -37,7 +37,7 @@ std::vector<Command> commands();
 /// and so need no display. A file that is called like a command is opened as ./NAME or -- NAME.
 bool isCommandLine(const QStringList& arguments);
 
-/// Runs them and returns the exit code. Needs a QGuiApplication, no display. From then on a closed
+/// Runs them and returns the exit code. Needs a QCoreApplication, no display. From then on a closed
 /// pipe is an error like others, and Ctrl-C ends with 130.
 int runCommandLine(const QStringList& arguments);
 
