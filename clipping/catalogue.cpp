@@ -7,12 +7,19 @@
 namespace clipping {
 namespace {
 template <class...>
-struct List {};
+struct List {
+};
 } // namespace
 
 // THE CATALOGUE. To add an algorithm: write its file in algorithms/, and name it here.
 // clang-format off
 using Catalogue = List<
+    struct CohenSutherland,
+    struct LiangBarsky,
+    struct CyrusBeck,
+    struct NichollLeeNicholl,
+    struct Skala,
+    struct KodituwakkuWijeweeraChamikara,
     struct MatthesDrakopoulos
 >;
 // clang-format on

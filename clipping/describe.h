@@ -19,6 +19,9 @@ struct About {
     double ulps;
 };
 
+/// k of the contract. Derived in clipping/README.md for all rows at once.
+inline constexpr double maxUlps = 16;
+
 /// Whether the contract promises anything for this input: all finite, and min <= max.
 constexpr bool withinContract(const Segment& s, const Window& w)
 {
@@ -101,10 +104,17 @@ template <class Method>
 Algorithm describe()
 {
     constexpr About about = Method::about;
-    return {about.key,  about.abbreviation, about.name,
-            about.year, about.idea,         about.ulps,
-            uses<Method, Form::Corrected>,  &uses<Method, Form::Published>,
-            nullptr,    nullptr,            nullptr};
+    return {about.key,
+            about.abbreviation,
+            about.name,
+            about.year,
+            about.idea,
+            about.ulps,
+            uses<Method, Form::Corrected>,
+            &uses<Method, Form::Published>,
+            nullptr,
+            nullptr,
+            nullptr};
 }
 
 } // namespace clipping

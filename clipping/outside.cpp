@@ -21,11 +21,11 @@ std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> ins
             continue;
         }
         if (part->segment.a != whole.a)
-            out[written++] = {{whole.a, part->segment.a}, source,
-                              cutAt(Edge::None, cutEdgeOfA(part->cut))};
+            out[written++] = {
+                {whole.a, part->segment.a}, source, cutAt(Edge::None, cutEdgeOfA(part->cut))};
         if (part->segment.b != whole.b)
-            out[written++] = {{part->segment.b, whole.b}, source,
-                              cutAt(cutEdgeOfB(part->cut), Edge::None)};
+            out[written++] = {
+                {part->segment.b, whole.b}, source, cutAt(cutEdgeOfB(part->cut), Edge::None)};
     }
     return written;
 }

@@ -56,8 +56,12 @@ public:
     void operator()(std::string_view what, int line, const BasicSegment<Counted<double>>& segment,
                     Edge edge, const Named<T>&... values)
     {
-        trace_.steps.push_back({what, line, plain(segment), edge,
-                                {NamedValue{values.name, plain(values.value)}...}, operations});
+        trace_.steps.push_back({what,
+                                line,
+                                plain(segment),
+                                edge,
+                                {NamedValue{values.name, plain(values.value)}...},
+                                operations});
     }
     void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }
     bool ended() const { return trace_.outcome != Outcome::DidNotEnd; }

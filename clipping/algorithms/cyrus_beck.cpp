@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Cyrus-Beck (1978), which clips against any convex polygon; here the polygon is the window.
+//
+//   M. Cyrus, J. Beck: Generalized Two- and Three-Dimensional Clipping.
+//   Computers & Graphics 3(1), 1978, 23-28.
+//
+// Corrected: the inner normals have length 1, so that a window without height or width keeps
+// them and no triple product arises; a new end takes the coordinate of the edge that cut it, and
+// its other coordinate is held inside the window.
+
+#include "clipping/along.h"
+#include "clipping/describe.h"
+
+#include <array>
+
+namespace clipping {
+
+struct CyrusBeck {
+    static constexpr About about{
+        .key = "cyrus-beck",
+        .abbreviation = "CB",
+        .name = "Cyrus-Beck",
+        .year = 1978,
+        .idea =
+            "Ask the inner normal of every edge whether the segment enters or leaves there; the "
+            "last entry and the first exit bound what is visible.",
+        .ulps = maxUlps,
+    };
+    static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
+
+    template <class T>
+    using Corners = std::array<glm::vec<2, T>, 4>;
+
+    /// The normal of edge i of the polygon, pointing inside.
+    template <Form form, class T>
+    static constexpr glm::vec<2, T> innerNormal(const Corners<T>& corners, std::size_t i)
+    {
+        const auto& from = corners[i];
+        const auto& to = corners[(i + 1) % 4];
+        if constexpr (form == Form::Published)
+            return {from.y - to.y, to.x - from.x};
+        constexpr Corners<int> unit{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
+        return {T(unit[i].x), T(unit[i].y)};
+    }
+
+    /// Where the line passes edge i, if it does: t from 0 at a to 1 at b.
+    template <Form form, class T, class Watch>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Watch&& watch)
+    {
+        const Corners<T> corners{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
+        const T dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
+        T entry(0), exit(1);
+        Edge entryEdge = Edge::None, exitEdge = Edge::None;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto normal = innerNormal<form>(corners, i);
+            const T speed = normal.x * dx + normal.y * dy;
+            const T depth = normal.x * (s.a.x - corners[i].x) + normal.y * (s.a.y - corners[i].y);
+            if (speed == T(0)) {
+                if (depth < T(0)) {
+                    watch("reject", 6, s, edges[i], Named{"D", speed}, Named{"N", depth});
+                    return std::nullopt;
+                }
+                continue;
+            }
+            const T t = -depth / speed;
+            if (speed > T(0)) {
+                if (t > entry)
+                    entry = t, entryEdge = edges[i];
+                watch("entry", 8, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+            } else {
+                if (t < exit)
+                    exit = t, exitEdge = edges[i];
+                watch("exit", 9, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+            }
+        }
+        if (entry > exit) {
+            watch("reject", 10, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
+            return std::nullopt;
+        }
+        BasicSegment<T> visible = s;
+        if (exit < T(1)) {
+            visible.b = along<form>(s, dx, dy, exit, exitEdge, w);
+            watch("cut b", 11, visible, exitEdge, Named{"tL", exit});
+        } else if constexpr (form == Form::Corrected)
+            visible.b = clamped(s.b, w);
+        if (entry > T(0)) {
+            visible.a = along<form>(s, dx, dy, entry, entryEdge, w);
+            if constexpr (form == Form::Corrected)
+                if (entry == exit)
+                    visible.a = visible.b;
+            watch("cut a", 12, visible, entryEdge, Named{"tE", entry});
+        } else if constexpr (form == Form::Corrected)
+            visible.a = clamped(s.a, w);
+        watch("accept", 13, visible, Edge::None);
+        return visible;
+    }
+};
+
+template Algorithm describe<CyrusBeck>();
+
+} // namespace clipping

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Liang-Barsky (1984).
+//
+//   Y.-D. Liang, B. A. Barsky: A New Concept and Method for Line Clipping.
+//   ACM Transactions on Graphics 3(1), 1984, 1-22.
+//
+// Corrected: a new end takes the coordinate of the edge that cut it, and its other coordinate is
+// held inside the window; a single common point is the same point at both ends.
+
+#include "clipping/along.h"
+#include "clipping/describe.h"
+
+namespace clipping {
+
+struct LiangBarsky {
+    static constexpr About about{
+        .key = "liang-barsky",
+        .abbreviation = "LB",
+        .name = "Liang-Barsky",
+        .year = 1984,
+        .idea =
+            "Walk along the segment from 0 to 1, and let each edge raise the start or lower the "
+            "stop.",
+        .ulps = maxUlps,
+    };
+
+    /// The part of the segment that is left: from `start` to `stop`, and the edges that said so.
+    template <class T>
+    struct Part {
+        T start, stop;
+        Edge startEdge = Edge::None, stopEdge = Edge::None;
+    };
+
+    /// Cuts the part at one edge; p is how fast the segment leaves that edge's half-plane, q how
+    /// far its first end is from leaving it. False: nothing is left.
+    template <class T, class Watch>
+    static constexpr bool cut(Part<T>& part, T p, T q, Edge edge, const BasicSegment<T>& s,
+                              Watch& watch)
+    {
+        if (p < T(0)) {
+            const T r = q / p;
+            if (r > part.stop)
+                return watch("reject", 3, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r}),
+                       false;
+            if (r > part.start) {
+                part.start = r, part.startEdge = edge;
+                watch("start", 4, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
+            }
+        } else if (p > T(0)) {
+            const T r = q / p;
+            if (r < part.start)
+                return watch("reject", 6, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r}),
+                       false;
+            if (r < part.stop) {
+                part.stop = r, part.stopEdge = edge;
+                watch("stop", 7, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
+            }
+        } else if (q < T(0))
+            return watch("reject", 8, s, edge, Named{"p", p}, Named{"q", q}), false;
+        return true;
+    }
+
+    template <Form form, class T, class Watch>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Watch&& watch)
+    {
+        Part<T> part{T(0), T(1)};
+        const T dx = s.b.x - s.a.x;
+        if (!cut(part, -dx, s.a.x - w.min.x, Edge::Left, s, watch)
+            || !cut(part, dx, w.max.x - s.a.x, Edge::Right, s, watch))
+            return std::nullopt;
+        const T dy = s.b.y - s.a.y;
+        if (!cut(part, -dy, s.a.y - w.min.y, Edge::Bottom, s, watch)
+            || !cut(part, dy, w.max.y - s.a.y, Edge::Top, s, watch))
+            return std::nullopt;
+
+        BasicSegment<T> visible = s;
+        if (part.stop < T(1)) {
+            visible.b = along<form>(s, dx, dy, part.stop, part.stopEdge, w);
+            watch("cut b", 13, visible, part.stopEdge, Named{"u", part.stop});
+        } else if constexpr (form == Form::Corrected)
+            visible.b = clamped(s.b, w);
+        if (part.start > T(0)) {
+            visible.a = along<form>(s, dx, dy, part.start, part.startEdge, w);
+            if constexpr (form == Form::Corrected)
+                if (part.start == part.stop)
+                    visible.a = visible.b;
+            watch("cut a", 14, visible, part.startEdge, Named{"u", part.start});
+        } else if constexpr (form == Form::Corrected)
+            visible.a = clamped(s.a, w);
+        watch("accept", 15, visible, Edge::None);
+        return visible;
+    }
+};
+
+template Algorithm describe<LiangBarsky>();
+
+} // namespace clipping
