@@ -18,9 +18,9 @@ void Walk::addClipPath(Node node, Place& place)
     const auto region = local ? clipRegion(clip, place) : std::nullopt;
     if (region) {
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
-        report_.remark(tr("clip paths cut for real"));
+        report_.add(losses::cutClipPath);
     } else {
-        report_.lost(tr("clip paths (not convex or not simple)"));
+        report_.add(losses::clipPath);
     }
     node_ = node;
 }
@@ -94,13 +94,14 @@ void Walk::addClipped(Shape shape, const Place& place)
         for (Shape& one : shapes) {
             auto clipped = clipShape(one, **region, tolerance_);
             if (!clipped) {
-                report_.lost(tr("clip paths (not convex or not simple)"));
+                report_.add(losses::clipPath);
                 kept.push_back(std::move(one));
                 continue;
             }
             clipWork_ += clipped->work;
             if (clipWork_ > mostClipWork)
-                throw Refused{tr("is where clip paths become too much work; remove some of them.")};
+                throw Refused{
+                    Text::tr("is where clip paths become too much work; remove some of them.")};
             std::ranges::move(clipped->shapes, std::back_inserter(kept));
         }
         shapes = std::move(kept);

@@ -264,7 +264,8 @@ void StyleSheet::countTried(std::size_t count)
 {
     tried_ += count;
     if (tried_ > mostDeclarations)
-        throw Refused{tr("its style sheet is too large for so many elements."), Refused::wholeFile};
+        throw Refused{Text::tr("its style sheet is too large for so many elements."),
+                      Refused::wholeFile};
 }
 
 bool StyleSheet::matches(const Tree& tree, Node node, const std::vector<Compound>& selector,

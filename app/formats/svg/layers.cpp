@@ -6,7 +6,7 @@
 
 namespace app::svg {
 
-Layers::Layers(Sheet& sheet) : sheet_(sheet), open_{{{tr("Drawing")}, {}}}
+Layers::Layers(Sheet& sheet) : sheet_(sheet), open_{{{Text::tr("Drawing")}, {}}}
 {
     sheet_.layers.clear();
 }
@@ -31,7 +31,7 @@ void Layers::begin(Open& open)
             layer.name = QStringLiteral("%1 (%2)").arg(layer.name).arg(open.parts);
         sheet_.layers.push_back(layer);
     } else if (!merged_) {
-        sheet_.layers.push_back({tr("All further layers")});
+        sheet_.layers.push_back({Text::tr("All further layers")});
         merged_ = true;
     }
     open.index = sheet_.layers.size() - 1;

@@ -51,11 +51,11 @@ std::optional<Colour> Paints::referenced(const Paint& paint)
     if (node != noNode && isGradient(tree_, node)) {
         const Gradient& found = gradient(node);
         if (!found.plain)
-            report_.lost(tr("gradients (their first colour is used)"));
+            report_.add(losses::gradient);
         return found.first;
     }
     if (node != noNode && tree_.name(node) == "pattern")
-        report_.lost(tr("patterns"));
+        report_.add(losses::pattern);
     return paint.hasFallback ? std::optional(paint.colour) : std::nullopt;
 }
 

@@ -190,7 +190,7 @@ private:
         at_ = stretch.to;
         control_ = stretch.control2;
         if (path_.stretches.size() > mostParts)
-            throw Refused{tr("has a path of more than %1 points.").arg(mostParts)};
+            throw Refused{Text::tr("has a path of more than %1 points.").arg(mostParts)};
     }
 
     bool close()

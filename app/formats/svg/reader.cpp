@@ -25,7 +25,7 @@ Imported import(const Tree& tree)
     }
     sheet.page = root.unsized ? pageAround(sheet.shapes) : root.page;
     sheet.window = readWindow(tree).value_or(sheet.page.rectangle());
-    imported.report = report.take();
+    imported.report = report.losses();
     return imported;
 }
 
@@ -35,12 +35,13 @@ Result<Imported> read(QIODevice& in)
 {
     if (in.peek(2) == "\x1f\x8b")
         return Result<Imported>::failure(
-            tr("it is compressed (.svgz). Unpack it with gunzip and open the .svg file."));
+            Text::tr("it is compressed (.svgz). Unpack it with gunzip and open the .svg file."));
     try {
         return Result<Imported>::of(import(Tree::read(in)));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
-            refused.line > 0 ? tr("line %1 %2").arg(refused.line).arg(refused.why) : refused.why);
+            refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)
+                             : refused.why);
     }
 }
 

@@ -15,6 +15,9 @@ struct Refused {
     qint64 line = here; ///< `here`: the reader puts in the line that it has come to
 };
 
-inline QString tr(const char* text) { return QCoreApplication::translate("svg", text); }
+/// The sentences' translations.
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(svg)
+};
 
 } // namespace app::svg

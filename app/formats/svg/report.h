@@ -2,28 +2,22 @@
 #pragma once
 
 #include "app/formats/format.h"
-
-#include <algorithm>
+#include "app/formats/svg/losses.h"
 
 namespace app::svg {
 
 /// Counts what an import meets and cannot keep, or keeps in another way.
 class Report {
 public:
-    void lost(const QString& what, int count = 1) { add(what, count, false); }
-    void remark(const QString& what, int count = 1) { add(what, count, true); }
-    std::vector<Loss> take() { return std::move(losses_); }
+    void add(const LossKind& kind, int count = 1);
+    std::vector<Loss> losses() const; ///< in the order in which they were met
 
 private:
-    void add(const QString& what, int count, bool remark)
-    {
-        const auto found = std::ranges::find(losses_, what, &Loss::what);
-        if (found != losses_.end())
-            found->count += count;
-        else if (count > 0)
-            losses_.push_back({what, count, remark});
-    }
-    std::vector<Loss> losses_;
+    struct Counted {
+        const LossKind* kind;
+        int count;
+    };
+    std::vector<Counted> counted_;
 };
 
 } // namespace app::svg

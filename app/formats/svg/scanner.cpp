@@ -18,8 +18,8 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 [[noreturn]] void refuse(std::string_view text)
 {
     const auto end = std::min(text.find_first_of(" ,;()\t\r\n"), std::size_t(20));
-    throw Refused{
-        tr("has %1 where a finite number should be.").arg(QString::fromUtf8(text.substr(0, end)))};
+    throw Refused{Text::tr("has %1 where a finite number should be.")
+                      .arg(QString::fromUtf8(text.substr(0, end)))};
 }
 
 // std::from_chars does not tell "too large" from "too small"; only the latter has a negative

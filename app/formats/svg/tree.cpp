@@ -33,7 +33,16 @@ void append(std::string& text, QStringView added)
     else
         text += added.toUtf8().toStdString();
     if (text.size() > mostText)
-        throw Refused{tr("it holds more than %1 bytes of text.").arg(mostText), Refused::wholeFile};
+        throw Refused{Text::tr("it holds more than %1 bytes of text.").arg(mostText),
+                      Refused::wholeFile};
+}
+
+// What comes from the file, in one line of a sentence.
+QString quotable(QStringView text)
+{
+    constexpr qsizetype most = 80;
+    const QString line = text.toString().simplified();
+    return line.size() <= most ? line : line.left(most) + u'…';
 }
 
 // The sentence for a file that is not XML to its end.
@@ -41,14 +50,14 @@ Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
 {
     const qint64 line = xml.lineNumber();
     if (xml.error() == QXmlStreamReader::PrematureEndOfDocumentError)
-        return elements == 0 ? Refused{tr("it is empty."), Refused::wholeFile}
-                             : Refused{tr("is not complete; the file ends too early."), line};
-    QString reason = xml.errorString().trimmed();
+        return elements == 0 ? Refused{Text::tr("it is empty."), Refused::wholeFile}
+                             : Refused{Text::tr("is not complete; the file ends too early."), line};
+    QString reason = quotable(xml.errorString());
     while (reason.endsWith(u'.'))
         reason.chop(1);
     if (elements == 0)
-        return {tr("it is not an SVG drawing (%1).").arg(reason), Refused::wholeFile};
-    return {tr("is not correct XML (%1).").arg(reason), line};
+        return {Text::tr("it is not an SVG drawing (%1).").arg(reason), Refused::wholeFile};
+    return {Text::tr("is not correct XML (%1).").arg(reason), line};
 }
 
 } // namespace
@@ -88,15 +97,15 @@ private:
     {
         const auto name = nameIndex(xml_.namespaceUri(), xml_.name());
         if (tree_.elements_.empty() && tree_.names_[name] != "svg")
-            throw Refused{
-                tr("it is not an SVG drawing; its first element is <%1>.").arg(xml_.name()),
-                Refused::wholeFile};
+            throw Refused{Text::tr("it is not an SVG drawing; its first element is <%1>.")
+                              .arg(quotable(xml_.name())),
+                          Refused::wholeFile};
         if (open_.size() == deepestNesting)
-            throw Refused{
-                tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting),
-                xml_.lineNumber()};
+            throw Refused{Text::tr("nests elements deeper than %1; ungroup some of them.")
+                              .arg(deepestNesting),
+                          xml_.lineNumber()};
         if (tree_.elements_.size() == mostElements)
-            throw Refused{tr("it has more than %1 elements.").arg(mostElements),
+            throw Refused{Text::tr("it has more than %1 elements.").arg(mostElements),
                           Refused::wholeFile};
         const Node parent = open_.empty() ? noNode : open_.back();
         open_.push_back(Node(tree_.elements_.size()));

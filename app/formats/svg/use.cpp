@@ -14,12 +14,12 @@ void Walk::drawUse(Node node, const Place& around)
     const Node target = tree_.findReference(href);
     if (target == noNode) {
         if (!trimmed(href).starts_with('#'))
-            report_.lost(tr("references to other files"));
+            report_.add(losses::otherFile);
         return;
     }
     const bool ownAncestor = target <= node && node < tree_.end(target);
     if (ownAncestor || std::ranges::find(used_, target) != used_.end())
-        throw Refused{tr("has a <use> that repeats itself for ever.")};
+        throw Refused{Text::tr("has a <use> that repeats itself for ever.")};
     const Point shift{place.lengths.x(tree_.attribute(node, "x")).value_or(0),
                       place.lengths.y(tree_.attribute(node, "y")).value_or(0)};
     place.matrix = place.matrix * translation(shift);

@@ -14,19 +14,19 @@ namespace {
 // What is drawn by others and cannot be kept. Everything else draws nothing by itself.
 struct Foreign {
     std::string_view element;
-    const char* what;
+    const LossKind* loss;
 };
 constexpr std::array foreigners{
-    Foreign{"text", QT_TRANSLATE_NOOP("svg", "texts")},
-    Foreign{"flowRoot", QT_TRANSLATE_NOOP("svg", "texts")},
-    Foreign{"image", QT_TRANSLATE_NOOP("svg", "images")},
-    Foreign{"foreignObject", QT_TRANSLATE_NOOP("svg", "foreign objects")},
-    Foreign{"animate", QT_TRANSLATE_NOOP("svg", "animations")},
-    Foreign{"animateTransform", QT_TRANSLATE_NOOP("svg", "animations")},
-    Foreign{"animateMotion", QT_TRANSLATE_NOOP("svg", "animations")},
-    Foreign{"animateColor", QT_TRANSLATE_NOOP("svg", "animations")},
-    Foreign{"set", QT_TRANSLATE_NOOP("svg", "animations")},
-    Foreign{"script", QT_TRANSLATE_NOOP("svg", "scripts")},
+    Foreign{"text", &losses::text},
+    Foreign{"flowRoot", &losses::text},
+    Foreign{"image", &losses::image},
+    Foreign{"foreignObject", &losses::foreignObject},
+    Foreign{"animate", &losses::animation},
+    Foreign{"animateTransform", &losses::animation},
+    Foreign{"animateMotion", &losses::animation},
+    Foreign{"animateColor", &losses::animation},
+    Foreign{"set", &losses::animation},
+    Foreign{"script", &losses::script},
 };
 
 const Foreign* findForeign(std::string_view element)
@@ -74,8 +74,8 @@ void Walk::drawAll(const Matrix& rootMatrix, const Point& viewport)
     place.lengths.viewport = viewport;
     drawChildren(0, inside(0, place));
     layers_.finish();
-    report_.lost(tr("style rules"), styles_.ignoredRules());
-    report_.lost(tr("layers above the first 999 (put into one)"), layers_.merged() ? 1 : 0);
+    report_.add(losses::styleRule, styles_.ignoredRules());
+    report_.add(losses::layers, layers_.merged() ? 1 : 0);
 }
 
 void Walk::draw(Node node, const Place& around)
@@ -83,17 +83,17 @@ void Walk::draw(Node node, const Place& around)
     node_ = node;
     if (around.depth > deepestNesting)
         throw Refused{
-            tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
+            Text::tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
     if (around.repeated && ++repeated_ > mostRepeated)
         throw Refused{
-            tr("is where elements repeated by <use> become more than %1.").arg(mostRepeated)};
+            Text::tr("is where elements repeated by <use> become more than %1.").arg(mostRepeated)};
     const auto name = tree_.name(node);
     if (const Row* row = find(name)) {
         (this->*row->draw)(node, around);
         return;
     }
     if (const Foreign* foreign = findForeign(name))
-        report_.lost(tr(foreign->what));
+        report_.add(*foreign->loss);
 }
 
 void Walk::drawChildren(Node node, const Place& place)
@@ -114,7 +114,7 @@ Place Walk::inside(Node node, const Place& around)
     if (const auto matrix = parseTransform(place.properties.transform))
         place.matrix = place.matrix * *matrix;
     else
-        report_.lost(tr("transforms that are not understood"));
+        report_.add(losses::transform);
     if (!place.properties.clipPath.empty())
         addClipPath(node, place);
     return place;
@@ -123,13 +123,13 @@ Place Walk::inside(Node node, const Place& around)
 void Walk::reportEffects(const Properties& properties, bool group)
 {
     if (!properties.mask.empty())
-        report_.lost(tr("masks"));
+        report_.add(losses::mask);
     if (!properties.filter.empty())
-        report_.lost(tr("filters"));
+        report_.add(losses::filter);
     if (!properties.blending.empty())
-        report_.lost(tr("blend modes"));
+        report_.add(losses::blending);
     if (group && properties.opacity < 1)
-        report_.remark(tr("group opacities (given to each shape)"));
+        report_.add(losses::groupOpacity);
 }
 
 void Walk::drawGroup(Node node, const Place& around)
@@ -183,13 +183,13 @@ void Walk::drawOutline(Node node, const Place& around)
     shape.style =
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());
     if (properties.longDashes)
-        report_.lost(tr("dash patterns that are too long"));
+        report_.add(losses::longDashes);
     if (kind->takesMarkers
         && !(properties.markerStart.empty() && properties.markerMid.empty()
              && properties.markerEnd.empty()))
-        report_.lost(tr("markers"));
+        report_.add(losses::marker);
     if (shape.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
-        report_.lost(tr("unevenly stretched strokes (made even)"));
+        report_.add(losses::unevenStroke);
     shape.hidden = place.hidden || !properties.visible;
     shape.id = QString::fromUtf8(
         around.useId.empty() && !place.repeated ? tree_.attribute(node, "id") : around.useId);
@@ -199,11 +199,11 @@ void Walk::drawOutline(Node node, const Place& around)
 std::vector<Path> Walk::placed(Outline outline, const Matrix& matrix)
 {
     if (outline.damaged)
-        report_.lost(tr("damaged shapes (kept as far as they are clear)"));
+        report_.add(losses::damaged);
     for (Path& path : outline.paths) {
         transform(path, matrix);
         if (!finite(path))
-            throw Refused{tr("has a coordinate that is too large to be drawn.")};
+            throw Refused{Text::tr("has a coordinate that is too large to be drawn.")};
     }
     return std::move(outline.paths);
 }
@@ -212,12 +212,12 @@ void Walk::countParts(const Shape& shape)
 {
     const Style& style = shape.style;
     if (!(style.width <= largestCoordinate && std::abs(style.dashOffset) <= largestCoordinate))
-        throw Refused{tr("has a stroke that is too large to be drawn.")};
+        throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
     parts_ += 1 + style.dashes.size();
     for (const Path& path : shape.paths)
         parts_ += 1 + path.stretches.size();
     if (parts_ > mostParts)
-        throw Refused{tr("is where the drawing has more than %1 points.").arg(mostParts)};
+        throw Refused{Text::tr("is where the drawing has more than %1 points.").arg(mostParts)};
 }
 
 } // namespace app::svg

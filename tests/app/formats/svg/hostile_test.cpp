@@ -158,9 +158,8 @@ private slots:
 
     void damagedShapesAreKeptAsFarAsTheyAreClear()
     {
-        QCOMPARE(reportOf("<path d='M0 0L1 1L'/>"),
-                 "1 damaged shapes (kept as far as they are clear)");
-        QCOMPARE(reportOf("<circle r='red'/>"), "1 damaged shapes (kept as far as they are clear)");
+        QCOMPARE(reportOf("<path d='M0 0L1 1L'/>"), "1 damaged shape (kept as far as it is clear)");
+        QCOMPARE(reportOf("<circle r='red'/>"), "1 damaged shape (kept as far as it is clear)");
         QCOMPARE(shapeOf("<path d='M0 0L1 1L'/>").paths.at(0).stretches.size(), 1u);
     }
 
@@ -192,7 +191,7 @@ private slots:
         const QByteArray line = "<path d='M0 0h1' stroke='red' stroke-dasharray='"
                                 + QByteArray("1 ").repeated(100'000) + "'/>";
         QVERIFY(shapeOf(line).style.dashes.empty());
-        QCOMPARE(reportOf(line), "1 dash patterns that are too long");
+        QCOMPARE(reportOf(line), "1 dash pattern that is too long");
     }
 
     void aMillionPointsAreAllRead()

@@ -150,7 +150,7 @@ private slots:
             "8,2 6,4");
         QCOMPARE(pathsOf("<path d='M1 2L3 4' transform='scale(0)'/>"), "");
         QCOMPARE(reportOf("<path d='M1 2L3 4' transform='turn(3)'/>"),
-                 "1 transforms that are not understood");
+                 "1 transform that is not understood");
     }
 
     void basicShapes()
@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(pathsOf("<svg x='50' width='20'><line x2='90' stroke='red'/></svg>"), "50,0 70,0");
         QCOMPARE(shapeOf(defs + "<use id='u' href='#p'/>").id, "u");
         QCOMPARE(reportOf(defs + "<use href='#gone'/><use href='other.svg#p'/>"),
-                 "1 references to other files");
+                 "1 reference to another file");
     }
 
     void clipPathsAreCutForReal()
@@ -219,8 +219,8 @@ private slots:
                  "0,0 9,0");
         QCOMPARE(reportOf("<clipPath id='c'>" + box
                           + "</clipPath><g clip-path='url(#c)'/><g clip-path='url(#c)'/>"),
-                 "2 clip paths cut for real");
-        const QByteArray lost = "1 clip paths (not convex or not simple)";
+                 "2 clip paths were cut for real");
+        const QByteArray lost = "1 clip path that is not convex";
         for (const QByteArray clip :
              {"<path d='M0 0H9L4 4 9 9H0z'/>", "<path d='M0 0L9 9 9 0 0 9z'/>", "<text>x</text>",
               "<rect width='1' height='1'/><rect width='1' height='1'/>"}) {
@@ -255,14 +255,15 @@ private slots:
 
     void whatCannotBeKeptIsReported()
     {
-        QCOMPARE(reportOf("<text/><text/><image/><foreignObject/><script/><path d='M0 0h1' "
-                          "mask='url(#m)' filter='url(#f)' "
-                          "marker-end='url(#e)'><animate/></path>"),
-                 "2 texts; 1 images; 1 foreign objects; 1 scripts; 1 masks; 1 filters; 1 markers");
+        QCOMPARE(
+            reportOf("<text/><text/><image/><foreignObject/><script/><path d='M0 0h1' "
+                     "mask='url(#m)' filter='url(#f)' "
+                     "marker-end='url(#e)'><animate/></path>"),
+            "2 texts; 1 image; 1 foreign object; 1 script; 1 mask; 1 filter; 1 line with markers");
         QCOMPARE(
             reportOf("<title/><desc/><metadata/><defs><text/></defs><unknown><text/></unknown>"),
             "");
-        QCOMPARE(reportOf("<switch><text/><path d='M0 0'/></switch>"), "1 texts");
+        QCOMPARE(reportOf("<switch><text/><path d='M0 0'/></switch>"), "1 text");
         QCOMPARE(reportOf("<g xmlns='http://other.example'><text/></g>"), "");
     }
 

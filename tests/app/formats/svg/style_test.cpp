@@ -129,7 +129,8 @@ private slots:
 
     void rulesThatAreNotUnderstoodAreReported()
     {
-        QCOMPARE(reportOf("<style>.a:hover{} @media x{} .b{}</style>"), "2 style rules");
+        QCOMPARE(reportOf("<style>.a:hover{} @media x{} .b{}</style>"),
+                 "2 style rules that are not understood");
     }
 
     void inheritance()
@@ -187,7 +188,7 @@ private slots:
         QCOMPARE(scaled("scale(1,-4)").width, 4.0);
         QCOMPARE(scaled("scale(3)", "vector-effect='non-scaling-stroke'").width, 2.0);
         QCOMPARE(reportOf("<line x2='1' stroke='red' transform='scale(1,2)'/>"),
-                 "1 unevenly stretched strokes (made even)");
+                 "1 unevenly stretched stroke (made even)");
         QCOMPARE(reportOf("<line x2='1' fill='red' transform='scale(1,2)'/>"), "");
     }
 
@@ -210,7 +211,7 @@ private slots:
         QCOMPARE(fill("url(#nothing) #00f"), "0 0 255 255");
         QCOMPARE(fill("url(#nothing)"), "none");
         QCOMPARE(reportOf(defs + line + " fill='url(#r)' stroke='url(#p)'/>"),
-                 "1 patterns; 1 gradients (their first colour is used)");
+                 "1 pattern; 1 gradient (its first colour is used)");
         QCOMPARE(reportOf(defs + line + " fill='url(#one)'/>"), "");
     }
 };

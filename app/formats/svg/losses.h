@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtGlobal>
+
+// Everything that an import can fail to keep, or keeps in another way, as it is counted to people:
+// "1 mask", "2 masks".
+
+namespace app::svg {
+
+struct LossKind {
+    const char* one;
+    const char* many;
+    bool remark = false; ///< kept in another way
+};
+
+namespace losses {
+
+inline constexpr LossKind text{QT_TRANSLATE_NOOP("svg", "text"), QT_TRANSLATE_NOOP("svg", "texts")};
+inline constexpr LossKind image{QT_TRANSLATE_NOOP("svg", "image"),
+                                QT_TRANSLATE_NOOP("svg", "images")};
+inline constexpr LossKind foreignObject{QT_TRANSLATE_NOOP("svg", "foreign object"),
+                                        QT_TRANSLATE_NOOP("svg", "foreign objects")};
+inline constexpr LossKind animation{QT_TRANSLATE_NOOP("svg", "animation"),
+                                    QT_TRANSLATE_NOOP("svg", "animations")};
+inline constexpr LossKind script{QT_TRANSLATE_NOOP("svg", "script"),
+                                 QT_TRANSLATE_NOOP("svg", "scripts")};
+inline constexpr LossKind gradient{
+    QT_TRANSLATE_NOOP("svg", "gradient (its first colour is used)"),
+    QT_TRANSLATE_NOOP("svg", "gradients (their first colours are used)")};
+inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("svg", "pattern"),
+                                  QT_TRANSLATE_NOOP("svg", "patterns")};
+inline constexpr LossKind mask{QT_TRANSLATE_NOOP("svg", "mask"), QT_TRANSLATE_NOOP("svg", "masks")};
+inline constexpr LossKind filter{QT_TRANSLATE_NOOP("svg", "filter"),
+                                 QT_TRANSLATE_NOOP("svg", "filters")};
+inline constexpr LossKind blending{QT_TRANSLATE_NOOP("svg", "blend mode"),
+                                   QT_TRANSLATE_NOOP("svg", "blend modes")};
+inline constexpr LossKind marker{QT_TRANSLATE_NOOP("svg", "line with markers"),
+                                 QT_TRANSLATE_NOOP("svg", "lines with markers")};
+inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("svg", "clip path that is not convex"),
+                                   QT_TRANSLATE_NOOP("svg", "clip paths that are not convex")};
+inline constexpr LossKind unevenStroke{
+    QT_TRANSLATE_NOOP("svg", "unevenly stretched stroke (made even)"),
+    QT_TRANSLATE_NOOP("svg", "unevenly stretched strokes (made even)")};
+inline constexpr LossKind longDashes{QT_TRANSLATE_NOOP("svg", "dash pattern that is too long"),
+                                     QT_TRANSLATE_NOOP("svg", "dash patterns that are too long")};
+inline constexpr LossKind damaged{
+    QT_TRANSLATE_NOOP("svg", "damaged shape (kept as far as it is clear)"),
+    QT_TRANSLATE_NOOP("svg", "damaged shapes (kept as far as they are clear)")};
+inline constexpr LossKind transform{QT_TRANSLATE_NOOP("svg", "transform that is not understood"),
+                                    QT_TRANSLATE_NOOP("svg", "transforms that are not understood")};
+inline constexpr LossKind styleRule{
+    QT_TRANSLATE_NOOP("svg", "style rule that is not understood"),
+    QT_TRANSLATE_NOOP("svg", "style rules that are not understood")};
+inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
+                                    QT_TRANSLATE_NOOP("svg", "references to other files")};
+inline constexpr LossKind layers{
+    QT_TRANSLATE_NOOP("svg", "drawing with too many layers (the upper ones became one)"),
+    QT_TRANSLATE_NOOP("svg", "drawings with too many layers (the upper ones became one)")};
+
+inline constexpr LossKind cutClipPath{QT_TRANSLATE_NOOP("svg", "clip path was cut for real"),
+                                      QT_TRANSLATE_NOOP("svg", "clip paths were cut for real"),
+                                      true};
+inline constexpr LossKind groupOpacity{
+    QT_TRANSLATE_NOOP("svg", "group opacity was given to each shape"),
+    QT_TRANSLATE_NOOP("svg", "group opacities were given to each shape"), true};
+
+} // namespace losses
+} // namespace app::svg

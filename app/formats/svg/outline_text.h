@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+#include <string>
+
+namespace app::svg {
+
+/// Writes outlines as the shortest element that holds them: <line>, <polyline>, <polygon>, <path>;
+/// absolute coordinates, as relative ones would not read back bit for bit.
+class OutlineText {
+public:
+    explicit OutlineText(const WriteOptions& options) : options_(options) {}
+
+    /// The element's beginning, with its coordinates and without its end: `<line x1="0" ...`.
+    /// `paths` is not empty.
+    void append(std::string& text, const std::vector<Path>& paths) const;
+
+private:
+    void appendLine(std::string& text, const Point& from, const Point& to) const;
+    void appendPathData(std::string& text, const Path& path) const;
+    void appendPoint(std::string& text, const Point& p) const;
+    void appendControl(std::string& text, const Point& p) const;
+    void appendCoordinate(std::string& text, double value, int axis) const;
+
+    const WriteOptions& options_;
+};
+
+} // namespace app::svg
