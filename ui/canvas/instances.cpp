@@ -11,8 +11,9 @@ namespace {
 
 enum : std::uint32_t { Butt, Round, Square };
 
-constexpr double edgeWidth = 0.5;            // pixels
-constexpr double joinsShow = 2.5;            // pixels of a stroke's width
+constexpr double edgeWidth = 0.5; // pixels
+constexpr double joinsShow = 2.5; // pixels of a stroke's width
+constexpr double roundJoinsShow = 1.5;
 constexpr std::size_t mostOutlined = 50'000; // points of strokes made areas in a plate
 
 std::uint32_t packed(const app::Colour& c)
@@ -115,7 +116,8 @@ private:
     {
         if (result.batches.empty() || result.batches.back().filled)
             result.batches.push_back({false, std::uint32_t(result.instances.size()), 0});
-        const std::uint32_t join = ink.colour.alpha == 255 ? Round : Butt;
+        const bool overlaps = ink.colour.alpha != 255 || ink.width < roundJoinsShow;
+        const std::uint32_t join = overlaps ? Butt : Round; // where it would be seen twice
         const auto end = [&](bool own) {
             return chain.closed ? join : own ? capOf(ink.cap) : Butt;
         };

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/canvas/canvas_cases.h"
+
+class CanvasGlTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isTheOneAskedFor()
+    {
+        Stage stage(backend);
+        QCOMPARE(stage.canvas->backend(), backend);
+        QVERIFY(!stage.canvas->backendReason().isEmpty());
+    }
+    void showsWhatIsLeftAndGhostsTheRest() { cases::showsWhatIsLeftAndGhostsTheRest(backend); }
+    void everyFrameClipsEverything() { cases::everyFrameClipsEverything(backend); }
+    void theWheelZoomsAroundThePointerAndBack()
+    {
+        cases::theWheelZoomsAroundThePointerAndBack(backend);
+    }
+    void wheelsAndTouchpadsPan() { cases::wheelsAndTouchpadsPan(backend); }
+    void buttonsAndSpacePan() { cases::buttonsAndSpacePan(backend); }
+    void keysNavigate() { cases::keysNavigate(backend); }
+    void theWindowIsDrawnMovedAndResized() { cases::theWindowIsDrawnMovedAndResized(backend); }
+    void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
+    void softwareOpenGlIsNotChosenByItself()
+    {
+        Stage stage(ui::Backend::Automatic);
+        QCOMPARE(stage.canvas->backend(), ui::Backend::Raster);
+        QVERIFY(stage.canvas->backendReason().contains("llvmpipe"));
+    }
+    void bothCanvasesPaintTheSame_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<double>("most"); // mean difference of a channel, of 255
+        const QString samples = QStringLiteral(SOURCE_DIR "/resources/samples/");
+        QTest::newRow("strokes and areas")
+            << QStringLiteral(SOURCE_DIR "/tests/ui/canvas/styles.svg") << 1.5;
+        QTest::newRow("rosette") << samples + "rosette.svg" << 4.0;
+        QTest::newRow("random lines") << samples + "random-lines.svg" << 6.0;
+    }
+    void bothCanvasesPaintTheSame()
+    {
+        QFETCH(QString, file);
+        QFETCH(double, most);
+        QImage pictures[2];
+        for (const ui::Backend which : {ui::Backend::Raster, ui::Backend::OpenGL}) {
+            Stage stage(which);
+            auto read = app::readFile(file);
+            QVERIFY2(bool(read), qPrintable(read.error));
+            stage.session.load(std::move(*read.value), file);
+            stage.session.select({0});
+            pictures[which == ui::Backend::OpenGL] =
+                stage.picture().convertToFormat(QImage::Format_RGB32);
+        }
+        QCOMPARE(pictures[0].size(), pictures[1].size());
+        double sum = 0;
+        for (int y = 0; y < pictures[0].height(); ++y)
+            for (int x = 0; x < pictures[0].width(); ++x) {
+                const QRgb a = pictures[0].pixel(x, y), b = pictures[1].pixel(x, y);
+                sum += std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b))
+                       + std::abs(qBlue(a) - qBlue(b));
+            }
+        const double mean = sum / (3.0 * pictures[0].width() * pictures[0].height());
+        qInfo("%s: mean difference %.2f of 255", QTest::currentDataTag(), mean);
+        QVERIFY(mean < most);
+    }
+
+private:
+    static constexpr ui::Backend backend = ui::Backend::OpenGL;
+};
+
+QTEST_MAIN(CanvasGlTest)
+#include "canvas_gl_test.moc"

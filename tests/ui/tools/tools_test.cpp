@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/picking.h"
+#include "ui/tools/tool.h"
+
+#include <QDir>
+
+#include <glm/geometric.hpp>
+
+#include "tests/ui/canvas/stage.h"
+
+// Every tool with real events, and what a person sees of it in the drawing and in the undo list.
+class ToolsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theCatalogueNamesEveryFile()
+    {
+        const QDir folder(QStringLiteral(SOURCE_DIR "/ui/tools"));
+        QStringList files = folder.entryList({"*_tool.cpp"}), keys;
+        std::set<QString> shortcuts;
+        for (const ui::ToolInfo& info : ui::tools()) {
+            keys << QString::fromUtf8(info.key.data(), qsizetype(info.key.size())) + "_tool.cpp";
+            QVERIFY(!info.name.isEmpty() && !info.hint.isEmpty() && info.make());
+            QVERIFY(shortcuts.insert(info.shortcut.toString()).second);
+        }
+        keys.sort();
+        QCOMPARE(files, keys);
+    }
+
+    void drawsALine()
+    {
+        Stage stage(raster, {});
+        stage.canvas->setTool("line");
+        stage.session.pen.style.width = 3;
+        stage.drag({20, 30}, {70, 60});
+        QCOMPARE(shapes(stage).size(), std::size_t(1));
+        const app::Path& path = shapes(stage)[0].paths[0];
+        QVERIFY(near(path.start, {20, 30}) && near(path.stretches[0].to, {70, 60}) && !path.closed);
+        QCOMPARE(shapes(stage)[0].style.width, 3.0);
+        QCOMPARE(stage.session.history.undoText(), QString("Draw line"));
+        stage.drag({20, 90}, {120, 84}, Qt::LeftButton, Qt::ShiftModifier);
+        QCOMPARE(shapes(stage)[1].paths[0].stretches[0].to.y, shapes(stage)[1].paths[0].start.y);
+        stage.click({100, 10});
+        QCOMPARE(stage.session.history.count(), 2); // a click is no line
+    }
+
+    void escapeLeavesNothing()
+    {
+        for (const char* const tool : {"line", "rectangle", "ellipse", "pencil", "polyline"}) {
+            Stage stage(raster, {});
+            stage.canvas->setTool(tool);
+            stage.press({20, 30});
+            stage.move({70, 60}, Qt::LeftButton);
+            stage.key(Qt::Key_Escape);
+            stage.release({70, 60});
+            QCOMPARE(stage.session.history.count(), 0);
+            QCOMPARE(stage.canvas->tool(), std::string_view(tool)); // Esc backs out one level
+            stage.key(Qt::Key_Escape);
+            QCOMPARE(stage.canvas->tool(), std::string_view("select"));
+        }
+    }
+
+    void drawsAPolyline()
+    {
+        Stage stage(raster, {});
+        stage.canvas->setTool("polyline");
+        for (const app::Point p : {app::Point(10, 10), {40, 12}, {99, 99}, {60, 40}}) {
+            stage.click(p);
+            if (p.x == 99)
+                stage.key(Qt::Key_Backspace);
+        }
+        stage.key(Qt::Key_Return);
+        QCOMPARE(shapes(stage).size(), std::size_t(1));
+        const app::Path& path = shapes(stage)[0].paths[0];
+        QCOMPARE(path.stretches.size(), std::size_t(2));
+        QVERIFY(near(path.stretches[0].to, {40, 12}) && near(path.stretches[1].to, {60, 40}));
+        QCOMPARE(stage.session.history.count(), 1);
+
+        stage.click({110, 10});
+        stage.click({140, 10});
+        QTest::mouseDClick(&stage.surface(), Qt::LeftButton, {}, stage.at({140, 40}));
+        QCOMPARE(shapes(stage).size(), std::size_t(2));
+    }
+
+    void closesAPolylineAtItsStart()
+    {
+        Stage stage(raster, {});
+        stage.canvas->setTool("polyline");
+        for (const app::Point p : {app::Point(10, 10), {40, 12}, {30, 44}, {10.5, 10.5}})
+            stage.click(p);
+        QVERIFY(shapes(stage).size() == 1 && shapes(stage)[0].paths[0].closed);
+        QCOMPARE(shapes(stage)[0].paths[0].stretches.size(), std::size_t(2));
+    }
+
+    void drawsFreehandWithFewPoints()
+    {
+        Stage stage(raster, {});
+        stage.canvas->setTool("pencil");
+        stage.press({20, 50});
+        for (int i = 1; i <= 100; ++i)
+            stage.move({20 + i, 50 + 20 * std::sin(i * 0.06)}, Qt::LeftButton);
+        stage.release({120, 50 + 20 * std::sin(6.0)});
+        QCOMPARE(shapes(stage).size(), std::size_t(1));
+        const auto& stretches = shapes(stage)[0].paths[0].stretches;
+        QVERIFY(stretches.size() > 5 && stretches.size() < 60);
+        QVERIFY(near(stretches.back().to, {120, 50 + 20 * std::sin(6.0)}));
+    }
+
+    void drawsRectanglesAndEllipses()
+    {
+        Stage stage(raster, {});
+        stage.canvas->setTool("rectangle");
+        stage.drag({90, 60}, {30, 20});
+        QVERIFY(near(bounds(stage, 0), {{30, 20}, {90, 60}}));
+        QVERIFY(shapes(stage)[0].paths[0].closed);
+        stage.drag({100, 50}, {120, 55}, Qt::LeftButton, Qt::ShiftModifier | Qt::AltModifier);
+        QVERIFY(near(bounds(stage, 1), {{80, 30}, {120, 70}}));
+        stage.canvas->setTool("ellipse");
+        stage.drag({20, 10}, {180, 90}, Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(near(bounds(stage, 2), {{20, 10}, {180, 90}}));
+        for (const auto& s :
+             stage.session.scene.segments().subspan(stage.session.scene.firstSegmentOf(2))) {
+            const app::Point unit = (s.a - app::Point(100, 50)) / app::Point(80, 40);
+            QVERIFY(std::abs(glm::length(unit) - 1) < 1e-3);
+        }
+    }
+
+    void snapsToEndsMiddlesAndTheWindow()
+    {
+        Stage stage(raster);
+        stage.canvas->setTool("line");
+        stage.drag({11, 51}, {101.5, 20.5}); // the line's end, the window's upper edge
+        QCOMPARE(shapes(stage)[1].paths[0].start, app::Point(10, 50));
+        QCOMPARE(shapes(stage)[1].paths[0].stretches[0].to.y, 20.0);
+        stage.drag({11, 51}, {30, 70}, Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(shapes(stage)[2].paths[0].start != app::Point(10, 50));
+        stage.drag({20, 90}, {99, 51}); // the middle
+        QCOMPARE(shapes(stage)[3].paths[0].stretches[0].to, app::Point(100, 50));
+        stage.canvas->setSnapping(app::SnapTo::Nothing);
+        stage.drag({20, 80}, {11, 51});
+        QVERIFY(shapes(stage)[4].paths[0].stretches[0].to != app::Point(10, 50));
+    }
+
+    void clicksSelect()
+    {
+        Stage stage(raster,
+                    {line({10, 10}, {60, 10}), line({10, 30}, {40, 30}), line({10, 90}, {60, 90})});
+        stage.click({30, 11});
+        QCOMPARE(stage.session.selection(), Set{0});
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(0));
+        stage.click({30, 31}, Qt::ShiftModifier);
+        QCOMPARE(stage.session.selection(), (Set{0, 1}));
+        stage.click({30, 11}, Qt::ShiftModifier);
+        QCOMPARE(stage.session.selection(), Set{1});
+        stage.click({100, 50});
+        QVERIFY(stage.session.selection().empty() && !stage.session.inspected());
+    }
+
+    void boxesContainOrTouch()
+    {
+        Stage stage(raster, {line({100, 40}, {140, 42}), line({90, 60}, {190, 60}),
+                             line({10, 95}, {60, 95})});
+        stage.drag({80, 30}, {146, 70});
+        QCOMPARE(stage.session.selection(), Set{0});
+        stage.drag({146, 70}, {80, 30});
+        QCOMPARE(stage.session.selection(), (Set{0, 1}));
+        QCOMPARE(stage.session.history.count(), 0);
+    }
+
+    void dragsMoveAndDeleteRemoves()
+    {
+        Stage stage(raster, {line({60, 40}, {140, 42}), line({70, 60}, {130, 60})});
+        stage.drag({100, 41}, {110, 46}); // not selected before: it is now
+        QCOMPARE(stage.session.selection(), Set{0});
+        QVERIFY(near(shapes(stage)[0].paths[0].start, {70, 45}));
+        QCOMPARE(stage.session.history.count(), 1);
+        const double millimetre = 96 / 25.4;
+        const app::Point before = shapes(stage)[0].paths[0].start;
+        stage.key(Qt::Key_Down);
+        stage.key(Qt::Key_Down);
+        QVERIFY(
+            near(shapes(stage)[0].paths[0].start, before + app::Point(0, 2 * millimetre), 1e-9));
+        QCOMPARE(stage.session.history.count(), 2);
+        stage.key(Qt::Key_Right, Qt::AltModifier); // the window, whatever is selected
+        QVERIFY(near(stage.session.sheet().window.min, {50 + millimetre, 20}, 1e-9));
+        stage.key(Qt::Key_Delete);
+        QCOMPARE(shapes(stage).size(), std::size_t(1));
+        QVERIFY(stage.session.selection().empty());
+        while (stage.session.history.canUndo())
+            stage.session.history.undo();
+        QCOMPARE(shapes(stage)[0].paths[0].start, app::Point(60, 40));
+    }
+
+    void lockedLayersAreNotTouched()
+    {
+        Stage stage(raster);
+        stage.session.drawing.setLayers({{"Drawing", true, true}});
+        stage.click({100, 50});
+        QVERIFY(stage.session.selection().empty());
+    }
+
+    void theSelectToolDragsTheWindowToo()
+    {
+        Stage stage(raster, {});
+        stage.drag({150, 80}, {170, 90}, Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(near(stage.session.sheet().window, {{50, 20}, {170, 90}}));
+        stage.drag({50, 30}, {60, 30});
+        QVERIFY(near(stage.session.sheet().window, {{60, 20}, {180, 90}}));
+    }
+
+    void zoomsToARectangle()
+    {
+        Stage stage(raster);
+        stage.key(Qt::Key_Z);
+        stage.drag({60, 30}, {100, 50});
+        QVERIFY(near(stage.canvas->view().centre, {80, 40}));
+        QVERIFY(std::abs(stage.canvas->view().zoom - 20) < 1);
+    }
+
+    void hoveringSaysWhatWouldBeTaken()
+    {
+        Stage stage(raster);
+        const QColor before = stage.colourAt({100, 50});
+        stage.move({100, 51});
+        const QColor lit = stage.colourAt({100, 50});
+        QVERIFY2(lit != before, qPrintable(lit.name()));
+    }
+
+private:
+    using Set = std::set<std::size_t>;
+    static constexpr ui::Backend raster = ui::Backend::Raster;
+
+    static const std::vector<app::Shape>& shapes(const Stage& stage)
+    {
+        return stage.session.sheet().shapes;
+    }
+    static clipping::Window bounds(const Stage& stage, std::size_t shape)
+    {
+        return app::boundsOf(stage.session.scene, {shape}).value();
+    }
+};
+
+QTEST_MAIN(ToolsTest)
+#include "tools_test.moc"
