@@ -53,7 +53,9 @@ private:
             return grip;
         const app::Point p = pointer.raw;
         const bool inside = p.x >= w.min.x && p.y >= w.min.y && p.x <= w.max.x && p.y <= w.max.y;
-        return inside ? std::optional(app::Grip{}) : std::nullopt;
+        // The whole page is a window that nobody has set yet: there one wants to draw, not to move.
+        const bool unset = w == bench.session.sheet().page.rectangle();
+        return inside && !unset ? std::optional(app::Grip{}) : std::nullopt;
     }
 
     ui::WindowGesture gesture_;

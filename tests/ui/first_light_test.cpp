@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way once, by mouse and keyboard: open a drawing that another program might have
+// written, draw a clip window, nudge it, switch algorithms, undo, export; then compare what was
+// exported with a picture that librsvg makes of the original, clipped by it at the same window.
+#include "ui/files.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+
+const QString foreign = QStringLiteral(SOURCE_DIR "/tests/ui/data/foreign.svg");
+
+/// Answers with one file name, and never needs to be asked anything else.
+struct Answers : ui::Questions {
+    Answers(QWidget& window, QString file) : Questions(window), path(std::move(file)) {}
+    QString fileToSave(const QString&, const QString& given, Formats) override
+    {
+        proposal = given;
+        return path;
+    }
+    Answer saveChanges(const QString&) override { return Answer::DontSave; }
+    QString path;
+    inline static QString proposal;
+};
+
+QImage rendered(const QString& svg, const QString& png)
+{
+    QProcess rsvg;
+    rsvg.start("rsvg-convert", {"-w", "1000", "-b", "white", "-o", png, svg});
+    return rsvg.waitForFinished() && rsvg.exitCode() == 0
+               ? QImage(png).convertToFormat(QImage::Format_RGB32)
+               : QImage();
+}
+
+/// The original with everything in it behind an SVG clip path: what a viewer shows of it.
+void writeMasked(const QString& path, const clipping::Window& window)
+{
+    QFile in(foreign);
+    QVERIFY(in.open(QIODevice::ReadOnly));
+    QString text = QString::fromUtf8(in.readAll());
+    const auto number = [](double x) { return QString::number(x, 'g', 17); };
+    const qsizetype head = text.indexOf('>', text.indexOf("<svg")) + 1;
+    text.insert(text.lastIndexOf("</svg>"), "</g>");
+    text.insert(head,
+                QString("<clipPath id='w'><rect x='%1' y='%2' width='%3' height='%4'/></clipPath>"
+                        "<g clip-path='url(#w)'>")
+                    .arg(number(window.min.x), number(window.min.y),
+                         number(window.max.x - window.min.x), number(window.max.y - window.min.y)));
+    QFile out(path);
+    QVERIFY(out.open(QIODevice::WriteOnly));
+    out.write(text.toUtf8());
+}
+
+struct Difference {
+    double mean;   // of 255
+    double strong; // share of the pixels that differ by more than a third
+};
+
+Difference between(const QImage& a, const QImage& b)
+{
+    double sum = 0, strong = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const int d = std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+            sum += d;
+            strong += d > 85;
+        }
+    const double pixels = double(a.width()) * a.height();
+    return {sum / pixels, strong / pixels};
+}
+
+} // namespace
+
+class FirstLightTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aForeignDrawingIsCutAndExported()
+    {
+        QTemporaryDir folder;
+        const QString cutFile = folder.filePath("out.svg");
+        ui::MainWindow window(ui::Backend::Raster);
+        window.setQuestions(std::make_unique<Answers>(window, cutFile));
+        window.resize(1280, 800);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+
+        window.files().open(foreign);
+        QTRY_COMPARE(window.files().name(), QString("foreign.svg"));
+        const auto& session = window.session();
+        QVERIFY(session.losses().empty()
+                || !std::ranges::any_of(session.losses(), [](const auto& l) { return !l.remark; }));
+        QVERIFY(session.scene.segments().size() > 100);
+        const clipping::Window page = session.sheet().page.rectangle();
+        QVERIFY(session.sheet().window == page);
+
+        // Draw the window: the tool by its key, then a drag.
+        QWidget* const canvas = window.canvas().focusProxy();
+        QVERIFY(canvas);
+        canvas->setFocus();
+        QTest::keyClick(canvas, Qt::Key_W);
+        QCOMPARE(window.canvas().tool(), std::string_view("window"));
+        window.canvas().fitDrawing();
+        window.canvas().settle();
+        const auto at = [&](double x, double y) {
+            const auto p = window.canvas().view().toScreen({x, y});
+            return QPoint(int(std::lround(p.x)), int(std::lround(p.y)));
+        };
+        // From a free place: at the page's edge the handles of the old window would be taken.
+        QTest::mousePress(canvas, Qt::LeftButton, Qt::ControlModifier, at(170, 130));
+        QTest::mouseMove(canvas, at(300, 300));
+        QTest::mouseMove(canvas, at(610, 470));
+        QTest::mouseRelease(canvas, Qt::LeftButton, Qt::ControlModifier, at(610, 470));
+        const clipping::Window drawn = session.sheet().window;
+        QVERIFY2(std::abs(drawn.min.x - 170) < 3 && std::abs(drawn.min.y - 130) < 3
+                     && std::abs(drawn.max.x - 610) < 3 && std::abs(drawn.max.y - 470) < 3,
+                 qPrintable(QString("%1 %2 %3 %4")
+                                .arg(drawn.min.x)
+                                .arg(drawn.min.y)
+                                .arg(drawn.max.x)
+                                .arg(drawn.max.y)));
+        QCOMPARE(session.history.count(), 1);
+
+        // Nudge it, twice in one undo step or two; undo brings back what was drawn.
+        QTest::keyClick(canvas, Qt::Key_Right, Qt::AltModifier);
+        QTest::keyClick(canvas, Qt::Key_Down, Qt::AltModifier | Qt::ShiftModifier);
+        const clipping::Window nudged = session.sheet().window;
+        QVERIFY(nudged.min.x > drawn.min.x && nudged.min.y > drawn.min.y);
+
+        // Every algorithm by its digit leaves the same.
+        for (std::size_t i = 0; i < clipping::algorithms().size() && i < 9; ++i) {
+            QTest::keyClick(canvas, Qt::Key(Qt::Key_1 + int(i)));
+            QCOMPARE(session.display().algorithm, &clipping::algorithms()[i]);
+        }
+
+        while (session.history.index() > 1)
+            QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(session.sheet().window == drawn);
+
+        QTest::keyClick(canvas, Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(QFile::exists(cutFile));
+        QCOMPARE(QFileInfo(Answers::proposal).fileName(), QString("foreign-cut.svg"));
+        QVERIFY2(!window.message().isEmpty(), "the export says what it did");
+
+        const QString masked = folder.filePath("masked.svg");
+        writeMasked(masked, drawn);
+        const QImage expected = rendered(masked, folder.filePath("masked.png"));
+        const QImage actual = rendered(cutFile, folder.filePath("out.png"));
+        QVERIFY(!expected.isNull());
+        QCOMPARE(actual.size(), expected.size());
+        const Difference difference = between(actual, expected);
+        QVERIFY2(
+            difference.mean < 0.3 && difference.strong < 0.001,
+            qPrintable(QString("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
+
+        // The comparison can fail: the whole drawing is not the cut one.
+        const Difference whole = between(rendered(foreign, folder.filePath("whole.png")), expected);
+        QVERIFY(whole.strong > 0.01);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication application(argc, argv);
+    FirstLightTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "first_light_test.moc"
