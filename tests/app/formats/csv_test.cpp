@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/format.h"
+
+#include <QBuffer>
+#include <QTest>
+
+#include <random>
+
+namespace {
+
+app::Result<app::Imported> read(QByteArray text)
+{
+    QBuffer buffer(&text);
+    buffer.open(QIODevice::ReadOnly);
+    return app::findFormat(u"csv")->read(buffer);
+}
+
+QByteArray written(const app::Sheet& sheet, const app::WriteOptions& options = {})
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    const auto error = app::findFormat(u"csv")->write(sheet, buffer, options);
+    return error ? error->toUtf8() : buffer.data();
+}
+
+app::Path line(app::Point a, app::Point b) { return {a, {{b}}, false}; }
+
+} // namespace
+
+class CsvTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void columnsByPosition()
+    {
+        const auto read1 = read("1,2,3,4\n-5.5,1e2,0,0,walls,#102030,2.5,99\n7,7,7,7,,#01020304\n");
+        QVERIFY2(read1, qPrintable(read1.error));
+        const app::Sheet& sheet = read1.value->sheet;
+        QCOMPARE(sheet.shapes.size(), 3u);
+        QCOMPARE(sheet.layers.size(), 2u);
+        QCOMPARE(sheet.layers[0].name, QStringLiteral("Drawing"));
+        QCOMPARE(sheet.layers[1].name, QStringLiteral("walls"));
+        QCOMPARE(sheet.shapes[0].paths[0], line({1, 2}, {3, 4}));
+        QCOMPARE(sheet.shapes[0].style.stroke, std::optional(app::Colour{}));
+        QCOMPARE(sheet.shapes[1].paths[0], (app::Path{{7, 7}, {}, false}));
+        QCOMPARE(sheet.shapes[1].style.stroke, std::optional(app::Colour{1, 2, 3, 4}));
+        QCOMPARE(sheet.shapes[2].paths[0], line({-5.5, 100}, {0, 0}));
+        QCOMPARE(sheet.shapes[2].style.width, 2.5);
+        QCOMPARE(read1.value->rows, (std::vector<std::uint32_t>{0, 2, 1})); // layer by layer
+        QVERIFY(!read1.value->lossy());
+    }
+
+    void aHeaderIsHonoured()
+    {
+        const auto read1 =
+            read("colour, Y2 ,x2,y1,X1,speed\n#ff0000,4,3,2,1,9\n\"#00ff00\",8,7,6,5\n");
+        QVERIFY2(read1, qPrintable(read1.error));
+        const auto& shapes = read1.value->sheet.shapes;
+        QCOMPARE(shapes.size(), 2u);
+        QCOMPARE(shapes[0].paths[0], line({1, 2}, {3, 4}));
+        QCOMPARE(shapes[1].paths[0], line({5, 6}, {7, 8}));
+        QCOMPARE(shapes[0].style.stroke, std::optional(app::Colour{255, 0, 0, 255}));
+        QVERIFY(read1.value->lossy()); // the column speed
+    }
+
+    void quotesCommentsAndLineEnds()
+    {
+        const auto read1 = read("\xef\xbb\xbf# made by hand\r\nx1,y1,x2,y2,layer\r\n\r\n"
+                                "1,2,3,4,\"a \"\"b\"\",\r\nc\"\r\n#1,1,1,1\n5,6,7,8,d");
+        QVERIFY2(read1, qPrintable(read1.error));
+        const app::Sheet& sheet = read1.value->sheet;
+        QCOMPARE(sheet.shapes.size(), 2u);
+        QCOMPARE(sheet.layers[0].name, QStringLiteral("a \"b\",\r\nc"));
+        QCOMPARE(sheet.layers[1].name, QStringLiteral("d"));
+    }
+
+    void badRowsSayTheirLine_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("sentence");
+        const auto row = [](const char* name, QByteArray text, const char* sentence) {
+            QTest::newRow(name) << text << QString::fromUtf8(sentence);
+        };
+        row("short", "# hi\n1,2,3,4\n1,2,3\n",
+            "line 3 has 3 columns; x1, y1, x2 and y2 are needed.");
+        row("NaN", "1,2,3,4\n1,nan,3,4\n", "line 2 has “nan” where a number is needed.");
+        row("infinite", "1,2,3,4\n\n1,2,inf,4\n", "line 3 has “inf” where a number is needed.");
+        row("1e400", "1,2,3,1e400", "line 1 has “1e400” where a number is needed.");
+        row("near overflow", "1,2,3,1e301", "line 1 has “1e301” where a number is needed.");
+        row("empty", "x1,y1,x2,y2\n1,2,,4\n", "line 2 has “” where a number is needed.");
+        row("long", "1,2,3,4,a,#000000,1,0,extra", "line 1 has 9 columns; there are at most 8.");
+        row("longer than header", "x1,y1,x2,y2\n1,2,3,4,5",
+            "line 2 has 5 columns; there are at most 4.");
+        row("no header", "from,to\n",
+            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2.");
+        row("semicolons", "1;2;3;4\n",
+            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2.");
+        row("twice", "x1,y1,x2,y2,x1\n", "line 1 names the column “x1” twice.");
+        row("colour", "1,2,3,4,a,red\n",
+            "line 1 has the colour “red”; write it as #rrggbb or #rrggbbaa.");
+        row("width", "1,2,3,4,a,#000000,-1\n",
+            "line 1 has the width “-1”; write a number that is not negative.");
+        row("open quote", "1,2,3,4\n1,2,3,4,\"abc\n\n",
+            "line 2 opens a quotation mark that is never closed.");
+        row("after quote", "1,2,3,4,\"a\"b\n", "line 1 has text after a closing quotation mark.");
+        row("endless", QByteArray(3'000'000, '\0'), "line 1 is too long for CSV.");
+        row("line after a quoted one", "1,2,3,4,\"a\r\nb\"\r\nx,2,3,4\r\n",
+            "line 3 has “x” where a number is needed.");
+    }
+    void badRowsSayTheirLine()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, sentence);
+        const auto result = read(text);
+        QVERIFY(!result);
+        QCOMPARE(result.error, sentence);
+    }
+
+    void anEmptyFileIsAnEmptyDrawing()
+    {
+        const auto result = read("");
+        QVERIFY(result);
+        QVERIFY(result.value->sheet.shapes.empty());
+        QCOMPARE(written(result.value->sheet), "x1,y1,x2,y2,layer,colour,width\n");
+    }
+
+    void comesBackBitForBit()
+    {
+        std::mt19937_64 random(5);
+        const auto number = [&] { return std::ldexp(double(random()), int(random() % 400) - 300); };
+        app::Sheet sheet;
+        sheet.layers = {{QStringLiteral("a,b")}, {QStringLiteral("\"π\"\n# ")}};
+        for (std::uint32_t i = 0; i < 2000; ++i) {
+            app::Style style{.stroke = app::Colour{1, 2, 3, std::uint8_t(random())}};
+            style.width = number();
+            sheet.shapes.push_back(
+                {{line({number(), number()}, {-number(), number()})}, style, {}, i / 1000, false});
+        }
+        const QByteArray text = written(sheet);
+        const auto back = read(text);
+        QVERIFY2(back, qPrintable(back.error));
+        QCOMPARE(back.value->sheet.shapes, sheet.shapes);
+        QCOMPARE(back.value->sheet.layers, sheet.layers);
+        QCOMPARE(written(back.value->sheet), text);
+        QCOMPARE(read(written(back.value->sheet)).value->sheet, back.value->sheet);
+    }
+
+    void writesWhatIsSeen()
+    {
+        app::Sheet sheet;
+        const app::Path corner{{0, 0}, {{{1, 0}}, {{1, 1}}}, true};
+        sheet.shapes = {{{corner}, {.fill = app::Colour{255, 0, 0, 128}}, {}, 0, false},
+                        {{corner}, {.stroke = app::Colour{}}, {}, 0, true},
+                        {{corner}, {}, {}, 0, false}};
+        QCOMPARE(written(sheet), "x1,y1,x2,y2,layer,colour,width\n0,0,1,0,Drawing,#ff000080,1\n"
+                                 "1,0,1,1,Drawing,#ff000080,1\n1,1,0,0,Drawing,#ff000080,1\n");
+        app::WriteOptions options;
+        options.sources = {7, 8, 9};
+        QVERIFY(written(sheet, options)
+                    .endsWith(",source\n0,0,1,0,Drawing,#ff000080,1,7\n"
+                              "1,0,1,1,Drawing,#ff000080,1,7\n"
+                              "1,1,0,0,Drawing,#ff000080,1,7\n"));
+    }
+
+    void decimalsMoveIntoTheWindow()
+    {
+        app::Sheet sheet;
+        sheet.shapes = {{{line({1.26, 2}, {0.34, 1})}, {.stroke = app::Colour{}}, {}, 0, false}};
+        app::WriteOptions options;
+        options.precision = 1;
+        options.bounds = {{0.34, 0}, {1.26, 5}};
+        QVERIFY(written(sheet, options).contains("\n1.2,2,0.4,1,"));
+    }
+};
+
+QTEST_GUILESS_MAIN(CsvTest)
+#include "csv_test.moc"
