@@ -4,7 +4,6 @@
 #include "app/document/bezier.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +35,18 @@ bool isCurve(const Path& path, std::size_t stretch)
     return stretch < path.stretches.size() && path.stretches[stretch].curved;
 }
 
+// Also where squares would overflow.
+double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
 // Where the curve itself crosses the line of the edge within its chord's interval, by bisection;
 // where it does not (the chord cuts a corner that the curve misses), the chord's own cut.
 End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
             const clipping::Window& window)
 {
     const Point along = chord.segment.b - chord.segment.a;
-    const double length = glm::dot(along, along);
-    const double s = length > 0 ? glm::dot(cut - chord.segment.a, along) / length : 0.0;
+    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
+    const double s =
+        along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
     const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
     if (edge == Edge::None)
         return {guess, cut};
@@ -138,9 +141,9 @@ private:
     {
         for (; measured_ < part.chord; ++measured_) {
             const auto& s = chords_[measured_].segment;
-            length_ += glm::distance(s.a, s.b);
+            length_ += distance(s.a, s.b);
         }
-        return length_ + glm::distance(chords_[part.chord].segment.a, part.segment.a);
+        return length_ + distance(chords_[part.chord].segment.a, part.segment.a);
     }
 
     const Path& path_;

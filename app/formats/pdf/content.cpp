@@ -18,6 +18,17 @@ std::string text(double value)
     return result;
 }
 
+// A square cap on a line without length, which PDF does not paint, as a line that fills it.
+Shape squareAt(const Point& p, const Style& style)
+{
+    const Point half{style.width / 2, 0};
+    Shape square{{{p - half, {{p + half}}, false}}, style, {}, 0, false};
+    square.style.cap = Cap::Butt;
+    square.style.fill.reset();
+    square.style.dashes.clear();
+    return square;
+}
+
 std::string stateName(int alpha) { return "/A" + std::to_string(alpha); }
 
 // Dashes and their phase, which PDF wants positive; an odd pattern twice, as poppler loses count of
@@ -86,6 +97,9 @@ void Content::paint(const Shape& shape)
         set(pen_, pen(style));
         outline(shape);
         text_ += "S\n";
+        for (const Path& path : shape.paths)
+            if (path.stretches.empty() && style.cap == Cap::Square)
+                paint(squareAt(path.start, style));
     }
 }
 

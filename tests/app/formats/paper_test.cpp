@@ -162,7 +162,7 @@ private slots:
         auto packed = bytes[0].mid(begin, bytes[0].indexOf("\nendstream") - begin);
         packed.prepend(QByteArray("\0\1\0\0", 4)); // the size that qUncompress begins with
         const QByteArray content = qUncompress(packed);
-        QCOMPARE(content.count("S\n"), 5);
+        QCOMPARE(content.count("S\n"), 6);
         QCOMPARE(content.count("f*\n"), 1);
         QVERIFY(content.contains("20 70 m\n40 20 60 120 120 40 c\nS\n"));
         QVERIFY(content.contains("[6 3 1 6 3 1 ] 18 d\n"));
