@@ -2,8 +2,10 @@
 #include "app/formats/format.h"
 #include "app/formats/paper.h"
 #include "app/formats/seen_part.h"
+#include "app/formats/write_all.h"
 #include "app/view/painter_path.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QImageWriter>
 #include <QPainter>
@@ -107,8 +109,12 @@ std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOpti
         paint(painter, shape, scale);
     painter.end();
 
-    QImageWriter writer(&out, "png");
-    return writer.write(image) ? std::nullopt : std::optional(out.errorString() + u'.');
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!QImageWriter(&buffer, "png").write(image))
+        return tr("there is not enough memory for the picture. Ask for fewer dpi.");
+    const std::string_view view(bytes.data(), std::size_t(bytes.size()));
+    return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }
 
 } // namespace

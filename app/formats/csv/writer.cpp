@@ -6,6 +6,7 @@
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/text.h"
 #include "app/formats/number.h"
+#include "app/formats/write_all.h"
 
 #include <algorithm>
 #include <numeric>
@@ -93,7 +94,7 @@ private:
 
     void flush()
     {
-        failed_ = failed_ || out_.write(text_.data(), qint64(text_.size())) != qint64(text_.size());
+        failed_ = failed_ || !writeAll(out_, text_);
         text_.clear();
     }
 

@@ -5,6 +5,7 @@
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
 #include "app/formats/seen_part.h"
+#include "app/formats/write_all.h"
 
 #include <algorithm>
 
@@ -59,7 +60,7 @@ public:
 private:
     void put(const std::string& text)
     {
-        failed_ = failed_ || out_.write(text.data(), qint64(text.size())) != qint64(text.size());
+        failed_ = failed_ || !writeAll(out_, text);
         written_ += qint64(text.size());
     }
 

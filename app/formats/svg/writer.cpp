@@ -5,6 +5,7 @@
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/style_text.h"
+#include "app/formats/write_all.h"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +113,7 @@ private:
 
     void flush()
     {
-        failed_ = failed_ || out_.write(text_.data(), qint64(text_.size())) != qint64(text_.size());
+        failed_ = failed_ || !writeAll(out_, text_);
         text_.clear();
     }
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QIODevice>
+
+#include <string_view>
+
+namespace app {
+
+/// Writes all of it. A full disk takes a part at first, and only what comes next has an error: so
+/// where this fails, `out.errorString()` says why.
+inline bool writeAll(QIODevice& out, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const qint64 written = out.write(bytes.data(), qint64(bytes.size()));
+        if (written <= 0)
+            return false;
+        bytes.remove_prefix(std::size_t(written));
+    }
+    return true;
+}
+
+} // namespace app
