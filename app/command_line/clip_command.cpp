@@ -71,14 +71,14 @@ void report(const Imported& imported, const CutCounts& counts)
     const QStringList lost = losses(imported);
     for (const QString& line : lost)
         say(line);
-    QString text = Commands::tr("%1 shapes kept whole, %2 cut, %3 gone")
+    QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
                        .arg(counts.cut)
                        .arg(counts.gone);
     if (counts.opened > 0)
-        text += Commands::tr("; %1 closed paths opened").arg(counts.opened);
+        text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
     if (counts.unfilled > 0)
-        text += Commands::tr("; %1 fills lost, only their outlines are cut").arg(counts.unfilled);
+        text += Commands::tr("; fills lost, only the outline is cut: %1").arg(counts.unfilled);
     say(text + u'.');
 }
 
@@ -139,7 +139,7 @@ void clip(const Given& given)
     if (!given.has(QStringLiteral("quiet")))
         report(imported, result.counts);
     if (given.has(QStringLiteral("stats")))
-        say(Commands::tr("%1 lines before, %2 after; %3.")
+        say(Commands::tr("Lines: %1 before, %2 after; %3.")
                 .arg(result.counts.segmentsBefore)
                 .arg(result.counts.segmentsAfter)
                 .arg(stopwatch.laps()));

@@ -148,32 +148,40 @@ std::size_t Given::choice(const QString& option, const QStringList& words) const
     return std::size_t(index);
 }
 
-QString aligned(const std::vector<std::pair<QString, QString>>& rows)
+QString wrapped(const QString& text, qsizetype indent)
 {
     constexpr qsizetype width = 96;
+    QString result;
+    qsizetype column = indent;
+    const QStringList words = text.split(u' ');
+    for (const QString& word : words) {
+        if (column > indent && column + 1 + word.size() > width) {
+            result += u'\n' + QString(indent, u' ');
+            column = indent;
+        }
+        const QString piece = column > indent ? u' ' + word : word;
+        result += piece;
+        column += piece.size();
+    }
+    return result + u'\n';
+}
+
+QString aligned(const std::vector<std::pair<QString, QString>>& rows)
+{
     qsizetype indent = 0;
     for (const auto& row : rows)
         indent = std::max(indent, row.first.size() + 4);
     QString text;
-    for (const auto& [left, right] : rows) {
-        QString line = (QStringLiteral("  ") + left).leftJustified(indent);
-        const QStringList words = right.split(u' ');
-        for (const QString& word : words) {
-            if (line.size() + word.size() > width) {
-                text += line.trimmed().isEmpty() ? QString() : line.chopped(1) + u'\n';
-                line = QString(indent, u' ');
-            }
-            line += word + u' ';
-        }
-        text += line.chopped(1) + u'\n';
-    }
+    for (const auto& [left, right] : rows)
+        text += (QStringLiteral("  ") + left).leftJustified(indent) + wrapped(right, indent);
     return text;
 }
 
 QString helpOf(const Command& command)
 {
-    QString text = Commands::tr("Usage: clearcut %1 %2\n\n%3\n\nOptions:\n")
-                       .arg(QLatin1StringView(command.key), command.usage, command.summary);
+    QString text =
+        Commands::tr("Usage: clearcut %1 %2\n\n%3\nOptions:\n")
+            .arg(QLatin1StringView(command.key), command.usage, wrapped(command.summary, 0));
     std::vector<std::pair<QString, QString>> rows;
     for (const Option& option : optionsOf(command)) {
         QString names = option.names.size() > 1 ? QString() : QStringLiteral("    ");

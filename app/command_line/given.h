@@ -46,7 +46,10 @@ private:
 /// What `clearcut KEY --help` prints.
 QString helpOf(const Command& command);
 
-/// Lines of two columns, the second one aligned and broken where the terminal ends.
+/// Broken into lines that fit a page; those after the first begin with `indent` spaces.
+QString wrapped(const QString& text, qsizetype indent);
+
+/// Lines of two columns, the second one aligned and broken.
 QString aligned(const std::vector<std::pair<QString, QString>>& rows);
 
 } // namespace app

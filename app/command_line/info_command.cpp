@@ -55,7 +55,7 @@ std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
         const Layer& layer = sheet.layers[i];
         QString state = layer.visible ? QString() : Commands::tr(", hidden");
         state += layer.locked ? Commands::tr(", locked") : QString();
-        rows.emplace_back(Commands::tr("layer"), Commands::tr("“%1”: %2 shapes, %3 lines%4")
+        rows.emplace_back(Commands::tr("layer"), Commands::tr("“%1”: shapes %2, lines %3%4")
                                                      .arg(layer.name)
                                                      .arg(layers[i].shapes)
                                                      .arg(layers[i].lines)
@@ -82,8 +82,7 @@ std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
     }
     std::vector<std::pair<QString, QString>> rows{
         {Commands::tr("lines"), QString::number(all.lines)},
-        {Commands::tr("shapes"),
-         Commands::tr("%1 (%2 of them hidden)").arg(all.shapes).arg(hidden)},
+        {Commands::tr("shapes"), Commands::tr("%1, hidden %2").arg(all.shapes).arg(hidden)},
         {Commands::tr("bounds"), all.bounds ? text(*all.bounds) : Commands::tr("none")},
         {Commands::tr("window"), text(sheet.window)},
         {Commands::tr("page"),

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/paper_scene.h"
+#include "app/formats/format.h"
+#include "app/formats/number.h"
+#include "clipping/algorithm.h"
+#include "clipping/outside.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QImage>
+#include <QTest>
+
+#include <cmath>
+
+#include "tests/app/command_line/program.h"
+
+namespace {
+
+const QByteArray csvHeader = "x1,y1,x2,y2,layer,colour,width,source\n";
+
+QByteArray csvOf(std::span<const clipping::Segment> lines)
+{
+    std::string text = "x1,y1,x2,y2\n";
+    for (const auto& line : lines) {
+        for (const double number : {line.a.x, line.a.y, line.b.x, line.b.y}) {
+            app::appendNumber(text, number);
+            text += ',';
+        }
+        text.back() = '\n';
+    }
+    return QByteArray::fromStdString(text);
+}
+
+// What the program has to write for these pieces.
+QByteArray csvOf(std::span<const clipping::Clipped> pieces)
+{
+    std::string text = csvHeader.toStdString();
+    for (const auto& [segment, source, cut] : pieces) {
+        for (const double number : {segment.a.x, segment.a.y, segment.b.x, segment.b.y}) {
+            app::appendNumber(text, number);
+            text += ',';
+        }
+        text += "Drawing,#000000,1," + std::to_string(source) + '\n';
+    }
+    return QByteArray::fromStdString(text);
+}
+
+QString key(const clipping::Algorithm& algorithm)
+{
+    return QString::fromUtf8(algorithm.key.data(), qsizetype(algorithm.key.size()));
+}
+
+app::Sheet sheetOf(QByteArray svg)
+{
+    QBuffer buffer(&svg);
+    buffer.open(QIODevice::ReadOnly);
+    auto imported = app::findFormat(u"svg")->read(buffer);
+    return imported ? imported.value->sheet : app::Sheet();
+}
+
+} // namespace
+
+class ClipTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+private slots:
+    void csvIsWhatTheLibraryClips_data()
+    {
+        QTest::addColumn<int>("row");
+        for (int i = 0; i < int(clipping::algorithms().size()); ++i)
+            QTest::newRow(qPrintable(key(clipping::algorithms()[std::size_t(i)]))) << i;
+    }
+    void csvIsWhatTheLibraryClips()
+    {
+        QFETCH(int, row);
+        const auto& algorithm = clipping::algorithms()[std::size_t(row)];
+        std::vector<clipping::Segment> lines(5000);
+        app::PaperScene(6).fill(lines);
+        lines[10] = {{-200, 75}, {200, 75}}; // along an edge
+        lines[20] = {{-200, -25}, {0, 175}}; // a corner
+        lines[30] = {{50, 50}, {50, 50}};    // a point
+        std::vector<clipping::Clipped> inside(lines.size());
+        inside.resize(algorithm.corrected.clipAll(lines, app::paperWindow, inside));
+        std::vector<clipping::Clipped> outside(lines.size() + inside.size());
+        outside.resize(clipping::outsideAll(lines, inside, outside));
+
+        const QStringList arguments{"clip", "-",   "--from", "csv", "-w", "-100,-75,100,75",
+                                    "--to", "csv", "-o",     "-",   "-a", key(algorithm)};
+        QCOMPARE(clearcut(arguments, csvOf(lines)).out, csvOf(inside));
+        QCOMPARE(clearcut(arguments + QStringList{"--keep", "outside"}, csvOf(lines)).out,
+                 csvOf(outside));
+    }
+
+    void windowsAreWrittenInManyWays_data()
+    {
+        QTest::addColumn<QStringList>("window");
+        QTest::newRow("apart") << QStringList{"-w", "-1,-2,3,4"};
+        QTest::newRow("joined") << QStringList{"-w=-1,-2,3,4"};
+        QTest::newRow("glued") << QStringList{"-w-1,-2,3,4"};
+        QTest::newRow("long, apart") << QStringList{"--window", "-1,-2,3,4"};
+        QTest::newRow("long, joined") << QStringList{"--window=-1,-2,3,4"};
+        QTest::newRow("spaces") << QStringList{"--window", "-1, -2.0, +3, 4e0"};
+        QTest::newRow("pixels") << QStringList{"-w", "-1px,-2px,3px,4"};
+    }
+    void windowsAreWrittenInManyWays()
+    {
+        QFETCH(QStringList, window);
+        const auto run =
+            clearcut(QStringList{"clip", "-", "--from", "csv", "--to", "csv", "-o", "-"} + window,
+                     "-9,0,9,0\n0,-9,0,9\n");
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.out,
+                 csvHeader + "-1,0,3,0,Drawing,#000000,1,0\n0,-2,0,4,Drawing,#000000,1,1\n");
+        QCOMPARE(run.err, "Shapes: 0 kept whole, 2 cut, 0 gone.\n");
+    }
+
+    void theWindowOfTheDrawingOrItsPage()
+    {
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:clearcut='urn:clearcut:1' width='40mm' "
+            "height='20mm' viewBox='0 0 80 40'>%1<path d='M-10 9h200' stroke='red'/></svg>";
+        auto plain = drawing, windowed = drawing;
+        plain.replace("%1", "");
+        windowed.replace(
+            "%1", "<metadata><clearcut:window xmin='5' ymin='6' xmax='7' ymax='18'/></metadata>");
+        const auto line = [&](const QByteArray& text, const QStringList& more) {
+            const QStringList usual{"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-q"};
+            return clearcut(usual + more, text).out.split('\n').value(1);
+        };
+        QCOMPARE(line(plain, {}), "0,9,80,9,Drawing,#ff0000,1");
+        QCOMPARE(line(windowed, {}), "5,9,7,9,Drawing,#ff0000,1");
+        QCOMPARE(line(windowed, {"--page"}), "0,9,80,9,Drawing,#ff0000,1");
+        QCOMPARE(line(windowed, {"--page", "--margin", "1mm"}), "2,9,78,9,Drawing,#ff0000,1");
+        QCOMPARE(line(windowed, {"--page", "--margin=-1"}), "-1,9,81,9,Drawing,#ff0000,1");
+        QCOMPARE(line(plain, {"-w", "1cm,0,0.6in,1"}), "");
+        QCOMPARE(line(plain, {"-w", "1cm,0,20.5mm,10"}), "20,9,41,9,Drawing,#ff0000,1");
+    }
+
+    void layersInterleavedComeBackInTheOrderOfTheRows()
+    {
+        const auto run =
+            clearcut({"clip", "-", "--from", "csv", "--to", "csv", "-o", "-", "-w", "0,0,9,9"},
+                     "1,1,2,2,b\n20,1,30,2,a\n3,3,4,4,a\n# no row\n5,5,6,6,b\n");
+        QCOMPARE(run.out,
+                 csvHeader
+                     + "1,1,2,2,b,#000000,1,0\n3,3,4,4,a,#000000,1,2\n5,5,6,6,b,#000000,1,3\n");
+    }
+
+    void curvesAreCutAsCurvesAndTabledAsLinesInsideTheWindow()
+    {
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100' width='100mm' "
+            "height='100mm'><circle cx='50' cy='50' r='40' fill='none' stroke='black'/></svg>";
+        const QStringList usual{"clip", "-", "--from", "svg", "-w", "20.3,0,66.7,71.9",
+                                "-o",   "-", "-q"};
+        const auto svg = clearcut(usual + QStringList{"--to", "svg"}, drawing);
+        const auto& shapes = sheetOf(svg.out).shapes;
+        QCOMPARE(shapes.size(), 1u);
+        QVERIFY(std::ranges::all_of(shapes[0].paths, [](const app::Path& path) {
+            return !path.closed && std::ranges::all_of(path.stretches, &app::Stretch::curved);
+        }));
+        const auto rows = clearcut(usual + QStringList{"--to", "csv"}, drawing).out.split('\n');
+        QVERIFY(rows.size() > 10);
+        const auto coarse =
+            clearcut(usual + QStringList{"--to", "csv", "--tolerance", "1mm"}, drawing);
+        QVERIFY(coarse.out.count('\n') < rows.size() / 2);
+        for (const QByteArray& row : rows.sliced(1)) {
+            const auto fields = row.split(',');
+            for (int i = 0; i < 4 && fields.size() > 1; ++i) {
+                const double number = fields[i].toDouble();
+                QVERIFY(number >= (i % 2 ? 0 : 20.3) && number <= (i % 2 ? 71.9 : 66.7));
+            }
+        }
+    }
+
+    void decimalsStayInTheWindow()
+    {
+        const auto run = clearcut({"clip", "-", "--from", "csv", "--to", "csv", "-o", "-",
+                                   "--precision", "1", "-w", "-0.17,-0.17,0.17,0.17"},
+                                  "-1,0.333,1,-0.1\n-1,-1,1,1\n");
+        QCOMPARE(
+            run.out,
+            csvHeader
+                + "-0.1,0.1,0.1,0.1,Drawing,#000000,1,0\n-0.1,-0.1,0.1,0.1,Drawing,#000000,1,1\n");
+    }
+
+    void theSvgAgreesWithAClipPathOfLibrsvg_data()
+    {
+        QTest::addColumn<QString>("algorithm");
+        for (const auto& algorithm : clipping::algorithms())
+            QTest::newRow(qPrintable(key(algorithm))) << key(algorithm);
+    }
+    // Our cut drawing, against librsvg masking the whole drawing. Caps and joins are the difference
+    // that there has to be: a cut acts on the centre line, a mask on the ink.
+    void theSvgAgreesWithAClipPathOfLibrsvg()
+    {
+        QFETCH(QString, algorithm);
+        QByteArray art;
+        for (int i = 0; i < 60; ++i)
+            art += QByteArrayLiteral("<path d='M%1 10 L%2 190'/><path d='M%1 %2 C 20 190 190 20 %2 "
+                                     "%1' stroke-dasharray='7 4 2'/>")
+                       .replace("%1", QByteArray::number(i * 7 % 200))
+                       .replace("%2", QByteArray::number(i * 37 % 200));
+        const QByteArray head = "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='800' "
+                                "viewBox='0 0 200 200'>";
+        const QByteArray style = " fill='none' stroke='black' stroke-width='.5'>";
+        writeText(path("art.svg"), head + "<g" + style + art + "</g></svg>");
+        writeText(
+            path("masked.svg"),
+            head
+                + "<clipPath id='c'><rect x='45.5' y='30.25' width='100' height='120'/></clipPath>"
+                  "<g clip-path='url(#c)'><g"
+                + style + art + "</g></g></svg>");
+        QCOMPARE(clearcut({"clip", path("art.svg"), "-o", path("cut.svg"), "-a", algorithm, "-w",
+                           "45.5,30.25,145.5,150.25"})
+                     .code,
+                 0);
+        QImage pictures[2];
+        for (const int i : {0, 1}) {
+            const QString png = path(QString::number(i) + ".png");
+            runProgram("rsvg-convert",
+                       {"-b", "white", "-o", png, path(i ? "cut.svg" : "masked.svg")});
+            pictures[i] = QImage(png).convertToFormat(QImage::Format_Grayscale8);
+        }
+        QCOMPARE(pictures[0].size(), QSize(800, 800));
+        QCOMPARE(pictures[1].size(), QSize(800, 800));
+        qint64 ink = 0, different = 0;
+        for (int y = 0; y < 800; ++y)
+            for (int x = 0; x < 800; ++x) {
+                const int a = qGray(pictures[0].pixel(x, y)), b = qGray(pictures[1].pixel(x, y));
+                ink += 255 - a;
+                different += std::abs(a - b);
+            }
+        QVERIFY(ink > 1'000'000);
+        QVERIFY2(different < ink / 100,
+                 qPrintable(QStringLiteral("%1 of %2").arg(different).arg(ink)));
+    }
+
+    void everyFormatIsWritten()
+    {
+        writeText(path("a.csv"), "0,0,90,90\n");
+        for (const auto& format : app::formats()) {
+            const auto name = QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
+            const QString out = path("out." + name);
+            const auto toFile = clearcut({"clip", path("a.csv"), "-o", out, "--dpi", "50"});
+            QCOMPARE(toFile.code, 0);
+            const auto toStream =
+                clearcut({"clip", path("a.csv"), "--to", name, "-o", "-", "--dpi", "50"});
+            QVERIFY(toStream.out.size() > 40);
+            QCOMPARE(toStream.out, contentOf(out));
+        }
+        QVERIFY(!QImage(path("out.png")).isNull());
+    }
+
+    void theReportSaysWhatWasLost()
+    {
+        writeText(path("text.svg"), "<svg xmlns='http://www.w3.org/2000/svg' width='10' "
+                                    "height='10'><text>hi</text><text>ho</text><rect x='-5' "
+                                    "width='10' height='10' fill='red'/></svg>");
+        const auto run = clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "--stats"});
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.err.contains("2 × text"), run.err.constData());
+        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 1 cut, 0 gone; closed paths opened: 1; "
+                                  "fills lost, only the outline is cut: 1.\nLines: 4 before, "),
+                 run.err.constData());
+        QCOMPARE(run.out, "");
+        QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");
+    }
+
+    void theOutputHoldsTheWindowAndCuttingAgainChangesNothing()
+    {
+        const QString rosette = SOURCE_DIR "/resources/samples/rosette.svg";
+        const QStringList window{"-w", "33.3,44.4,155.5,166.6"};
+        QCOMPARE(clearcut(QStringList{"clip", rosette, "-o", path("1.svg")} + window).code, 0);
+        QCOMPARE(clearcut({"clip", path("1.svg"), "-o", path("2.svg")}).code, 0);
+        const auto once = sheetOf(contentOf(path("1.svg"))),
+                   twice = sheetOf(contentOf(path("2.svg")));
+        QCOMPARE(once.window, (clipping::Window{{33.3, 44.4}, {155.5, 166.6}}));
+        QVERIFY(!once.shapes.empty());
+        QCOMPARE(twice, once);
+    }
+
+    void inPlaceOnlyWhenAskedAndWhenNothingIsLost()
+    {
+        const QByteArray text = "0,0,90,90\n";
+        writeText(path("b.csv"), text);
+        const QStringList clip{"clip", path("b.csv"), "-w", "0,0,1,1"};
+        QCOMPARE(clearcut(clip + QStringList{"-o", path("b.csv")}).code, 2);
+        QCOMPARE(clearcut(clip + QStringList{"-o", path("./b.csv")}).code, 2);
+        QFile::link(path("b.csv"), path("link.csv"));
+        QCOMPARE(clearcut(clip + QStringList{"-o", path("link.csv")}).code, 2);
+        QCOMPARE(contentOf(path("b.csv")), text);
+        QCOMPARE(clearcut(clip + QStringList{"--in-place"}).code, 0);
+        QCOMPARE(contentOf(path("b.csv")), csvHeader + "0,0,1,1,Drawing,#000000,1,0\n");
+
+        const QByteArray lossy =
+            "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10'><text>hi</text></svg>";
+        writeText(path("c.svg"), lossy);
+        const auto refused = clearcut({"clip", path("c.svg"), "--in-place"});
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.contains("1 × text"), refused.err.constData());
+        QCOMPARE(contentOf(path("c.svg")), lossy);
+    }
+
+    void convertsBetweenNamesWithDashes()
+    {
+        writeText(path("d.csv"), "0,0,1,1\n");
+        const auto run =
+            runProgram("/bin/bash", {"-c", "cd " + folder_.path()
+                                               + " && cp d.csv -- -d.csv && '" CLEARCUT_BINARY
+                                                 "' clip -o - --to csv -- -d.csv"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.startsWith("x1,"));
+    }
+};
+
+QTEST_GUILESS_MAIN(ClipTest)
+#include "clip_test.moc"

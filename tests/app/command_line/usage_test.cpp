@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/command.h"
+#include "clipping/algorithm.h"
+
+#include <QDir>
+#include <QRegularExpression>
+#include <QTest>
+#include <QThread>
+
+#include <csignal>
+
+#include "tests/app/command_line/program.h"
+
+class UsageTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+private slots:
+    void init() { writeText(path("a.csv"), "0,0,9,9\n1,2,3,4\n"); }
+
+    void helpAndVersionGoToStandardOutput()
+    {
+        for (const QStringList& help : {QStringList{"--help"}, QStringList{"-h"}}) {
+            const auto run = clearcut(help);
+            QCOMPARE(run.code, 0);
+            QCOMPARE(run.err, "");
+            for (const app::Command& command : app::commands()) {
+                const QString key = QLatin1StringView(command.key);
+                QVERIFY(run.out.contains(key.toUtf8()));
+                const auto more = clearcut({key, "--help"});
+                QCOMPARE(more.code, 0);
+                QCOMPARE(more.err, "");
+                for (const app::Option& option : command.options)
+                    QVERIFY(more.out.contains(
+                        "--" + option.names.last().toUtf8()
+                        + (option.value.isEmpty() ? "" : " " + option.value.toUtf8())));
+                for (const QByteArray& line : more.out.split('\n'))
+                    QVERIFY2(QString::fromUtf8(line).size() <= 100, line.constData());
+            }
+        }
+        QVERIFY(clearcut({"--version"}).out.startsWith("clearcut 0."));
+        QCOMPARE(clearcut({"-V"}).out, clearcut({"--version"}).out);
+    }
+
+    void whatIsACommand()
+    {
+        QVERIFY(app::isCommandLine({"clip"}));
+        QVERIFY(app::isCommandLine({"drawing.svg", "--help"}));
+        QVERIFY(!app::isCommandLine({}));
+        QVERIFY(!app::isCommandLine({"drawing.svg"}));
+        QVERIFY(!app::isCommandLine({"drawing.svg", "clip"}));
+        QVERIFY(!app::isCommandLine({"./clip"}));
+        QVERIFY(!app::isCommandLine({"--", "clip"}));
+        QVERIFY(!app::isCommandLine({"--", "--help"}));
+    }
+
+    void wrongUsageIsTwo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("sentence");
+        const auto row = [](QStringList arguments, QByteArray sentence) {
+            QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << sentence;
+        };
+        const QStringList clip{"clip", "A", "-o", "x.svg"};
+        row({"clip"}, "Something is missing: clip INPUT -o OUTPUT");
+        row({"clip", "A"}, "Say where to write");
+        row(clip + QStringList{"B"}, "“B” is one argument too many");
+        row(clip + QStringList{"--nonsense"}, "Unknown option 'nonsense'");
+        row(clip + QStringList{"-w"}, "Missing value after '-w'");
+        row(clip + QStringList{"-w", "1,2,3"}, "--window 1,2,3: give four lengths");
+        row(clip + QStringList{"-w", "1,2,3,nan"}, "give four lengths");
+        row(clip + QStringList{"-w", "1,2,3,4ell"}, "give four lengths");
+        row(clip + QStringList{"-w", "1,2,3,4%"}, "give four lengths");
+        row(clip + QStringList{"-w", "1,2,0,4"}, "The window is empty");
+        row(clip + QStringList{"--page", "-w", "1,2,3,4"}, "not both");
+        row(clip + QStringList{"--margin", "1"}, "--margin needs --page");
+        row(clip + QStringList{"--page", "--margin", "1e6"}, "The window is empty");
+        row(clip + QStringList{"-a", "nobody"}, "There is no algorithm “nobody”");
+        row(clip + QStringList{"-a", "md,md"}, "name one with -a");
+        row(clip + QStringList{"--form", "new"}, "--form new: give corrected or published");
+        row(clip + QStringList{"--keep", "both"}, "--keep both: give inside or outside");
+        row(clip + QStringList{"--tolerance", "0"}, "--tolerance must be greater than 0");
+        row(clip + QStringList{"--tolerance", "x"}, "--tolerance x: give a length");
+        row(clip + QStringList{"--precision", "-1"},
+            "--precision -1: give a whole number from 0 to 30");
+        row(clip + QStringList{"--dpi", "0"}, "--dpi 0: give a number greater than 0");
+        row(clip + QStringList{"--from", "docx"}, "--from docx: give svg, csv, pdf, png");
+        row(clip + QStringList{"--from", "png"}, "with --from and one of svg, csv");
+        row({"clip", "A", "-o", "x.docx"},
+            "x.docx: say what type it is, with --to and one of svg, csv, pdf, png");
+        row({"clip", "-", "-o", "x.svg"}, "say what type it is, with --from");
+        row({"clip", "A", "-o", "-"}, "say what type it is, with --to");
+        row({"info"}, "Something is missing: info INPUT");
+        row({"algorithms", "x"}, "“x” is one argument too many");
+        row({"algorithms", "--format", "xml"}, "--format xml: give text or csv");
+        row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
+        row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
+        row({"bench", "-a", "md,,cs"}, "There is no algorithm “”");
+        row({"bench", "--format", "json"}, "--format json: give text or csv");
+    }
+    void wrongUsageIsTwo()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, sentence);
+        arguments.replaceInStrings(QRegularExpression("^A$"), path("a.csv"));
+        arguments.replaceInStrings("x.svg", path("x.svg"));
+        const auto run = clearcut(arguments);
+        QCOMPARE(run.code, 2);
+        QCOMPARE(run.out, "");
+        QVERIFY2(run.err.contains(sentence), run.err.constData());
+        QVERIFY(run.err.endsWith("--help” says more.\n"));
+        QCOMPARE(run.err.count('\n'), 2);
+        QVERIFY(!QFile::exists(path("x.svg")));
+    }
+
+    void badFilesAreOneSentenceAndOne_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::addColumn<QByteArray>("sentence");
+        const auto row = [](const char* name, const char* script, const char* sentence) {
+            QTest::newRow(name) << QString::fromUtf8(script) << QByteArray(sentence);
+        };
+        row("missing", "$clearcut clip no.svg -o x.svg",
+            "Cannot open no.svg: No such file or directory.");
+        row("missing info", "$clearcut info no.svg",
+            "Cannot open no.svg: No such file or directory.");
+        row("folder", "$clearcut clip . -o x.svg",
+            "Cannot open .: it is a folder. Name a file in it.");
+        row("folder out", "mkdir -p f.svg; $clearcut clip a.csv -o f.svg", "Cannot write f.svg: ");
+        row("no such folder", "$clearcut clip a.csv -o no/x.svg",
+            "Cannot write no/x.svg: No such file or directory.");
+        row("bad row", "echo 1,2,x | $clearcut clip - --from csv -o x.svg",
+            "Cannot read standard input: line 1 has “x” where");
+        row("not XML", "$clearcut clip a.csv --from svg -o x.svg", "Cannot open a.csv: ");
+        row("endless", "head -c 30000000 /dev/zero | $clearcut clip - --from csv -o x.svg",
+            "Cannot read standard input: line 1 is too long for CSV.");
+        row("full disk", "$clearcut clip a.csv -o - --to svg > /dev/full",
+            "Cannot write standard output: No space left on device.");
+        row("full disk, table", "$clearcut algorithms > /dev/full",
+            "Cannot write standard output: No space left on device.");
+        row("full disk, picture", "$clearcut clip a.csv -o - --to png > /dev/full",
+            "Cannot write standard output: ");
+        row("full device", "$clearcut clip a.csv --to svg -o /dev/full",
+            "Cannot write /dev/full: No space left on device.");
+        row("closed pipe",
+            "yes 0,0,9,9 | head -n 20000 > many.csv; $clearcut clip many.csv -o - --to svg | true; "
+            "exit ${PIPESTATUS[0]}",
+            "Cannot write standard output: Broken pipe.");
+        row("closed output", "$clearcut clip a.csv -o - --to svg >&-",
+            "Cannot write standard output: ");
+        row("huge picture", "$clearcut clip a.csv -o x.png --dpi 1e9",
+            "Cannot write x.png: the picture would have ");
+    }
+    void badFilesAreOneSentenceAndOne()
+    {
+        QFETCH(QString, script);
+        QFETCH(QByteArray, sentence);
+        const auto run = inShell("cd " + folder_.path() + "; " + script);
+        QCOMPARE(run.code, 1);
+        QCOMPARE(run.out, "");
+        QVERIFY2(run.err.contains(": " + sentence), run.err.constData());
+        QCOMPARE(run.err.count('\n'), 1);
+        QVERIFY(!QFile::exists(path("x.svg")));
+    }
+
+    void anUnreadableFile()
+    {
+        QFile::setPermissions(path("a.csv"), {});
+        if (QFile file(path("a.csv")); file.open(QIODevice::ReadOnly))
+            QSKIP("root reads everything");
+        const auto run = clearcut({"clip", path("a.csv"), "-o", path("x.svg")});
+        QFile::setPermissions(path("a.csv"), QFile::ReadOwner | QFile::WriteOwner);
+        QCOMPARE(run.code, 1);
+        QVERIFY(run.err.contains("Permission denied"));
+    }
+
+    void anExistingFileIsLostOnlyToAWholeOne()
+    {
+        writeText(path("old.svg"), "old");
+        // A limit on file sizes is a full disk that needs no disk.
+        const auto run = inShell("cd " + folder_.path()
+                                 + "; yes 0,0,9,9 | head -n 20000 > many.csv; trap '' XFSZ; ulimit "
+                                   "-f 8; $clearcut clip many.csv -o old.svg");
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains("Cannot write old.svg: File too large."), run.err.constData());
+        QCOMPARE(contentOf(path("old.svg")), "old");
+        QCOMPARE(QDir(folder_.path()).entryList({"old*"}), QStringList{"old.svg"});
+        QCOMPARE(
+            inShell(
+                "cd " + folder_.path()
+                + "; chmod 640 old.svg; $clearcut clip a.csv -q -o old.svg && stat -c %a old.svg")
+                .out,
+            "640\n");
+    }
+
+    void aDeviceIsNotReplaced()
+    {
+        QCOMPARE(inShell("cd " + folder_.path()
+                         + "; mkfifo pipe.svg; cat pipe.svg & $clearcut clip a.csv -q -o pipe.svg; "
+                           "wait; test -p pipe.svg")
+                     .out.count("<line"),
+                 2);
+    }
+
+    void controlCEndsWith130AndLeavesTheFile()
+    {
+        writeText(path("old.csv"), "old");
+        QProcess process;
+        process.start(CLEARCUT_BINARY, {"clip", "-", "--from", "csv", "-o", path("old.csv")});
+        QVERIFY(process.waitForStarted());
+        process.write("1,2,3,4\n");
+        QVERIFY(process.waitForBytesWritten());
+        QThread::msleep(300); // it waits for more input
+        ::kill(pid_t(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        QCOMPARE(contentOf(path("old.csv")), "old");
+    }
+
+    void algorithmsAreListed()
+    {
+        const auto lines = clearcut({"algorithms", "--format", "csv"}).out.trimmed().split('\n');
+        QCOMPARE(lines[0], "key,abbreviation,name,year,idea");
+        QCOMPARE(std::size_t(lines.size()), clipping::algorithms().size() + 1);
+        const QByteArray text = clearcut({"algorithms"}).out;
+        for (const auto& algorithm : clipping::algorithms())
+            QVERIFY(text.contains(QByteArray(algorithm.key.data(), qsizetype(algorithm.key.size()))
+                                  + ' '));
+    }
+
+    void benchIsRepeatable()
+    {
+        const QStringList usual{"bench",    "--lines", "20000", "--runs", "2",
+                                "--format", "csv",     "-a",    "md,MD"};
+        const auto run = clearcut(usual);
+        QCOMPARE(run.code, 0);
+        const auto lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines[0], "algorithm,form,median_ns,spread_ns,visible,lines,runs,seed");
+        QCOMPARE(lines.size(), 5); // two forms, twice
+        const auto visible = [](const QByteArray& line) { return line.split(',').value(4); };
+        QVERIFY(visible(lines[1]).toInt() > 3000 && visible(lines[1]).toInt() < 3500); // 16.4 %
+        QCOMPARE(visible(clearcut(usual).out.split('\n')[1]), visible(lines[1]));
+        QVERIFY(visible(clearcut(usual + QStringList{"--seed", "2"}).out.split('\n')[1])
+                != visible(lines[1]));
+    }
+
+    void infoSaysWhatThereIs()
+    {
+        const auto run = clearcut({"info", SOURCE_DIR "/tests/app/formats/data/groups.svg"});
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.out.contains("page    0,0,240,160, on paper 120mm × 80mm\n"),
+                 run.out.constData());
+        QVERIFY(run.out.contains("unit    0.5mm\n"));
+        QVERIFY(run.out.contains("“Locked”: shapes 5, lines 85, locked\n"));
+    }
+};
+
+QTEST_GUILESS_MAIN(UsageTest)
+#include "usage_test.moc"
