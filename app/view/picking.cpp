@@ -109,7 +109,8 @@ Picking::Cells Picking::cellsOf(const Point& min, const Point& max) const
 }
 
 // The cells of a segment, row by row: in each, those that its part in the row's height spans.
-void Picking::visit(const clipping::Segment& s, const std::function<void(std::size_t)>& cell) const
+template <class Visit>
+void Picking::visit(const clipping::Segment& s, Visit cell) const
 {
     const Cells all = cellsOf(glm::min(s.a, s.b), glm::max(s.a, s.b));
     const Point along = s.b - s.a;

@@ -3,7 +3,6 @@
 
 #include "app/document/scene.h"
 
-#include <functional>
 #include <optional>
 #include <set>
 
@@ -36,8 +35,8 @@ private:
     }; // inclusive
     Cells cellsOf(const Point& min, const Point& max) const;
     void build() const;
-    void visit(const clipping::Segment& segment,
-               const std::function<void(std::size_t)>& cell) const;
+    template <class Visit>
+    void visit(const clipping::Segment& segment, Visit cell) const;
 
     const Drawing& drawing_;
     const Scene& scene_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the canvas on many lines of 3 to 17 pixels at 1280 x 800 and prints what issue and
-// README quote: frames [LINES] [raster|gl] [PICTURE.png]
+// Measures the canvas on many lines of 3 to 17 pixels at 1280 x 800: frames [LINES] [raster|gl]
+// [PICTURE.png]
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -44,7 +44,8 @@ struct Figures {
     }
 };
 
-// One frame as a person sees it: the event, and until everything that it asked for is on the screen.
+// One frame as a person sees it: the event, and until everything that it asked for is on the
+// screen.
 template <class Act>
 double frame(QWidget& window, Act act)
 {
@@ -59,8 +60,8 @@ double frame(QWidget& window, Act act)
 void wheel(QWidget& surface, int notches)
 {
     const QPointF at(500, 300);
-    QWheelEvent event(at, surface.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
+    QWheelEvent event(at, surface.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&surface, &event);
 }
 
@@ -78,11 +79,13 @@ int main(int argc, char** argv)
     clock.start();
     ui::Canvas canvas(session, gl ? ui::Backend::OpenGL : ui::Backend::Raster);
     std::vector<double> clip;
-    QObject::connect(&canvas, &ui::Canvas::frameShown, [&](const ui::FrameTimes& t) { clip.push_back(t.clipMs); });
+    QObject::connect(&canvas, &ui::Canvas::frameShown,
+                     [&](const ui::FrameTimes& t) { clip.push_back(t.clipMs); });
     canvas.resize(1280 + 20, 800 + 20);
     canvas.show();
     QCoreApplication::processEvents();
-    out << lines << " lines, " << canvas.backendReason() << "\nfirst frame after " << milliseconds(clock) << " ms";
+    out << lines << " lines, " << canvas.backendReason() << "\nfirst frame after "
+        << milliseconds(clock) << " ms";
     canvas.settle();
     out << ", in full quality after " << milliseconds(clock) << " ms\n";
 
@@ -91,7 +94,8 @@ int main(int argc, char** argv)
     canvas.setTool("hand");
     for (int i = 0; i < 60; ++i)
         pan.times.push_back(frame(canvas, [&] {
-            QWheelEvent event({500, 300}, {500, 300}, {7, 3}, {7, 3}, Qt::NoButton, Qt::NoModifier, Qt::ScrollUpdate, false);
+            QWheelEvent event({500, 300}, {500, 300}, {7, 3}, {7, 3}, Qt::NoButton, Qt::NoModifier,
+                              Qt::ScrollUpdate, false);
             QCoreApplication::sendEvent(&surface, &event);
         }));
     for (int i = 0; i < 60; ++i)
@@ -103,11 +107,23 @@ int main(int argc, char** argv)
         rest.times.push_back(milliseconds(clock));
     }
     for (int i = 0; i < 30; ++i)
-        drag.times.push_back(frame(canvas, [&] { session.drawing.setWindow({{320.0 + i, 200}, {960.0 + i, 600}}); }));
+        drag.times.push_back(frame(canvas, [&] {
+            session.drawing.setWindow({{320.0 + i, 200}, {960.0 + i, 600}});
+        }));
+    Figures hover;
+    canvas.setTool("select");
+    for (int i = 0; i < 60; ++i)
+        hover.times.push_back(frame(canvas, [&] {
+            const QPointF at(200 + 7 * i, 300 + 3 * i);
+            QMouseEvent event(QEvent::MouseMove, at, surface.mapToGlobal(at), Qt::NoButton,
+                              Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&surface, &event);
+        }));
     Figures{clip}.print(out, "clipping of all lines, a frame");
     pan.print(out, "frame while panning");
     zoom.print(out, "frame while zooming");
     drag.print(out, "frame while the window moves");
+    hover.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
     canvas.settle();
     if (argc > 3)

@@ -97,7 +97,7 @@ void Canvas::resizeEvent(QResizeEvent*)
 void Canvas::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange)
-        parts_->controller.setColours(canvasColours(palette()));
+        parts_->controller.setLook(lookOf(palette()));
     QWidget::changeEvent(event);
 }
 

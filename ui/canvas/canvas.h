@@ -27,7 +27,7 @@ struct FrameTimes {
 };
 
 /// The drawing on the screen, with its rulers, and the tool that works on it. All segments are
-/// clipped at every frame. Colours follow the palette (canvas_colours.h). The widget that takes
+/// clipped at every frame. Colours follow the palette (ui/look.h). The widget that takes
 /// the keyboard is focusProxy().
 class Canvas : public QWidget {
     Q_OBJECT

@@ -12,8 +12,7 @@ constexpr double snapReach = 8; // pixels
 
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.drawing, session.scene),
-      colours_(canvasColours(QGuiApplication::palette())), bench_{session_, toolView_, picking_,
-                                                                  colours_}
+      look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
     setTool(tools().front().key);
     connect(&session.scene, &app::Scene::outdated, this, &Controller::outdate);
@@ -35,12 +34,13 @@ Controller::Controller(app::Session& session, QObject* parent)
 void Controller::outdate()
 {
     ++revision_;
+    emit hintChanged();
     emit changed();
 }
 
-void Controller::setColours(const CanvasColours& colours)
+void Controller::setLook(const Look& look)
 {
-    colours_ = colours;
+    look_ = look;
     outdate();
 }
 
@@ -59,9 +59,19 @@ void Controller::setTool(std::string_view key)
     emit changed();
 }
 
+// A new shape on a layer that is locked or not shown would surprise.
+bool Controller::mayDraw() const
+{
+    const app::Layer& layer = session_.sheet().layers[session_.pen.layer];
+    return !tool_->draws() || (layer.visible && !layer.locked);
+}
+
 QString Controller::hint() const
 {
-    const QString now = tool_->hint();
+    if (!mayDraw())
+        return tr("The layer %1 is locked or hidden. Choose another one, or unlock it.")
+            .arg(session_.sheet().layers[session_.pen.layer].name);
+    const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;
 }
 
@@ -71,7 +81,7 @@ QCursor Controller::cursor() const
         return Qt::ClosedHandCursor;
     if (space_)
         return Qt::OpenHandCursor;
-    return tool_->cursor(bench_);
+    return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
 }
 
 clipping::Window Controller::window() const
@@ -81,7 +91,7 @@ clipping::Window Controller::window() const
 
 QColor Controller::pageColour() const
 {
-    return session_.display().asPrinted ? QColor(Qt::white) : colours_.page;
+    return session_.display().asPrinted ? QColor(Qt::white) : look_.paper;
 }
 
 app::Frame Controller::clip() const
@@ -103,11 +113,11 @@ app::Picture Controller::picture(const app::Frame& frame, double pixelRatio) con
     options.view = view();
     options.keep = display.keep;
     options.removed = display.removed;
-    if (colours_.dark && !display.asPrinted)
-        options.page = colour(colours_.page);
+    if (look_.dark && !display.asPrinted)
+        options.page = colour(look_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
     options.selection = session_.selection();
-    options.light = colour(colours_.selection);
+    options.light = colour(look_.selection);
     return app::picture(session_.sheet(), session_.scene, frame, options);
 }
 
@@ -223,7 +233,7 @@ void Controller::press(QMouseEvent& event)
         return;
     }
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
-    if (event.button() != Qt::LeftButton)
+    if (event.button() != Qt::LeftButton || !mayDraw())
         return;
     withTool([&] {
         event.type() == QEvent::MouseButtonDblClick ? tool_->doubleClick(pointer, bench_)

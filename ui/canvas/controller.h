@@ -13,7 +13,7 @@ namespace ui {
 
 /// When two frames' keys are equal, so are their pictures.
 struct FrameKey {
-    std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the colours
+    std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
     app::View view;
     clipping::Window window{};
     friend bool operator==(const FrameKey&, const FrameKey&) = default;
@@ -30,8 +30,8 @@ public:
     app::Session& session() const { return session_; }
     Navigation& navigation() { return navigation_; }
     const app::View& view() const { return navigation_.view(); }
-    const CanvasColours& colours() const { return colours_; }
-    void setColours(const CanvasColours& colours);
+    const Look& look() const { return look_; }
+    void setLook(const Look& look);
     void setSnapping(app::SnapTo to) { snapTo_ = to; }
 
     void setTool(std::string_view key);
@@ -68,6 +68,7 @@ signals:
 
 private:
     void outdate();
+    bool mayDraw() const;
     void pointerEvent(QMouseEvent& event);
     void press(QMouseEvent& event);
     void move(QMouseEvent& event);
@@ -85,7 +86,7 @@ private:
     app::Session& session_;
     Navigation navigation_;
     app::Picking picking_;
-    CanvasColours colours_;
+    Look look_;
     app::View toolView_; ///< what tools move; compared with the view after each call
     Workbench bench_;
     const ToolInfo* toolInfo_ = nullptr;

@@ -53,7 +53,7 @@ protected:
         paintPaper(painter, controller_);
         if (renderer_) {
             painter.beginNativePainting();
-            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.colours().ghost);
+            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.look().ghost);
             painter.endNativePainting();
         }
         paintOverlay(painter, controller_);

@@ -41,14 +41,14 @@ void paintLit(QPainter& painter, const Controller& controller)
     const auto segments = controller.session().scene.segments();
     if (lit && *lit < segments.size())
         drawLine(painter, controller, segments[*lit],
-                 QPen(controller.colours().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+                 QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
 }
 
 void paintEnd(QPainter& painter, const Controller& controller, const app::Point& end,
               clipping::Edge cut)
 {
     const QPointF at = controller.bench().onScreen(end);
-    const QColor blue = controller.colours().selection;
+    const QColor blue = controller.look().selection;
     painter.setPen(QPen(blue, 1.5));
     if (cut == clipping::Edge::None) {
         painter.setBrush(controller.pageColour());
@@ -71,7 +71,7 @@ void paintInspected(QPainter& painter, const Controller& controller)
     const Segment one[1]{whole};
     const bool visible =
         session.uses().clipAll(std::span(one), controller.window(), std::span(piece)) == 1;
-    const QColor blue = controller.colours().selection;
+    const QColor blue = controller.look().selection;
     QPen casing(controller.pageColour(), 7, Qt::SolidLine, Qt::RoundCap);
     QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
     dashed.setDashPattern({5 / 1.75, 4 / 1.75});
@@ -99,7 +99,7 @@ void paintSnap(QPainter& painter, const Controller& controller)
                                  ? QT_TRANSLATE_NOOP("Canvas", "middle")
                                  : QT_TRANSLATE_NOOP("Canvas", "window edge");
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(controller.colours().selection, 1.5));
+    painter.setPen(QPen(controller.look().selection, 1.5));
     painter.drawEllipse(at, 6, 6);
     const QString text = QCoreApplication::translate("Canvas", word);
     QRectF ground = QFontMetricsF(painter.font()).boundingRect(text).adjusted(-3, -1, 3, 1);
@@ -121,8 +121,8 @@ void paintPaper(QPainter& painter, const Controller& controller)
     const auto snapped = [&](double v) { return std::round(v * ratio) / ratio; };
     const QRectF sheet(QPointF(snapped(min.x), snapped(min.y)),
                        QPointF(snapped(max.x), snapped(max.y)));
-    painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.colours().around);
-    painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.colours().pageBorder);
+    painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.look().canvas);
+    painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.look().border);
     painter.fillRect(sheet, controller.pageColour());
 }
 

@@ -103,7 +103,7 @@ private:
         job_ = job;
         for (std::size_t i = 0; i < bands.size(); ++i)
             pool_.start([this, job, i, band = bands[i], width = deviceSize().width(),
-                         ratio = devicePixelRatioF(), ghost = controller_.colours().ghost] {
+                         ratio = devicePixelRatioF(), ghost = controller_.look().ghost] {
                 job->bands[i] = app::rasterised(job->picture, width, band, ratio, ghost);
                 if (--job->left == 0)
                     QMetaObject::invokeMethod(
@@ -114,7 +114,7 @@ private:
     QImage painted(const app::Picture& picture, app::Band band) const
     {
         return app::rasterised(picture, deviceSize().width(), band, devicePixelRatioF(),
-                               controller_.colours().ghost);
+                               controller_.look().ghost);
     }
 
     void accept(const Job& job)

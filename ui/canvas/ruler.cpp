@@ -36,9 +36,9 @@ Ruler::Ruler(const Controller& controller, Qt::Orientation orientation, QWidget*
 
 void Ruler::paintEvent(QPaintEvent*)
 {
-    const CanvasColours& colours = controller_.colours();
+    const Look& look = controller_.look();
     QPainter painter(this);
-    painter.fillRect(rect(), colours.ruler);
+    painter.fillRect(rect(), look.window);
     const int axis = across() ? 0 : 1;
     const double length = across() ? width() : height(), pixel = 1 / devicePixelRatioF();
     // Everything is painted as along a horizontal ruler; a vertical one is that, turned.
@@ -50,16 +50,16 @@ void Ruler::paintEvent(QPaintEvent*)
     const clipping::Window window = controller_.window();
     const double a = along(controller_.view().toScreen(window.min)[axis]);
     const double b = along(controller_.view().toScreen(window.max)[axis]);
-    QColor tint = colours.accent;
+    QColor tint = look.accent;
     tint.setAlphaF(0.18F);
     const double left = std::clamp(std::min(a, b), -1.0, length + 1),
                  right = std::clamp(std::max(a, b), -1.0, length + 1);
     painter.fillRect(QRectF(left, 0, right - left, rulerWidth), tint);
     paintTicks(painter, length);
-    painter.fillRect(QRectF(0, rulerWidth - pixel, length, pixel), colours.rulerRule);
+    painter.fillRect(QRectF(0, rulerWidth - pixel, length, pixel), look.rule);
     if (const auto& pointer = controller_.pointer())
         painter.fillRect(QRectF(std::round(along(pointer->screen[axis])), 0, pixel, rulerWidth),
-                         colours.text);
+                         look.text);
 }
 
 void Ruler::paintTicks(QPainter& painter, double length)
@@ -80,13 +80,12 @@ void Ruler::paintTicks(QPainter& painter, double length)
         const bool number = tick.rank == app::Tick::Rank::Numbered;
         const double size = number ? rulerWidth : tick.rank == app::Tick::Rank::Half ? half : fine;
         painter.fillRect(QRectF(x, rulerWidth - size, pixel, size),
-                         number ? controller_.colours().rulerRule
-                                : controller_.colours().rulerText);
+                         number ? controller_.look().rule : controller_.look().muted);
         if (!number)
             continue;
         painter.fillRect(QRectF(x, rulerWidth - numbered, pixel, numbered),
-                         controller_.colours().rulerText);
-        painter.setPen(controller_.colours().rulerText);
+                         controller_.look().muted);
+        painter.setPen(controller_.look().muted);
         painter.drawText(QRectF(x + 4, 0, 80, rulerWidth - 6), Qt::AlignLeft | Qt::AlignVCenter,
                          tickText(tick.value));
     }
@@ -105,17 +104,17 @@ void RulerCorner::setFocused(bool focused)
 
 void RulerCorner::paintEvent(QPaintEvent*)
 {
-    const CanvasColours& colours = controller_.colours();
+    const Look& look = controller_.look();
     QPainter painter(this);
-    painter.fillRect(rect(), colours.ruler);
+    painter.fillRect(rect(), look.window);
     painter.setFont(rulerFont(*this));
-    painter.setPen(colours.rulerText);
+    painter.setPen(look.muted);
     const auto suffix = app::infoOf(controller_.session().display().unit).suffix;
     painter.drawText(rect(), Qt::AlignCenter,
                      QString::fromUtf8(suffix.data(), qsizetype(suffix.size())));
     if (!focused_)
         return;
-    painter.setPen(QPen(colours.selection, 2));
+    painter.setPen(QPen(look.selection, 2));
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 

@@ -25,12 +25,12 @@ QRectF rectangleOnScreen(const Controller& controller)
     return {QPointF(min.x, min.y), QPointF(max.x, max.y)};
 }
 
-void paintHandles(QPainter& painter, const Controller& controller, const CanvasColours& colours)
+void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
 {
-    painter.setPen(QPen(colours.accent, outline));
+    painter.setPen(QPen(look.accent, outline));
     for (const auto& [grip, at] : app::placedGrips(controller.window(), controller.view())) {
         const bool lit = controller.tool().litGrip() == grip;
-        painter.setBrush(lit ? colours.accent : controller.pageColour());
+        painter.setBrush(lit ? look.accent : controller.pageColour());
         painter.drawRect(
             QRectF(at.x - handle / 2 + 0.5, at.y - handle / 2 + 0.5, handle - 1, handle - 1));
     }
@@ -51,7 +51,7 @@ QString labelText(const Controller& controller)
 
 void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)
 {
-    const CanvasColours& colours = controller.colours();
+    const Look& look = controller.look();
     QFont font = painter.font();
     font.setWeight(QFont::DemiBold);
     font.setPointSizeF(font.pointSizeF() * 0.92);
@@ -66,9 +66,9 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
         label.moveBottom(std::min(window.bottom() - labelGap, room.y - 4));
     label.moveLeft(std::clamp(label.left(), 4.0, std::max(4.0, room.x - 4 - label.width())));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colours.accent);
+    painter.setBrush(look.accent);
     painter.drawRoundedRect(label, 3, 3);
-    painter.setPen(colours.onAccent);
+    painter.setPen(look.onAccent);
     painter.drawText(label, Qt::AlignCenter, text);
 }
 
@@ -76,7 +76,7 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
 
 void paintWindow(QPainter& painter, const Controller& controller)
 {
-    const CanvasColours& colours = controller.colours();
+    const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
     const bool lit = controller.tool().litGrip() == app::Grip{};
     const double width = lit ? outlineLit : outline;
@@ -85,13 +85,13 @@ void paintWindow(QPainter& painter, const Controller& controller)
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
     painter.drawRect(window);
-    pen.setColor(colours.accent);
+    pen.setColor(look.accent);
     pen.setWidthF(width);
     painter.setPen(pen);
     painter.drawRect(window);
     if (!controller.tool().showsGrips())
         return;
-    paintHandles(painter, controller, colours);
+    paintHandles(painter, controller, look);
     paintLabel(painter, controller, window);
 }
 
@@ -99,12 +99,12 @@ void paintWindow(QPainter& painter, const Controller& controller)
 // bottom, right, left, where "top" is the edge that is on top on the screen.
 void paintRegions(QPainter& painter, const Controller& controller)
 {
-    const CanvasColours& colours = controller.colours();
+    const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
     const app::Point size = controller.view().size;
     const std::array xs{0.0, window.left(), window.right(), size.x};
     const std::array ys{0.0, window.top(), window.bottom(), size.y};
-    painter.setPen(QPen(colours.accent, 0, Qt::DashLine));
+    painter.setPen(QPen(look.accent, 0, Qt::DashLine));
     for (int i = 1; i < 3; ++i) {
         painter.drawLine(QPointF(xs[i], 0), QPointF(xs[i], size.y));
         painter.drawLine(QPointF(0, ys[i]), QPointF(size.x, ys[i]));
@@ -129,7 +129,7 @@ void paintRegions(QPainter& painter, const Controller& controller)
             QColor veil = controller.pageColour();
             veil.setAlphaF(0.85F);
             painter.fillRect(ground, veil);
-            painter.setPen(colours.accent);
+            painter.setPen(look.accent);
             painter.drawText(ground, Qt::AlignCenter, code);
         }
 }

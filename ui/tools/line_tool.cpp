@@ -27,6 +27,7 @@ public:
     }
     void cancel(Workbench&) override { from_.reset(); }
     bool busy() const override { return from_.has_value(); }
+    bool draws() const override { return true; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (from_)

@@ -28,6 +28,7 @@ public:
     }
     void cancel(Workbench&) override { points_.clear(); }
     bool busy() const override { return !points_.empty(); }
+    bool draws() const override { return true; }
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {

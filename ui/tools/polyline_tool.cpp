@@ -36,6 +36,7 @@ public:
     }
     void cancel(Workbench&) override { corners_.clear(); }
     bool busy() const override { return !corners_.empty(); }
+    bool draws() const override { return true; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (corners_.empty())
@@ -43,8 +44,8 @@ public:
         app::Path path = pathOf(false);
         path.stretches.push_back({to_});
         preview(painter, bench, path);
-        painter.setPen(QPen(bench.colours.selection, 1.5));
-        painter.setBrush(bench.colours.page);
+        painter.setPen(QPen(bench.look.selection, 1.5));
+        painter.setBrush(bench.look.paper);
         for (const app::Point& corner : corners_)
             painter.drawEllipse(bench.onScreen(corner), 3, 3);
     }

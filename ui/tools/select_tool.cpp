@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_shapes.h"
 #include "app/commands/remove_shapes.h"
+#include "app/view/numbers.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
+
+#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -34,6 +37,7 @@ public:
     Tool::WindowGesture windowGesture() const override { return gesture_.kind(); }
     std::optional<app::Grip> litGrip() const override { return litGrip_; }
     std::optional<std::size_t> litSegment() const override { return litSegment_; }
+    QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 private:
@@ -150,6 +154,23 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
     return true;
 }
 
+// What the pointer is on, else what is selected.
+QString SelectTool::hint(const Workbench& bench) const
+{
+    const app::Session& session = bench.session;
+    if (litSegment_ && *litSegment_ < session.scene.segments().size() && drag_ == Drag::None) {
+        const app::Shape& shape = session.sheet().shapes[session.scene.shapeOf(*litSegment_)];
+        return QCoreApplication::translate(
+                   "Tools", "Line %1 in %2. Click selects it, Shift adds it, drag moves it.")
+            .arg(app::countText(*litSegment_ + 1), session.sheet().layers[shape.layer].name);
+    }
+    const auto count = int(session.selection().size());
+    return count == 0 ? QString()
+                      : QCoreApplication::translate(
+                          "Tools", "%n selected. Drag to move, Delete removes, arrow keys nudge.",
+                          nullptr, count);
+}
+
 QCursor SelectTool::cursor(const Workbench&) const
 {
     if (litGrip_ || gesture_.going())
@@ -171,10 +192,10 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
 {
     const bool touches = to_.screen.x < from_.screen.x;
-    QColor veil = bench.colours.selection;
+    QColor veil = bench.look.selection;
     veil.setAlphaF(0.08F);
     painter.setBrush(veil);
-    painter.setPen(QPen(bench.colours.selection, 1, touches ? Qt::DashLine : Qt::SolidLine));
+    painter.setPen(QPen(bench.look.selection, 1, touches ? Qt::DashLine : Qt::SolidLine));
     painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
 }
 
@@ -185,11 +206,11 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench, const ap
     if (!bounds)
         return;
     const clipping::Window box{bounds->min + by, bounds->max + by};
-    painter.setPen(QPen(bench.colours.selection, 1));
+    painter.setPen(QPen(bench.look.selection, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(bench.onScreen(box.min), bench.onScreen(box.max)));
-    painter.setPen(QPen(bench.colours.selection, 1.5));
-    painter.setBrush(bench.colours.page);
+    painter.setPen(QPen(bench.look.selection, 1.5));
+    painter.setBrush(bench.look.paper);
     for (const app::PlacedGrip& placed : app::placedGrips(box, bench.view))
         painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), 4, 4);
 }
@@ -203,7 +224,7 @@ void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
              i < scene.firstSegmentOf(shape + 1) && lines.size() < mostPreviewed; ++i)
             lines.emplace_back(bench.onScreen(scene.segments()[i].a + offset()),
                                bench.onScreen(scene.segments()[i].b + offset()));
-    painter.setPen(QPen(bench.colours.selection, 1.5));
+    painter.setPen(QPen(bench.look.selection, 1.5));
     painter.drawLines(lines.data(), int(lines.size()));
 }
 

@@ -32,8 +32,8 @@ void preview(QPainter& painter, const Workbench& bench, const app::Path& path)
     if (path.closed)
         outline.closeSubpath();
     const app::Style& style = bench.session.pen.style;
-    const bool dark = bench.colours.dark && !bench.session.display().asPrinted;
-    const QColor page = bench.colours.page;
+    const bool dark = bench.look.dark && !bench.session.display().asPrinted;
+    const QColor page = bench.look.paper;
     app::Colour ink = style.stroke.value_or(app::Colour{});
     if (dark)
         ink = app::shownInk(

@@ -6,7 +6,7 @@
 #include "app/view/picking.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
-#include "ui/canvas/canvas_colours.h"
+#include "ui/look.h"
 
 #include <QCursor>
 #include <QKeyEvent>
@@ -34,7 +34,7 @@ struct Workbench {
     app::Session& session;
     app::View& view;
     const app::Picking& picking;
-    const CanvasColours& colours;
+    const Look& look;
 
     QPointF onScreen(const app::Point& p) const
     {
@@ -77,7 +77,8 @@ public:
     /// The segment that a press would take: it is lit.
     virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
     /// What to say in the status bar just now; empty: the tool's usual hint.
-    virtual QString hint() const { return {}; }
+    virtual QString hint(const Workbench&) const { return {}; }
+    virtual bool draws() const { return false; } ///< new shapes, in the session's pen
     /// What to draw over the drawing, in logical pixels of the canvas.
     virtual void paint(QPainter&, const Workbench&) const {}
 };

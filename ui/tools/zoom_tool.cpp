@@ -29,7 +29,7 @@ public:
     {
         if (!from_)
             return;
-        painter.setPen(QPen(bench.colours.selection, 1));
+        painter.setPen(QPen(bench.look.selection, 1));
         painter.drawRect(QRectF(bench.onScreen(from_->raw), bench.onScreen(to_.raw)).normalized());
     }
 

@@ -199,6 +199,27 @@ private slots:
         QVERIFY(stage.session.selection().empty());
     }
 
+    void nothingIsDrawnOnALockedLayer()
+    {
+        Stage stage(raster, {});
+        stage.session.drawing.setLayers({{"Drawing", true, true}});
+        stage.canvas->setTool("line");
+        stage.drag({20, 30}, {70, 60});
+        QCOMPARE(stage.session.history.count(), 0);
+        QCOMPARE(stage.surface().cursor().shape(), Qt::ForbiddenCursor);
+        QVERIFY(stage.canvas->toolHint().contains("Drawing"));
+    }
+
+    void theHintNamesWhatThePointerIsOn()
+    {
+        Stage stage(raster);
+        const QString usual = stage.canvas->toolHint();
+        stage.move({100, 51});
+        QVERIFY(stage.canvas->toolHint().contains("Line 1 in Drawing"));
+        stage.move({100, 90});
+        QCOMPARE(stage.canvas->toolHint(), usual);
+    }
+
     void theSelectToolDragsTheWindowToo()
     {
         Stage stage(raster, {});
