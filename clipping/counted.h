@@ -65,7 +65,11 @@ private:
 
 /// The number behind a number: what a watcher shows, never counted.
 constexpr double plain(double x) { return x; }
-constexpr double plain(Counted<double> x) { return x.value(); }
+template <class T>
+constexpr double plain(Counted<T> x)
+{
+    return static_cast<double>(x.value());
+}
 constexpr double plain(unsigned x) { return x; }
 
 template <class T>
@@ -82,6 +86,12 @@ template <class T>
 constexpr BasicSegment<T> plain(const BasicSegment<Counted<T>>& s)
 {
     return {{s.a.x.value(), s.a.y.value()}, {s.b.x.value(), s.b.y.value()}};
+}
+/// Every float is a double.
+template <class T>
+constexpr Segment inDouble(const BasicSegment<T>& s)
+{
+    return {glm::dvec2(s.a), glm::dvec2(s.b)};
 }
 
 } // namespace clipping

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "clipping/algorithm.h"
+#include "clipping/frame.h"
+#include "clipping/outcode.h"
 
 #include <cassert>
 #include <cmath>
@@ -19,20 +21,16 @@ struct About {
     double ulps;
 };
 
-/// k of the contract. Derived in clipping/README.md for all rows at once.
-inline constexpr double maxUlps = 16;
-
 /// Whether the contract promises anything for this input: all finite, and min <= max.
-constexpr bool withinContract(const Segment& s, const Window& w)
+template <class T>
+constexpr bool withinContract(const BasicSegment<T>& s, const BasicWindow<T>& w)
 {
-    const double zero = (s.a.x - s.a.x) + (s.a.y - s.a.y) + (s.b.x - s.b.x) + (s.b.y - s.b.y)
-                        + (w.min.x - w.min.x) + (w.min.y - w.min.y) + (w.max.x - w.max.x)
-                        + (w.max.y - w.max.y);
-    return zero == 0.0 && w.min.x <= w.max.x && w.min.y <= w.max.y;
+    return legal(s) && legal(w);
 }
 
 /// The edge of the window on which a new end lies.
-constexpr Edge edgeAt(const glm::dvec2& p, const Window& w)
+template <class T>
+constexpr Edge edgeAt(const glm::vec<2, T>& p, const BasicWindow<T>& w)
 {
     return p.x == w.min.x   ? Edge::Left
            : p.x == w.max.x ? Edge::Right
@@ -42,63 +40,194 @@ constexpr Edge edgeAt(const glm::dvec2& p, const Window& w)
 }
 
 /// Which ends of `piece` are not those of `whole`, and on which edges they lie.
-constexpr std::uint32_t cutOf(const Segment& whole, const Segment& piece, const Window& w)
+template <class T>
+constexpr std::uint32_t cutOf(const BasicSegment<T>& whole, const BasicSegment<T>& piece,
+                              const BasicWindow<T>& w)
 {
     return cutAt(piece.a == whole.a ? Edge::None : edgeAt(piece.a, w),
                  piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
 }
 
-template <class Method, Form form>
-std::optional<Segment> clipOne(const Segment& segment, const Window& window)
+/// Whether a form works in a frame where there is no overflow. Published forms take what comes, and
+/// a row that says `ours` copes with any number by itself.
+template <class Method, Form form, class T>
+constexpr bool framed()
 {
-    if constexpr (form == Form::Corrected)
-        if (!withinContract(segment, window))
-            return std::nullopt;
-    return Method::template clip<form>(segment, window, Unwatched{});
+    return form == Form::Corrected && std::is_same_v<T, double> && !requires { Method::ours; };
 }
 
-template <class Method, Form form>
+/// What an algorithm is given for a segment and a window, and the frame if that is not they.
+template <class T>
+struct Given {
+    BasicSegment<T> segment;
+    BasicWindow<T> window;
+    std::optional<Frame> frame;
+};
+template <class Method, Form form, class T>
+std::optional<Given<T>> givenFor(const BasicSegment<T>& s, const BasicWindow<T>& w)
+{
+    if (form == Form::Corrected && !withinContract(s, w))
+        return std::nullopt;
+    if constexpr (framed<Method, form, T>())
+        if (const Frame frame(s); !ordinary(s) || !ordinary(w))
+            return Given<T>{frame.into(s), frame.into(w), frame};
+    return Given<T>{s, w, std::nullopt};
+}
+
+/// Whether a segment meets a window in one point at most: it runs across one that has no height, or
+/// no width.
+constexpr bool meetsInAPoint(const Segment& s, const Window& w)
+{
+    return (w.min.x == w.max.x && s.a.x != s.b.x) || (w.min.y == w.max.y && s.a.y != s.b.y);
+}
+
+/// What an algorithm found for what it was given, as the answer about `segment` and `window`.
+template <class Method, Form form, class T>
+BasicSegment<T> answer(BasicSegment<T> found, const Given<T>& given, const BasicSegment<T>& segment,
+                       const BasicWindow<T>& window)
+{
+    if constexpr (framed<Method, form, T>()) {
+        if (given.frame)
+            found = given.frame->back(found, segment, window);
+        if (meetsInAPoint(segment, window)) // which each end may have rounded in its own way
+            (outcodeOf(segment.b, window) == 0 ? found.a : found.b) =
+                outcodeOf(segment.b, window) == 0 ? found.b : found.a;
+    }
+    return found;
+}
+
+template <class Method, Form form, class T>
+[[gnu::noinline]] std::optional<BasicSegment<T>> clipGiven(const BasicSegment<T>& segment,
+                                                           const BasicWindow<T>& window)
+{
+    const auto given = givenFor<Method, form>(segment, window);
+    if (!given)
+        return std::nullopt;
+    auto piece = Method::template clip<form>(given->segment, given->window, Unwatched{});
+    if (piece)
+        piece = answer<Method, form>(*piece, *given, segment, window);
+    return piece;
+}
+
+/// One form of an algorithm at one window: what is asked of the window is asked once.
+template <class Method, Form form, class T>
+class At {
+public:
+    explicit At(const BasicWindow<T>& window) : window_(window), easy_(easy(window)) {}
+
+    std::optional<BasicSegment<T>> clip(const BasicSegment<T>& segment) const
+    {
+        if (easy_ && easy(segment)) [[likely]]
+            return Method::template clip<form>(segment, window_, Unwatched{});
+        return clipGiven<Method, form>(segment, window_);
+    }
+
+private:
+    static bool easy(const BasicWindow<T>& w)
+    {
+        if constexpr (framed<Method, form, T>())
+            return ordinary(w) && w.min.x < w.max.x && w.min.y < w.max.y;
+        else
+            return form == Form::Published;
+    }
+    static bool easy(const BasicSegment<T>& s)
+    {
+        if constexpr (framed<Method, form, T>())
+            return ordinary(s);
+        else
+            return form == Form::Published;
+    }
+    const BasicWindow<T>& window_;
+    bool easy_;
+};
+
+template <class Method, Form form, class T>
+std::optional<BasicSegment<T>> clipOne(const BasicSegment<T>& segment, const BasicWindow<T>& window)
+{
+    return At<Method, form, T>(window).clip(segment);
+}
+
+template <class Method, Form form, class T>
 [[gnu::flatten]] // the loop must contain the algorithm, not call it
 std::size_t
-clipMany(std::span<const Segment> in, const Window& window, std::span<Clipped> out)
+clipMany(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
+         std::span<BasicClipped<BasicSegment<T>>> out)
 {
     assert(out.size() >= in.size());
+    const At<Method, form, T> at(window);
     std::size_t visible = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
-        if (const auto piece = clipOne<Method, form>(in[i], window))
+        if (const auto piece = at.clip(in[i]))
             out[visible++] = {*piece, static_cast<std::uint32_t>(i), cutOf(in[i], *piece, window)};
     return visible;
 }
 
-template <class Method, Form form>
-OperationCounts countMany(std::span<const Segment> in, const Window& window)
+template <class Method, Form form, class T>
+OperationCounts countMany(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window)
 {
     operations = {};
-    for (const Segment& segment : in)
-        if (form == Form::Published || withinContract(segment, window))
-            Method::template clip<form>(counted(segment), counted(window), Unwatched{});
+    for (const BasicSegment<T>& segment : in)
+        if (const auto given = givenFor<Method, form>(segment, window))
+            Method::template clip<form>(counted(given->segment), counted(given->window),
+                                        Unwatched{});
     return operations;
 }
 
-template <class Method, Form form>
-Trace traceOne(const Segment& segment, const Window& window)
+template <class Method, Form form, class T>
+Trace traceOne(const BasicSegment<T>& segment, const BasicWindow<T>& window)
 {
-    if (form == Form::Corrected && !withinContract(segment, window))
+    const auto given = givenFor<Method, form>(segment, window);
+    if (!given)
         return {};
     operations = {};
     Recorder recorder;
-    const auto piece = Method::template clip<form>(counted(segment), counted(window), recorder);
+    const auto piece =
+        Method::template clip<form>(counted(given->segment), counted(given->window), recorder);
     Trace trace = recorder.take();
     if (piece && trace.outcome != Outcome::DidNotEnd) {
         trace.outcome = Outcome::Visible;
-        trace.visible = plain(*piece);
+        trace.visible = inDouble(answer<Method, form>(plain(*piece), *given, segment, window));
     }
+    if (given->frame)
+        for (Step& step : trace.steps)
+            step.segment = given->frame->outOf(step.segment);
     return trace;
 }
 
-template <class Method, Form form>
-constexpr Uses<Segment, Window> uses{clipOne<Method, form>, clipMany<Method, form>,
-                                     countMany<Method, form>, traceOne<Method, form>};
+/// A row may bring its own way to clip many: `Method::many<T>`.
+template <class Method, Form form, class T>
+constexpr auto manyOf()
+{
+    if constexpr (requires { Method::template many<T>; })
+        return Method::template many<T>;
+    else
+        return clipMany<Method, form, T>;
+}
+
+template <class Method, Form form, class T = double>
+constexpr Uses<BasicSegment<T>, BasicWindow<T>> uses{
+    clipOne<Method, form, T>, manyOf<Method, form, T>(), countMany<Method, form, T>,
+    traceOne<Method, form, T>};
+
+/// The published form; none where the row says `ours`.
+template <class Method>
+constexpr const Uses<Segment, Window>* publishedUses()
+{
+    if constexpr (requires { Method::ours; })
+        return nullptr;
+    else
+        return &uses<Method, Form::Published>;
+}
+
+/// The form for float data; none unless the row says `single`.
+template <class Method>
+constexpr const Uses<BasicSegment<float>, BasicWindow<float>>* singleUses()
+{
+    if constexpr (requires { Method::single; })
+        return &uses<Method, Form::Corrected, float>;
+    else
+        return nullptr;
+}
 
 template <class Method>
 Algorithm describe()
@@ -111,8 +240,8 @@ Algorithm describe()
             about.idea,
             about.ulps,
             uses<Method, Form::Corrected>,
-            &uses<Method, Form::Published>,
-            nullptr,
+            publishedUses<Method>(),
+            singleUses<Method>(),
             nullptr,
             nullptr};
 }

@@ -52,13 +52,13 @@ Named(const char*, T) -> Named<T>;
 /// Writes every step down. An algorithm hands over what it has; it computes nothing to be watched.
 class Recorder {
 public:
-    template <class... T>
-    void operator()(std::string_view what, int line, const BasicSegment<Counted<double>>& segment,
+    template <class N, class... T>
+    void operator()(std::string_view what, int line, const BasicSegment<Counted<N>>& segment,
                     Edge edge, const Named<T>&... values)
     {
         trace_.steps.push_back({what,
                                 line,
-                                plain(segment),
+                                inDouble(plain(segment)),
                                 edge,
                                 {NamedValue{values.name, plain(values.value)}...},
                                 operations});

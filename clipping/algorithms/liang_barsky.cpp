@@ -22,7 +22,7 @@ struct LiangBarsky {
         .idea =
             "Walk along the segment from 0 to 1, and let each edge raise the start or lower the "
             "stop.",
-        .ulps = maxUlps,
+        .ulps = 24, // README.md, "How far off"
     };
 
     /// The part of the segment that is left: from `start` to `stop`, and the edges that said so.
@@ -84,7 +84,7 @@ struct LiangBarsky {
         if (part.start > T(0)) {
             visible.a = along<form>(s, dx, dy, part.start, part.startEdge, w);
             if constexpr (form == Form::Corrected)
-                if (part.start == part.stop)
+                if (part.stopEdge != Edge::None && part.start == part.stop)
                     visible.a = visible.b;
             watch("cut a", 14, visible, part.startEdge, Named{"u", part.start});
         } else if constexpr (form == Form::Corrected)

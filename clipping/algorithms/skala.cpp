@@ -27,7 +27,7 @@ struct Skala {
         .idea =
             "Ask on which side of the line each corner of the window lies; the pattern names the "
             "two edges that the line crosses.",
-        .ulps = maxUlps,
+        .ulps = 24, // README.md, "How far off"
     };
 
     /// The edges e0 to e3, counter-clockwise; edge k joins corner k to the next.
@@ -119,6 +119,7 @@ struct Skala {
         else
             visible.a = meet(p, codeA & edge.mask ? edge.tab1 : edge.tab2, w);
         watch("cut", codeA == 0 ? 9 : codeB == 0 ? 10 : 8, visible, Edge::None);
+        watch("accept", 11, visible, Edge::None);
         return visible;
     }
 
@@ -163,6 +164,7 @@ struct Skala {
         if (codeB != 0)
             visible.b = meetFromA(edge.leave);
         watch("cut", codeA == 0 ? 9 : codeB == 0 ? 10 : 8, visible, Edge::None);
+        watch("accept", 11, visible, Edge::None);
         return visible;
     }
 };

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contract of clipping/algorithm.h, for every algorithm of the catalogue, against the oracle.
+#include <array>
+#include <limits>
+
+#include "tests/clipping/contract.h"
+#include "tests/clipping/rows.h"
+
+using namespace clipping;
+
+namespace {
+
+/// One family with its truth; only the last one asked for is kept.
+struct Known {
+    const Family* family = nullptr;
+    std::vector<Input> inputs;
+    std::vector<std::optional<oracle::Part>> truths;
+};
+const Known& known(const Family& family)
+{
+    static Known last;
+    if (last.family != &family) {
+        last = {&family, family.inputs(), {}};
+        for (const Input& input : last.inputs)
+            last.truths.push_back(truthOf(input));
+    }
+    return last;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A segment through the window with one of the eight numbers replaced.
+Input spoilt(int index, double by)
+{
+    Input input{{{-1, 0.5}, {3, 0.5}}, {{0, 0}, {2, 2}}};
+    const std::array numbers{&input.segment.a.x,  &input.segment.a.y,  &input.segment.b.x,
+                             &input.segment.b.y,  &input.window.min.x, &input.window.min.y,
+                             &input.window.max.x, &input.window.max.y};
+    *numbers[std::size_t(index)] = by;
+    return input;
+}
+
+bool seesNothing(const Uses<Segment, Window>& uses, const Input& input)
+{
+    std::array<Clipped, 1> out;
+    return !uses.clip(input.segment, input.window)
+           && uses.clipAll({&input.segment, 1}, input.window, out) == 0
+           && uses.trace(input.segment, input.window).outcome == Outcome::Invisible;
+}
+
+} // namespace
+
+class ContractTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void corrected_data()
+    {
+        QTest::addColumn<const Family*>("family");
+        QTest::addColumn<const Algorithm*>("algorithm");
+        for (const Family& f : families())
+            for (const Algorithm& a : algorithms())
+                QTest::addRow("%s %s", f.name, a.key.data()) << &f << &a;
+    }
+    void corrected()
+    {
+        QFETCH(const Family*, family);
+        QFETCH(const Algorithm*, algorithm);
+        const Known& all = known(*family);
+        for (std::size_t i = 0; i < all.inputs.size(); ++i) {
+            const Input& input = all.inputs[i];
+            const auto result = algorithm->corrected.clip(input.segment, input.window);
+            const auto wrong = fault(result, input, all.truths[i], algorithm->ulps);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
+        }
+    }
+
+    void kIsAtMost64_data() { everyAlgorithm(); }
+    void kIsAtMost64()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        QVERIFY(algorithm->ulps > 0 && algorithm->ulps <= 64);
+    }
+
+    // On small whole numbers nothing is near a limit of rounding: no wrong decision is excused,
+    // and a contact is a point.
+    void decidesRightlyOnTheGrid_data() { everyAlgorithm(); }
+    void decidesRightlyOnTheGrid()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        for (const Input& input : grid()) {
+            const auto truth = truthOf(input);
+            const auto result = algorithm->corrected.clip(input.segment, input.window);
+            QVERIFY2(truth.has_value() == result.has_value(), exactly(input).c_str());
+            if (truth && truth->line.a.x == truth->line.b.x && truth->line.a.y == truth->line.b.y)
+                QVERIFY2(result->a == result->b, exactly(input).c_str());
+        }
+    }
+
+    void seesNothingWithoutNumbers_data() { everyAlgorithm(); }
+    void seesNothingWithoutNumbers()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        for (int index = 0; index < 8; ++index)
+            for (const double by : {none, infinite, -infinite}) {
+                const Input input = spoilt(index, by);
+                QVERIFY2(seesNothing(algorithm->corrected, input), exactly(input).c_str());
+            }
+    }
+
+    void seesNothingInAWindowInsideOut_data() { everyAlgorithm(); }
+    void seesNothingInAWindowInsideOut()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const Segment s{{-1, 0.5}, {3, 0.5}};
+        QVERIFY(seesNothing(algorithm->corrected, {s, {{2, 0}, {0, 2}}}));
+        QVERIFY(seesNothing(algorithm->corrected, {s, {{0, 2}, {2, 0}}}));
+        QVERIFY(seesNothing(algorithm->corrected, {{{1, 1}, {1, 1}}, {{2, 2}, {0, 0}}}));
+    }
+
+    // Whatever comes, the published form must come back from it.
+    void publishedReturns_data() { everyAlgorithm(); }
+    void publishedReturns()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        if (!algorithm->published)
+            QSKIP("this row has no published form");
+        const auto run = [&](const Input& input) {
+            algorithm->published->clip(input.segment, input.window);
+            algorithm->published->trace(input.segment, input.window);
+        };
+        for (int index = 0; index < 8; ++index)
+            for (const double by : {none, infinite, -infinite})
+                run(spoilt(index, by));
+        for (const Family& family : families())
+            if (family.name != std::string_view("scene"))
+                for (const Input& input : family.inputs())
+                    run(input);
+    }
+};
+
+QTEST_APPLESS_MAIN(ContractTest)
+#include "contract_test.moc"

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// clip, clipAll, count and trace are one algorithm; and a window and a segment that are mirrored,
+// exchanged or turned round have a result that is.
+#include <QFile>
+#include <QRegularExpression>
+
+#include <set>
+
+#include "tests/clipping/contract.h"
+#include "tests/clipping/rows.h"
+
+using namespace clipping;
+
+namespace {
+
+/// Inputs with their window in common, as clipAll wants them.
+struct Batch {
+    std::vector<Segment> segments;
+    Window window;
+};
+std::vector<Batch> batches(std::size_t mostOfEachFamily)
+{
+    std::vector<Batch> all;
+    for (const Family& family : families()) {
+        const auto inputs = family.inputs();
+        for (const auto& [segment, window] :
+             std::span(inputs).first(std::min(inputs.size(), mostOfEachFamily))) {
+            if (all.empty() || !(all.back().window == window))
+                all.push_back({{}, window});
+            all.back().segments.push_back(segment);
+        }
+    }
+    return all;
+}
+
+std::vector<Form> formsOf(const Algorithm& algorithm)
+{
+    if (algorithm.published)
+        return {Form::Corrected, Form::Published};
+    return {Form::Corrected};
+}
+
+bool notLess(const OperationCounts& c, const OperationCounts& d)
+{
+    return c.additions >= d.additions && c.multiplications >= d.multiplications
+           && c.divisions >= d.divisions && c.comparisons >= d.comparisons
+           && c.negations >= d.negations;
+}
+
+/// The symmetries, each its own inverse.
+struct Symmetry {
+    const char* name;
+    Input (*of)(const Input&);
+    Segment (*back)(const Segment&);
+};
+Segment mirrorX(const Segment& s) { return {{-s.a.x, s.a.y}, {-s.b.x, s.b.y}}; }
+Segment mirrorY(const Segment& s) { return {{s.a.x, -s.a.y}, {s.b.x, -s.b.y}}; }
+Segment exchange(const Segment& s) { return {{s.a.y, s.a.x}, {s.b.y, s.b.x}}; }
+Segment reverse(const Segment& s) { return {s.b, s.a}; }
+const std::array symmetries{
+    Symmetry{"mirrored in y",
+             [](const Input& i) -> Input {
+                 const auto& [low, high] = i.window;
+                 return {mirrorX(i.segment), {{-high.x, low.y}, {-low.x, high.y}}};
+             },
+             mirrorX},
+    Symmetry{"mirrored in x",
+             [](const Input& i) -> Input {
+                 const auto& [low, high] = i.window;
+                 return {mirrorY(i.segment), {{low.x, -high.y}, {high.x, -low.y}}};
+             },
+             mirrorY},
+    Symmetry{"x and y exchanged",
+             [](const Input& i) -> Input {
+                 const auto& [low, high] = i.window;
+                 return {exchange(i.segment), {{low.y, low.x}, {high.y, high.x}}};
+             },
+             exchange},
+    Symmetry{"turned round",
+             [](const Input& i) -> Input {
+                 return {reverse(i.segment), i.window};
+             },
+             reverse},
+};
+
+/// How a result and the result of the mirrored input, mirrored back, disagree.
+std::string disagreement(const Algorithm& algorithm, const Symmetry& symmetry, const Input& input,
+                         bool excused)
+{
+    const Input other = symmetry.of(input);
+    const auto result = algorithm.corrected.clip(input.segment, input.window);
+    auto mirrored = algorithm.corrected.clip(other.segment, other.window);
+    if (mirrored)
+        mirrored = symmetry.back(*mirrored);
+    if (result.has_value() != mirrored.has_value())
+        return excused ? "" : "seen only one way";
+    if (!result)
+        return {};
+    const oracle::Part as{{{mirrored->a.x, mirrored->a.y}, {mirrored->b.x, mirrored->b.y}}, {}, {}};
+    return ulpsOff(result, input, as) <= 2 * algorithm.ulps ? "" : "not the same ends";
+}
+
+/// The numbers at the start of the lines of the first fenced block.
+std::set<int> linesOfPage(std::string_view key)
+{
+    QFile page(QStringLiteral(SOURCE_DIR "/resources/algorithms/%1.md")
+                   .arg(QLatin1StringView(key.data(), qsizetype(key.size()))));
+    std::set<int> lines;
+    if (!page.open(QIODevice::ReadOnly))
+        return lines;
+    const auto parts = QString::fromUtf8(page.readAll()).split(QStringLiteral("```"));
+    static const QRegularExpression number(QStringLiteral("^ *(\\d+) "),
+                                           QRegularExpression::MultilineOption);
+    for (auto found = number.globalMatch(parts.value(1)); found.hasNext();)
+        lines.insert(found.next().captured(1).toInt());
+    return lines;
+}
+
+} // namespace
+
+class UsesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void clipAllIsClipOneByOne_data() { everyAlgorithm(); }
+    void clipAllIsClipOneByOne()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        for (const Form form : formsOf(*algorithm))
+            for (const auto& [segments, window] : batches(20'000)) {
+                std::vector<Clipped> out(segments.size());
+                out.resize(usesOf(*algorithm, form)->clipAll(segments, window, out));
+                auto next = out.begin();
+                for (std::size_t i = 0; i < segments.size(); ++i) {
+                    const auto piece = usesOf(*algorithm, form)->clip(segments[i], window);
+                    const bool written = next != out.end() && next->source == i;
+                    const auto text = exactly({segments[i], window});
+                    QVERIFY2(written == piece.has_value(), text.c_str());
+                    if (!piece)
+                        continue;
+                    QVERIFY2(sameBits(*piece, next->segment), text.c_str());
+                    if (form == Form::Corrected)
+                        QVERIFY2(saysWhereItIsCut(*next, segments[i], window), text.c_str());
+                    ++next;
+                }
+                QVERIFY(next == out.end());
+            }
+    }
+
+    void traceIsClip_data() { everyAlgorithm(); }
+    void traceIsClip()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        for (const Form form : formsOf(*algorithm))
+            for (const auto& [segments, window] : batches(3'000))
+                for (const Segment& s : segments) {
+                    const auto text = exactly({s, window});
+                    const auto* uses = usesOf(*algorithm, form);
+                    const auto piece = uses->clip(s, window);
+                    const Trace trace = uses->trace(s, window);
+                    QVERIFY2(piece.has_value() == (trace.outcome == Outcome::Visible),
+                             text.c_str());
+                    QVERIFY2(!piece || sameBits(*piece, trace.visible), text.c_str());
+                    OperationCounts last;
+                    for (const Step& step : trace.steps) {
+                        QVERIFY2(notLess(step.cost, last), text.c_str());
+                        last = step.cost;
+                    }
+                    QVERIFY2(!trace.steps.empty(), text.c_str());
+                    QVERIFY2(notLess(uses->count({&s, 1}, window), last), text.c_str());
+                }
+    }
+
+    void everyStepIsALineOfThePage_data() { everyAlgorithm(); }
+    void everyStepIsALineOfThePage()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const auto lines = linesOfPage(algorithm->key);
+        QVERIFY2(!lines.empty(), "no numbered pseudo-code");
+        QCOMPARE(*lines.begin(), 1);
+        QCOMPARE(*lines.rbegin(), int(lines.size()));
+        for (const Form form : formsOf(*algorithm))
+            for (const Input& input : grid())
+                for (const Step& step :
+                     usesOf(*algorithm, form)->trace(input.segment, input.window).steps)
+                    QVERIFY2(lines.contains(step.line), qPrintable(QString::number(step.line)));
+    }
+
+    void countsAddUp_data() { everyAlgorithm(); }
+    void countsAddUp()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const auto batch = batches(1'000).front();
+        OperationCounts sum;
+        for (const Segment& s : batch.segments) {
+            const auto one = algorithm->corrected.count({&s, 1}, batch.window);
+            sum.additions += one.additions;
+            sum.multiplications += one.multiplications;
+            sum.divisions += one.divisions;
+            sum.comparisons += one.comparisons;
+            sum.negations += one.negations;
+        }
+        QVERIFY(sum == algorithm->corrected.count(batch.segments, batch.window));
+    }
+
+    void isSymmetric_data()
+    {
+        QTest::addColumn<const Algorithm*>("algorithm");
+        QTest::addColumn<int>("index");
+        for (const Algorithm& a : algorithms())
+            for (std::size_t i = 0; i < symmetries.size(); ++i)
+                QTest::addRow("%s %s", a.key.data(), symmetries[i].name) << &a << int(i);
+    }
+    void isSymmetric()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        QFETCH(int, index);
+        const Symmetry& symmetry = symmetries[std::size_t(index)];
+        for (const Family& family : families()) {
+            const bool whole = family.name == std::string_view("grid");
+            const auto inputs = family.inputs();
+            for (std::size_t i = 0; i < inputs.size() && i < 20'000; ++i) {
+                const auto wrong = disagreement(*algorithm, symmetry, inputs[i], !whole);
+                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
+            }
+        }
+    }
+
+private:
+    static bool on(Edge edge, const glm::dvec2& p, const Window& w)
+    {
+        return edge == Edge::Left     ? p.x == w.min.x
+               : edge == Edge::Right  ? p.x == w.max.x
+               : edge == Edge::Bottom ? p.y == w.min.y
+                                      : edge == Edge::Top && p.y == w.max.y;
+    }
+    static bool saysWhereItIsCut(const Clipped& c, const Segment& whole, const Window& w)
+    {
+        const Edge a = cutEdgeOfA(c.cut), b = cutEdgeOfB(c.cut);
+        return (a == Edge::None ? c.segment.a == whole.a : on(a, c.segment.a, w))
+               && (b == Edge::None ? c.segment.b == whole.b : on(b, c.segment.b, w));
+    }
+};
+
+QTEST_APPLESS_MAIN(UsesTest)
+#include "uses_test.moc"
