@@ -85,6 +85,7 @@ std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& re
     const auto isInside = [](Position p) { return p == Position::Inside; };
     const auto isOutside = [](Position p) { return p == Position::Outside; };
     ClippedShape result;
+    result.work = 16; // of looking at the shape at all
     for (const Path& path : shape.paths)
         result.work += (1 + path.stretches.size()) * region.sides();
     if (std::ranges::all_of(shape.paths, isInside, at)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg/tree.h"
+#include "app/formats/svg/selector.h"
 
 #include <string>
 #include <string_view>
@@ -19,21 +19,9 @@ struct Declaration {
 /// The declarations of a rule or of an attribute "style"; what is not one is left out.
 std::vector<Declaration> parseDeclarations(std::string_view text);
 
-/// One part of a selector, without combinators: "path.thin#a[d]".
-struct Compound {
-    std::string_view tag, id; ///< "" where any will do
-    std::vector<std::string_view> classes;
-    struct Attribute {
-        std::string_view name, value;
-        bool anyValue = false;
-    };
-    std::vector<Attribute> attributes;
-    char before = ' '; ///< how it is joined to the part on its left: ' ' descendant, '>' child
-};
-
 struct Rule {
-    std::vector<Compound> selector; ///< from left to right, never empty
-    std::size_t body = 0;           ///< which declarations; a list of selectors shares them
+    Selector selector;
+    std::size_t body = 0; ///< which declarations; a list of selectors shares them
     int specificity = 0;
 };
 
@@ -58,8 +46,7 @@ private:
     void addRules(std::string_view selectors, std::string_view body);
     void index(std::uint32_t rule);
     void countTried(std::size_t count); ///< throws Refused where that becomes too much
-    bool matches(const Tree& tree, Node node, const std::vector<Compound>& selector,
-                 std::size_t last);
+    bool matches(const Tree& tree, Node node, const Selector& selector, std::size_t last);
 
     std::string text_; ///< without comments; what all views point into
     std::vector<std::vector<Declaration>> bodies_;

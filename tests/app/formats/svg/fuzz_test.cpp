@@ -82,7 +82,8 @@ private slots:
             const QByteArray text = damage.of(whole);
             const auto first = readText(text);
             if (!first) {
-                QVERIFY2(first.error.endsWith('.') && !first.error.contains('\n'), first.error.toUtf8() + " <- " + text);
+                QVERIFY2(first.error.endsWith('.') && !first.error.contains('\n'),
+                         first.error.toUtf8() + " <- " + text);
                 continue;
             }
             ++read;

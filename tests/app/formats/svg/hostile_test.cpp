@@ -217,6 +217,26 @@ private slots:
             QCOMPARE(sheet.shown(sheet.shapes[i]), i % 2 == 0);
     }
 
+    void clipPathsCannotMultiply()
+    {
+        QByteArray points;
+        for (int i = 0; i < 200'000; ++i)
+            points += QByteArray::number(i % 100) + (i % 2 ? " 0 " : " 100 ");
+        const QByteArray line = "<polyline points='" + points + "' fill='none' stroke='red'/>";
+        const QByteArray clip = "<clipPath id='c'><circle cx='50' cy='50' r='40'/></clipPath>";
+        const QByteArray around = "<g clip-path='url(#c)'>";
+        QCOMPARE(error(drawing(clip + around + line + "</g>")), "(no error)");
+        QVERIFY(
+            error(drawing(clip + around + line.repeated(50) + "</g>")).contains("too much work"));
+        const QByteArray shapes = QByteArray("<path d='M50 50h1'/>").repeated(100'000);
+        QVERIFY(
+            error(drawing(clip + around.repeated(400) + shapes + QByteArray("</g>").repeated(400)))
+                .contains("too much work"));
+        const QByteArray curves =
+            "<path d='M0 0" + QByteArray("c0 1e9 1e9 0 -1 0").repeated(60'000) + "'/>";
+        QCOMPARE(error(drawing(clip + around + curves + "</g>")), "(no error)");
+    }
+
     void memoryStaysBounded()
     {
         QVERIFY2(peakMegabytes() < 1500, qPrintable(QString::number(peakMegabytes())));
