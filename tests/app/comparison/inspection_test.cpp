@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/inspection.h"
+
+#include <QTest>
+
+namespace {
+
+app::Sheet sheetOf(const std::vector<clipping::Segment>& lines)
+{
+    app::Sheet sheet;
+    sheet.window = {{0, 0}, {10, 10}};
+    for (const auto& line : lines) {
+        app::Shape shape;
+        shape.paths.push_back({line.a, {{line.b}}});
+        sheet.shapes.push_back(shape);
+    }
+    return sheet;
+}
+
+} // namespace
+
+class InspectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void regionsAreNamedAsTheyAreSeen() // y down
+    {
+        const clipping::Window window{{0, 0}, {10, 10}};
+        QCOMPARE(app::regionOf({-1, -1}, window).words(), "above left");
+        QCOMPARE(app::regionOf({11, 11}, window).words(), "below right");
+        QCOMPARE(app::regionOf({0, 10}, window).words(), "inside"); // edges belong to the window
+        QCOMPARE(app::regionOf({-1, -1}, window).outcode(), "1001");
+        QCOMPARE(app::regionOf({11, 11}, window).outcode(), "0110");
+    }
+    void classesOfLines()
+    {
+        app::Session session;
+        session.load({sheetOf({{{1, 1}, {2, 2}},
+                               {{-5, -1}, {15, -1}},
+                               {{-10, 5}, {10, 5}},
+                               {{-8, 5}, {5, 18.5}}}),
+                      {}});
+        const auto classOf = [&](std::size_t i) { return app::inspect(session, i).lineClass; };
+        QCOMPARE(classOf(0), app::LineClass::Inside);
+        QCOMPARE(classOf(1), app::LineClass::Rejected);
+        QCOMPARE(classOf(2), app::LineClass::Cut);
+        QCOMPARE(classOf(3), app::LineClass::Missed);
+    }
+    void whatIsLeftAndWhatItCosts()
+    {
+        app::Session session;
+        session.load({sheetOf({{{-10, 5}, {10, 5}}}), {}});
+        for (const auto& algorithm : clipping::algorithms()) {
+            app::Display display = session.display();
+            display.algorithm = &algorithm;
+            session.setDisplay(display);
+            const auto line = app::inspect(session, 0);
+            QCOMPARE(line.visible, (clipping::Segment{{0, 5}, {10, 5}}));
+            QCOMPARE(line.share, 0.5);
+            QVERIFY(line.cost.comparisons > 0);
+            QCOMPARE(app::stepTexts(line).size(), qsizetype(line.trace.steps.size()) + 1);
+            QVERIFY(app::stepTexts(line).last().contains("Visible"));
+        }
+    }
+    void costInWords()
+    {
+        QCOMPARE(app::costText({4, 1, 1, 14, 0}), "14 compare, 4 add, 1 multiply, 1 divide");
+        QCOMPARE(app::costText({}), "nothing");
+    }
+};
+
+QTEST_APPLESS_MAIN(InspectionTest)
+#include "inspection_test.moc"
