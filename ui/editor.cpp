@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <QUrl>
 
@@ -169,6 +170,11 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
         return int(app::Exit::Failed);
     }
     nameProgram();
+    const QTemporaryDir nobody; // a picture of the program shows nobody's settings, and leaves none
+    if (!options.screenshot.isEmpty()) {
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, nobody.path());
+        qputenv("XDG_RUNTIME_DIR", nobody.path().toLocal8Bit());
+    }
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);

@@ -89,13 +89,22 @@ QPalette paletteOf(const Look& look)
 
 QString styleSheet(const Look& look)
 {
-    return QStringLiteral("QMenuBar { background: %1; padding: 2px 8px; }"
-                          "QMenuBar::item { padding: 3px 8px; border-radius: 3px; }"
-                          "QMenuBar::item:selected { background: %2; color: %3; }"
-                          "QToolTip { background: %4; color: %3; border: 1px solid %5;"
-                          " padding: 3px; }")
+    return QStringLiteral(R"(
+        QMenuBar { background: %1; padding: 2px 4px; }
+        QMenuBar::item { padding: 3px 8px; border-radius: 3px; }
+        QMenuBar::item:selected { background: %2; color: %3; }
+        QToolTip { background: %4; color: %3; border: 1px solid %5; padding: 3px; }
+        QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+        QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
+        QScrollBar::handle { background: %5; border-radius: 3px; margin: 2px; }
+        QScrollBar::handle:vertical { min-height: 24px; }
+        QScrollBar::handle:horizontal { min-width: 24px; }
+        QScrollBar::handle:hover { background: %6; }
+        QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+        QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+    )")
         .arg(look.window.name(), look.tint.name(), look.text.name(), look.base.name(),
-             look.border.name());
+             look.border.name(), look.control.name());
 }
 
 } // namespace

@@ -89,4 +89,13 @@ QIcon icon(std::string_view key)
     return QIcon(new Engine(QStringLiteral(":/icons/%1.svg").arg(name)));
 }
 
+QPixmap tinted(const QIcon& icon, const QSize& size, double pixelRatio, const QColor& colour)
+{
+    QPixmap picture = icon.pixmap(size, pixelRatio);
+    QPainter painter(&picture);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(QRect({}, size), colour);
+    return picture;
+}
+
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QIcon>
 
 #include <string_view>
@@ -10,5 +11,8 @@ namespace ui {
 /// The icon :/icons/KEY.svg, recoloured at every painting: black becomes the palette's text colour
 /// (45 % of it when disabled), the drawing's orange the accent. Unknown keys give an empty picture.
 QIcon icon(std::string_view key);
+
+/// A picture of it in one colour.
+QPixmap tinted(const QIcon& icon, const QSize& size, double pixelRatio, const QColor& colour);
 
 } // namespace ui

@@ -264,7 +264,7 @@ int LookStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
     case PM_ExclusiveIndicatorHeight:
         return 15;
     case PM_TabBarTabHSpace:
-        return 24;
+        return 18;
     default:
         return QProxyStyle::pixelMetric(metric, option, widget);
     }

@@ -71,6 +71,7 @@ private:
     enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
     void arrangeAs(Arrangement arrangement);
     Arrangement fittingArrangement() const;
+    void shareHeight();
     void refreshDockTitles();
     void leaveStart();
     void saveLayout();

@@ -76,6 +76,15 @@ void MainWindow::addPanels()
     connect(files_.get(), &Files::nameChanged, start,
             [this, start] { start->markSample(files_->sample()); });
     follow();
+    // The first line in the inspector makes room for what is said of it.
+    connect(&session_, &app::Session::inspectedChanged, this, [this, before = false]() mutable {
+        const bool now = session_.inspected().has_value();
+        if (std::exchange(before, now) != now && now && !ownLayout_
+            && arrangement_ == Arrangement::Stacked) {
+            const QScopedValueRollback quiet(arranging_, true);
+            shareHeight();
+        }
+    });
     // Choosing or drawing leads on from Start to what can be done there.
     connect(&session_, &app::Session::loaded, this, &MainWindow::leaveStart);
     connect(&session_.history, &QUndoStack::indexChanged, this, [this](int index) {
@@ -153,9 +162,21 @@ void MainWindow::arrangeAs(Arrangement arrangement)
     const int column = width() < wide ? narrowPanelWidth : start ? startWidth : panelWidth;
     resizeDocks({docks_[1]}, {column}, Qt::Horizontal);
     if (!tabs)
-        resizeDocks({docks_[1], docks_[2], docks_[3], docks_[4]}, {290, 110, 200, 180},
-                    Qt::Vertical);
+        shareHeight();
     refreshDockTitles();
+}
+
+/// Algorithm and clip window get what they need, line and layers share the rest.
+void MainWindow::shareHeight()
+{
+    const auto needed = [](const Dock* dock) {
+        return dock->widget()->sizeHint().height() + space::dockTitleHeight;
+    };
+    const int algorithm = needed(docks_[1]), window = needed(docks_[2]);
+    const int rest = std::max(160, height() - 120 - algorithm - window);
+    const int line = session_.inspected() ? rest * 11 / 20 : 90;
+    resizeDocks({docks_[1], docks_[2], docks_[3], docks_[4]},
+                {algorithm, window, line, rest - line}, Qt::Vertical);
 }
 
 /// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
@@ -166,6 +187,7 @@ void MainWindow::refreshDockTitles()
                            ? Dock::Title::Shown
                            : Dock::Title::InTab);
     for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        bar->setFont(captionFont(font()));
         bar->setExpanding(false);
         bar->setDrawBase(false);
         bar->setElideMode(Qt::ElideNone);

@@ -5,6 +5,7 @@
 #include "ui/look.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/status_cell.h"
+#include "ui/widgets/zoom_button.h"
 
 #include <QMenu>
 
@@ -26,7 +27,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new QLabel),
       position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
       algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
-      renderer_(new StatusCell(tr("Renderer"))), zoom_(new QToolButton)
+      renderer_(new StatusCell(tr("Renderer"))), zoom_(new ZoomButton)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
@@ -34,6 +35,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setAccessibleName(tr("Hint"));
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    hint_->setContentsMargins(8, 0, 0, 0);
     addWidget(hint_, 1);
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
         addPermanentWidget(cell);
@@ -117,7 +119,7 @@ void StatusBar::keepRoom()
     const auto& page = session_.sheet().page;
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
-    const double farthest = -10 * std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
+    const double farthest = -std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
     position_->setWidest(
         tr("x %1  y %2")
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
@@ -160,14 +162,9 @@ void StatusBar::addZoomMenu()
     menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);
     menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
     zoom_->setMenu(menu);
-    zoom_->setPopupMode(QToolButton::InstantPopup);
-    zoom_->setAutoRaise(true);
-    zoom_->setFont(captionFont(font()));
     zoom_->setAccessibleName(tr("Zoom"));
     zoom_->setToolTip(tr("Zoom"));
-    zoom_->setFixedHeight(space::statusHeight - 2);
-    zoom_->setFixedWidth(zoom_->fontMetrics().horizontalAdvance(tr("%1 % ▾").arg(u"100,000")) + 16);
-    zoom_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    zoom_->setWidest(tr("%1 % ▾").arg(u"10,000"));
     addPermanentWidget(zoom_);
 }
 

@@ -8,11 +8,11 @@
 #include <QLabel>
 #include <QStatusBar>
 #include <QTimer>
-#include <QToolButton>
 
 namespace ui {
 
 class StatusCell;
+class ZoomButton;
 
 /// The tool's hint at the left; at the right cells as wide as their widest text, so that nothing
 /// ever jumps: position, visible of total, algorithm, times (medians of 60 frames, shown at most
@@ -43,7 +43,7 @@ private:
     Canvas& canvas_;
     QLabel* hint_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
-    QToolButton* zoom_;
+    ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;
     FrameTimes last_;
     QTimer pause_;

@@ -5,6 +5,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -16,6 +18,22 @@ Colour plain(const QColor& colour)
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
 }
 
+/// The page fills the picture, around the clip window; but the window is seen whole.
+void cover(View& view, const Sheet& sheet)
+{
+    const Point page = sheet.page.size, window = sheet.window.max - sheet.window.min;
+    const double filling = std::max(view.size.x / page.x, view.size.y / page.y);
+    view.fit(sheet.window, margin + outline);
+    if (!(view.zoom < filling) || window == Point(0, 0))
+        view.zoom = filling;
+    const Point half = view.size / view.zoom * 0.5, middle = sheet.page.min + page * 0.5;
+    for (glm::length_t axis = 0; axis < 2; ++axis) {
+        const double low = sheet.page.min[axis] + half[axis];
+        const double high = sheet.page.min[axis] + page[axis] - half[axis];
+        view.centre[axis] = low > high ? middle[axis] : std::clamp(view.centre[axis], low, high);
+    }
+}
+
 } // namespace
 
 QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
@@ -25,7 +43,7 @@ QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
     Scene scene(drawing);
     View view;
     view.size = {points.width(), points.height()};
-    view.fit(sheet.page.rectangle(), margin);
+    cover(view, sheet);
     const auto frame =
         scene.clip(clipping::algorithms().front().corrected, sheet.window, Scene::Removed::Kept);
     PictureOptions options{.view = view, .page = plain(colours.page)};

@@ -126,6 +126,11 @@ QSize AlgorithmList::sizeHint() const
     return {space::rowHeight * 10, model()->rowCount() * space::rowHeight};
 }
 
+QSize AlgorithmList::minimumSizeHint() const
+{
+    return {200, std::min(4, model()->rowCount()) * space::rowHeight};
+}
+
 void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex& previous)
 {
     QListView::currentChanged(current, previous);

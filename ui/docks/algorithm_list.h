@@ -26,7 +26,7 @@ class AlgorithmList : public QListView {
 public:
     explicit AlgorithmList(app::Session& session, QWidget* parent = nullptr);
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {200, 4 * 26}; }
+    QSize minimumSizeHint() const override;
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;

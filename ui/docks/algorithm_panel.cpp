@@ -113,7 +113,8 @@ void AlgorithmPanel::paintVerdict()
     inks.setColor(QPalette::WindowText, good ? look.good : look.differs);
     verdict_->setPalette(inks);
     verdict_->setFont(good ? font() : semiBold(font()));
-    tick_->setPixmap(icon(good ? "tick" : "warning").pixmap(QSize(16, 16), devicePixelRatioF()));
+    tick_->setPixmap(tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(),
+                            good ? look.good : look.differs));
 }
 
 void AlgorithmPanel::showEvent(QShowEvent* event)

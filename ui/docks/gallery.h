@@ -3,17 +3,18 @@
 
 #include "app/document/samples.h"
 
-#include <QImage>
-#include <QListWidget>
+#include <QWidget>
 
 #include <atomic>
 #include <memory>
 
 namespace ui {
 
-/// The samples with their windows, clipped by the library. The pictures are made on a thread of
-/// their own after the widget is first seen, and again when the colours change.
-class Gallery : public QListWidget {
+class SampleButton;
+
+/// The samples in two columns, with their windows, clipped by the library. The pictures are made on
+/// a thread of their own after the widget is first seen, and again when colours or sizes change.
+class Gallery : public QWidget {
     Q_OBJECT
 
 public:
@@ -22,7 +23,6 @@ public:
 
     /// Marks the sample that is open; an unknown key marks none.
     void mark(const QString& key);
-    int heightForWidth(int width) const override;
 
 signals:
     void chosen(const app::Sample& sample);
@@ -34,11 +34,10 @@ protected:
 
 private:
     void paintPictures();
-    void layOut();
 
     std::vector<app::Sample> samples_;
+    std::vector<SampleButton*> buttons_;
     std::shared_ptr<std::atomic<int>> generation_; ///< pictures of an older one are dropped
-    bool painted_ = false;
 };
 
 } // namespace ui

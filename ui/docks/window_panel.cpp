@@ -45,7 +45,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
                new LengthField(tr("Y"), Range::Any, none),
                new LengthField(tr("Width"), Range::NotNegative, none),
                new LengthField(tr("Height"), Range::NotNegative, none)};
-    const QStringList labels{tr("&X"), tr("&Y"), tr("&W"), tr("&H")};
+    const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H")};
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);

@@ -63,7 +63,7 @@ MenuInfo editMenu()
                          w.tell({Message::Kind::Warning, *error});
                  }},
                 {"duplicate",
-                 tr("D&uplicate"),
+                 tr("Dup&licate"),
                  {K("Ctrl+D")},
                  Reach::Window,
                  {},

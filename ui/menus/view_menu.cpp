@@ -43,9 +43,9 @@ void complete(MainWindow& window, QMenu& menu)
     for (QAction* action : menu.actions())
         if (action->objectName() == QStringLiteral("full-screen"))
             before = action;
-    auto* themes = new QMenu(tr("&Theme"), &menu);
+    auto* themes = new QMenu(tr("T&heme"), &menu);
     addThemes(window, *themes);
-    auto* panels = new QMenu(tr("&Panels"), &menu);
+    auto* panels = new QMenu(tr("Pane&ls"), &menu);
     for (QAction* toggle : window.panelToggles())
         panels->addAction(toggle);
     menu.insertMenu(before, themes);

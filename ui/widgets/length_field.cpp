@@ -63,8 +63,7 @@ void LengthField::finish()
     if (value() == shown_)
         return;
     if (range_ == Range::NotNegative && value() < 0) {
-        const QSignalBlocker quiet(this);
-        setValue(shown_);
+        setValue(shown_); // which comes back here and changes nothing
         emit refused(tr("%1 must be at least 0.").arg(name_));
         return;
     }

@@ -49,6 +49,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     setObjectName(QStringLiteral("options"));
     setIconSize({18, 18});
     setFixedHeight(space::optionsHeight);
+    setContentsMargins(6, 0, 8, 0);
     addAction(undo);
     addAction(redo);
     addSeparator();
@@ -110,7 +111,7 @@ void OptionBar::addSnapping(Canvas& canvas)
     choice->setAccessibleName(tr("Snapping"));
     choice->setToolTip(magnet->toolTip());
     choice->setFixedHeight(space::fieldHeight);
-    choice->addItem(tr("All"), int(app::SnapTo::All));
+    choice->addItem(tr("Ends, middles, window"), int(app::SnapTo::All));
     choice->addItem(tr("Ends"), int(app::SnapTo::Ends));
     choice->addItem(tr("Middles"), int(app::SnapTo::Middles));
     choice->addItem(tr("Window edges"), int(app::SnapTo::WindowEdges));
@@ -148,6 +149,7 @@ void OptionBar::addExport(QAction* exportCut)
     export_->setFixedHeight(space::fieldHeight + 2);
     export_->setProperty("framed", true);
     addWidget(export_);
+    export_->setAutoRaise(false); // which bars set
 }
 
 QLabel* OptionBar::addCaption(const QString& text)

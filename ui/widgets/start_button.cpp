@@ -30,14 +30,16 @@ void StartButton::paintEvent(QPaintEvent*)
     painter.setBrush(isDown() ? look.tint : underMouse() ? look.hover : look.base);
     painter.drawRoundedRect(QRectF(rect()).adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2),
                             space::radius, space::radius);
-    icon().paint(&painter, QRect(14, height() / 2 - 10, 20, 20));
-    const QRect words(48, height() / 2 - 19, width() - 54, 19);
+    const int inset = width() < 130 ? 8 : 14;
+    icon().paint(&painter, QRect(inset, height() / 2 - 10, 20, 20));
+    const QRect words(2 * inset + 20, height() / 2 - 19, width() - 2 * inset - 24, 19);
     painter.setPen(look.text);
     painter.setFont(semiBold(font()));
     painter.drawText(words, Qt::AlignVCenter, text());
     painter.setPen(look.muted);
     painter.setFont(captionFont(font()));
-    painter.drawText(words.translated(0, 19), Qt::AlignVCenter, what_);
+    painter.drawText(words.translated(0, 19), Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(what_, Qt::ElideRight, words.width()));
 }
 
 } // namespace ui

@@ -9,6 +9,7 @@ namespace ui {
 StatusCell::StatusCell(const QString& name, QWidget* parent) : QWidget(parent), name_(name)
 {
     setFont(captionFont(font()));
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
     setAccessibleName(name);
 }
 
@@ -32,6 +33,8 @@ void StatusCell::paintEvent(QPaintEvent*)
 {
     const Look& look = lookOf(palette());
     QPainter painter(this);
+    if (text_.isEmpty())
+        return;
     painter.fillRect(0, 6, 1, height() - 12, look.border);
     painter.setPen(look.text);
     drawTabular(painter, rect().adjusted(11, 0, -10, 0), Qt::AlignLeft | Qt::AlignVCenter, text_);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/layer_model.h"
+#include "ui/docks/line_panel.h"
+#include "ui/docks/window_panel.h"
+#include "ui/status_bar.h"
+#include "ui/widgets/length_field.h"
+
+#include <QLineEdit>
+#include <QRadioButton>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+void type(QDoubleSpinBox* field, const QString& text)
+{
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+} // namespace
+
+class PanelsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aNumberIsOneStep()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        QCOMPARE(fields.size(), 4);
+        type(fields[0], "25");
+        QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.sheet().window, (clipping::Window{{25, 0}, {125, 100}}));
+        type(fields[2], "2cm"); // a unit converts
+        QCOMPARE(session.history.count(), 2);
+        QCOMPARE(session.sheet().window.max.x, 45.0);
+        session.history.undo();
+        session.history.undo();
+        QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {100, 100}}));
+        QCOMPARE(fields[0]->text(), "0.00");
+    }
+    void aNegativeWidthIsRefusedInWords()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        type(fields[2], "-5");
+        QCOMPARE(t.window->session().history.count(), 0);
+        QCOMPARE(t.window->message(), "Width must be at least 0.");
+        QCOMPARE(fields[2]->text(), "100.00");
+    }
+    void proportionsAreKept()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        auto* panel = t.window->findChild<WindowPanel*>();
+        const auto fields = panel->findChildren<LengthField*>();
+        type(fields[3], "50");
+        panel->findChild<QToolButton*>()->click();
+        type(fields[2], "50");
+        QCOMPARE(t.window->session().sheet().window, (clipping::Window{{0, 0}, {50, 25}}));
+    }
+    void theUnitChangesEveryNumber()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        app::Display display = t.window->session().display();
+        display.unit = app::Unit::Inch;
+        t.window->session().setDisplay(display);
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        QCOMPARE(fields[2]->text(), "3.937");
+    }
+    void theVerdictCountsWhatIsLost()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        AlgorithmPanel& panel = t.window->algorithmPanel();
+        panel.compare();
+        QCOMPARE(panel.verdict(), "All algorithms agree here");
+        QVERIFY(panel.differences().empty());
+    }
+    void theFormIsChosen()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
+        QTest::mouseClick(radios[1], Qt::LeftButton, {}, QPoint(8, radios[1]->height() / 2));
+        QCOMPARE(t.window->session().display().form, clipping::Form::Published);
+    }
+    void theInspectorTellsTheSteps()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.window->session().inspect(0);
+        auto* panel = t.window->findChild<LinePanel*>();
+        QTRY_VERIFY(!panel->steps().isEmpty());
+        QVERIFY2(panel->steps().contains("Visible"), qPrintable(panel->steps()));
+    }
+    void layersAreUndoable()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        app::Session& session = t.window->session();
+        auto* model = t.window->findChild<LayerModel*>();
+        model->addLayer();
+        QCOMPARE(model->rowCount(), 2);
+        model->setData(model->index(0), "Sky", Qt::EditRole);
+        QCOMPARE(session.sheet().layers[1].name, "Sky");
+        model->setData(model->index(1), false, LayerModel::VisibleRole);
+        QCOMPARE(session.scene.segments().size(), std::size_t(0));
+        model->removeLayer(0);
+        QCOMPARE(model->rowCount(), 1);
+        while (session.history.canUndo())
+            session.history.undo();
+        QCOMPARE(session.sheet(), app::readFile(t.path("two.svg")).value->sheet);
+    }
+    void theStatusBarCounts()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
+        QCOMPARE(t.window->status().times(), "too few to time");
+        QTest::mouseMove(t.drawingArea(), QPoint(200, 200));
+        QTRY_VERIFY(t.window->status().position().contains("mm"));
+    }
+};
+
+QTEST_MAIN(PanelsTest)
+#include "panels_test.moc"

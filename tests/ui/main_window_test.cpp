@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "ui/actions.h"
+#include "ui/docks/algorithm_panel.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+const clipping::Window middle{{25, 25}, {75, 75}};
+
+/// Panels behind another tab are kept off the screen.
+bool inFront(const QDockWidget* dock) { return dock->isVisible() && dock->x() >= 0; }
+
+void setWindow(TestWindow& t, const clipping::Window& window)
+{
+    app::Session& session = t.window->session();
+    session.history.push(new app::SetWindow(session.drawing, window));
+}
+
+} // namespace
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void mnemonicsAreUniqueInEachMenu()
+    {
+        const auto mnemonics = [](const QList<QAction*>& actions) {
+            QStringList letters;
+            for (const QAction* action : actions)
+                if (const auto at = action->text().indexOf(u'&'); at >= 0)
+                    letters << action->text().mid(at + 1, 1).toLower();
+            return letters;
+        };
+        TestWindow t;
+        QList<QList<QAction*>> lists{t.window->menuBar()->actions()};
+        for (const QAction* top : t.window->menuBar()->actions())
+            lists << top->menu()->actions();
+        for (const auto& list : lists) {
+            QStringList letters = mnemonics(list);
+            const auto count = letters.size();
+            letters.removeDuplicates();
+            QVERIFY2(letters.size() == count, qPrintable(letters.join(' ')));
+        }
+    }
+    void shortcutsAreUniqueAndNoneIsMissing()
+    {
+        TestWindow t;
+        QHash<QString, QString> seen;
+        for (const QAction* action : t.window->findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts()) {
+                const QString text = key.toString();
+                QVERIFY2(!seen.contains(text) || seen[text] == action->text(),
+                         qPrintable(text + ": " + seen.value(text) + ", " + action->text()));
+                seen[text] = action->text();
+            }
+        for (const char* key : {"Ctrl+N", "Ctrl+O", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+E", "Ctrl+Z",
+                                "Ctrl+Y", "Ctrl+Shift+Z", "Ctrl+=", "F11", "Ctrl+Shift+A"})
+            QVERIFY2(seen.contains(key), key);
+    }
+    void opensAFile()
+    {
+        TestWindow t;
+        t.show();
+        t.answers->open = t.twoLines();
+        QTest::keyClick(t.window.get(), Qt::Key_O, Qt::ControlModifier);
+        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QVERIFY(t.window->windowTitle().startsWith("two.svg"));
+        QCOMPARE(t.window->files().recent().size(), std::size_t(1));
+        QCOMPARE(t.window->files().recent().front().lines, std::size_t(2));
+    }
+    void aBadFileChangesNothing()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        QFile bad(t.path("bad.svg"));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("<svg><g>");
+        bad.close();
+        t.show();
+        t.window->files().open(bad.fileName());
+        QVERIFY(t.window->message().contains("bad.svg"));
+        QVERIFY(t.window->message().contains("Nothing was changed"));
+        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+    }
+    void digitsChooseTheAlgorithmOnTheCanvasOnly()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto all = clipping::algorithms();
+        QTest::keyClick(t.drawingArea(), Qt::Key_2);
+        QCOMPARE(t.window->session().display().algorithm, &all[1]);
+        auto* field = t.window->findChild<QDoubleSpinBox*>();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_1);
+        QCOMPARE(t.window->session().display().algorithm, &all[1]);
+    }
+    void lettersChooseTheTool()
+    {
+        TestWindow t;
+        t.show();
+        QTest::keyClick(t.drawingArea(), Qt::Key_L);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("line"));
+        QTest::keyClick(t.drawingArea(), Qt::Key_W);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
+        QVERIFY(t.action("tool-window")->isChecked());
+    }
+    void dropsOpen()
+    {
+        TestWindow t;
+        t.show();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(t.twoLines())});
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(t.window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(t.window.get(), &drop);
+        QTRY_COMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+    }
+    void unsavedChangesAreAskedAbout()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        QVERIFY(!t.window->isWindowModified());
+        setWindow(t, middle);
+        QVERIFY(t.window->isWindowModified());
+        t.answers->answer = Questions::Answer::Cancel;
+        QVERIFY(!t.window->close());
+        QCOMPARE(t.answers->asked, 1);
+        t.answers->answer = Questions::Answer::Save;
+        QVERIFY(t.window->close());
+        const auto again = app::readFile(t.path("two.svg"));
+        QCOMPARE(again.value->sheet.window, middle);
+    }
+    void dontSaveLeavesTheFile()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.answers->answer = Questions::Answer::DontSave;
+        t.window->files().startNew();
+        QVERIFY(t.window->session().sheet().shapes.empty());
+        QVERIFY(app::readFile(t.path("two.svg")).value->sheet.window != middle);
+    }
+    void savingOverSomebodyElsesChangeIsAsked()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        QFile file(t.path("two.svg"));
+        QVERIFY(file.open(QIODevice::Append));
+        file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime);
+        file.close();
+        QVERIFY(!t.window->files().save()); // the prepared answer is no
+        QVERIFY(t.window->isWindowModified());
+    }
+    void aLossyImportIsSavedAsANewFile()
+    {
+        TestWindow t;
+        QFile file(t.path("lossy.svg"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'>"
+                   "<text>a</text><path d='M0 0L5 5' stroke='#000'/></svg>");
+        file.close();
+        t.show();
+        t.window->files().open(file.fileName());
+        QVERIFY2(t.window->message().contains("cannot be kept"), qPrintable(t.window->message()));
+        t.answers->asNewFile = false;
+        QVERIFY(!t.window->files().save());
+        t.answers->asNewFile = true;
+        t.answers->save = t.path("new.svg");
+        QVERIFY(t.window->files().save());
+        QVERIFY(QFile::exists(t.path("new.svg")));
+        QVERIFY(t.window->files().save()); // now it is ours
+    }
+    void exportsTheCutDrawing()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.show();
+        t.answers->save = t.path("out.svg");
+        QTest::keyClick(t.window.get(), Qt::Key_E, Qt::ControlModifier);
+        QVERIFY2(t.answers->proposed.endsWith("two-cut.svg"), qPrintable(t.answers->proposed));
+        QVERIFY2(t.window->message().contains("Exported out.svg"), qPrintable(t.window->message()));
+        const auto cut = app::readFile(t.path("out.svg"));
+        const app::Drawing drawing(cut.value->sheet);
+        const app::Scene scene(drawing);
+        QCOMPARE(scene.segments().size(), std::size_t(1));
+        QCOMPARE(scene.segments()[0], (clipping::Segment{{25, 50}, {75, 50}}));
+    }
+    void cropsAndUndoes()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(1));
+        t.action("undo")->trigger();
+        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+    }
+    void clipboardAndSelection()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        app::Session& session = t.window->session();
+        t.action("select-all")->trigger();
+        QCOMPARE(session.selection().size(), std::size_t(1));
+        t.action("copy")->trigger();
+        t.action("paste")->trigger();
+        QCOMPARE(session.sheet().shapes.size(), std::size_t(2));
+        QCOMPARE(session.selection(), (std::set<std::size_t>{1}));
+        t.action("duplicate")->trigger();
+        QCOMPARE(session.sheet().shapes.size(), std::size_t(3));
+        t.action("delete")->trigger();
+        QCOMPARE(session.sheet().shapes.size(), std::size_t(2));
+        t.action("undo")->trigger();
+        t.action("undo")->trigger();
+        t.action("undo")->trigger();
+        QCOMPARE(session.sheet().shapes.size(), std::size_t(1));
+    }
+    void themesSwitch()
+    {
+        TestWindow t;
+        t.window->setTheme(Theme::Dark);
+        QVERIFY(lookOf(t.window->palette()).dark);
+        QVERIFY(lookOf(t.window->canvas().palette()).dark);
+        t.window->setTheme(Theme::Light);
+        QVERIFY(!lookOf(t.window->palette()).dark);
+        QCOMPARE(QSettings().value("theme").toInt(), int(Theme::Light));
+    }
+    void startShowsASampleAndLeadsOn()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        auto* start = t.window->findChild<QDockWidget*>("start");
+        auto* algorithm = t.window->findChild<QDockWidget*>("algorithm");
+        QTRY_VERIFY(inFront(start));
+        QVERIFY(!inFront(algorithm));
+        QVERIFY(t.window->session().scene.segments().size() > 10000);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
+        setWindow(t, {{50, 50}, {100, 100}});
+        QTRY_VERIFY(inFront(algorithm));
+        QVERIFY(QSettings().value("windowDragged").toBool());
+    }
+    void layoutIsKeptAndReset()
+    {
+        TestWindow t;
+        t.show();
+        auto* layers = t.window->findChild<QDockWidget*>("layers");
+        QTRY_VERIFY(layers->isVisible());
+        t.window->addDockWidget(Qt::LeftDockWidgetArea, layers);
+        QVERIFY(t.window->close());
+        MainWindow again(Backend::Raster);
+        auto* kept = again.findChild<QDockWidget*>("layers");
+        QCOMPARE(again.dockWidgetArea(kept), Qt::LeftDockWidgetArea);
+        again.resetLayout();
+        QCOMPARE(again.dockWidgetArea(kept), Qt::RightDockWidgetArea);
+    }
+    void fitsTheSmallestScreen()
+    {
+        TestWindow t;
+        t.window->resize(1024, 640);
+        t.show();
+        QCOMPARE(t.window->size(), QSize(1024, 640));
+    }
+    void everyButtonAndFieldHasAName()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        for (const QWidget* widget : t.window->findChildren<QWidget*>()) {
+            const bool control =
+                widget->focusPolicy() != Qt::NoFocus
+                && (widget->inherits("QAbstractButton") || widget->inherits("QComboBox")
+                    || widget->inherits("QAbstractSpinBox")
+                    || widget->inherits("QAbstractItemView"));
+            if (!control || !widget->isVisible())
+                continue;
+            QAccessibleInterface* read =
+                QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+            QVERIFY2(read && !read->text(QAccessible::Name).isEmpty(),
+                     qPrintable(QString(widget->metaObject()->className()) + " "
+                                + widget->objectName() + " in "
+                                + widget->parent()->metaObject()->className()));
+        }
+    }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/files.h"
+#include "ui/look.h"
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+// A main window with settings of its own and with prepared answers in place of dialogs.
+
+namespace ui {
+
+class PreparedAnswers : public Questions {
+public:
+    explicit PreparedAnswers(QWidget& window) : Questions(window) {}
+
+    QString open, save, proposed;
+    Answer answer = Answer::Cancel;
+    bool asNewFile = false;
+    int asked = 0; ///< how often about unsaved changes
+
+    QString fileToOpen(const QString&) override { return open; }
+    QString fileToSave(const QString&, const QString& proposal, Formats) override
+    {
+        proposed = proposal;
+        return save;
+    }
+    Answer saveChanges(const QString&) override { return ++asked, answer; }
+    bool saveAsNewFile(const std::vector<app::Loss>&) override { return asNewFile; }
+    void showLosses(const QString&, const std::vector<app::Loss>&) override {}
+    bool overwriteChanged(const QString&) override { return false; }
+};
+
+class TestWindow {
+public:
+    TestWindow()
+    {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+        QCoreApplication::setOrganizationName("Clearcut");
+        QCoreApplication::setApplicationName("Clearcut");
+        applyTheme(*qApp, Theme::Light);
+        window = std::make_unique<MainWindow>(Backend::Raster);
+        auto prepared = std::make_unique<PreparedAnswers>(*window);
+        answers = prepared.get();
+        window->setQuestions(std::move(prepared));
+        window->resize(1280, 800);
+    }
+
+    void show()
+    {
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+        window->activateWindow();
+        window->canvas().setFocus();
+    }
+    QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
+    QString path(const char* name) const { return folder.filePath(name); }
+    QWidget* drawingArea() const
+    {
+        QWidget* proxy = window->canvas().focusProxy();
+        return proxy ? proxy : &window->canvas();
+    }
+    /// A drawing of two lines: one across the window (25,25)-(75,75), one far from it.
+    QString twoLines() const
+    {
+        QFile file(path("two.svg"));
+        [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
+        file.write(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+            "viewBox='0 0 100 100'><path d='M0 50H100M0 5H10' stroke='#000' fill='none'/></svg>");
+        return file.fileName();
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<MainWindow> window;
+    PreparedAnswers* answers = nullptr;
+};
+
+} // namespace ui
