@@ -22,9 +22,8 @@ Shape moved(Shape shape, const Point& by)
 
 MoveShapes::MoveShapes(Drawing& drawing, std::set<std::size_t> shapes, const Point& by,
                        Merging merging)
-    : QUndoCommand(
-        QCoreApplication::translate("Commands", "Move %n shape(s)", nullptr, int(shapes.size()))),
-      drawing_(drawing), shapes_(std::move(shapes)), merging_(merging),
+    : QUndoCommand(QCoreApplication::translate("Commands", "Move selection")), drawing_(drawing),
+      shapes_(std::move(shapes)), merging_(merging),
       patches_(patchesOf(drawing.sheet(), shapes_, [&](Shape& shape) {
           shape = moved(std::move(shape), by);
           return true;

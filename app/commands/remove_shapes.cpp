@@ -13,9 +13,7 @@ RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes
 }
 
 RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes)
-    : RemoveShapes(
-        drawing, shapes,
-        QCoreApplication::translate("Commands", "Delete %n shape(s)", nullptr, int(shapes.size())))
+    : RemoveShapes(drawing, shapes, QCoreApplication::translate("Commands", "Delete selection"))
 {
 }
 

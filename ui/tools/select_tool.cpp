@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_shapes.h"
 #include "app/commands/remove_shapes.h"
+#include "app/commands/resize_shapes.h"
 #include "app/view/numbers.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
@@ -14,6 +15,7 @@
 namespace ui {
 namespace {
 
+constexpr double boxReach = 8;              // pixels
 constexpr std::size_t mostPreviewed = 4000; // segments of a selection that is being dragged
 
 /// Clicks, boxes and drags shapes; drags the clip window by its handles and outline, too.
@@ -41,28 +43,43 @@ public:
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 private:
-    enum class Drag : std::uint8_t { None, Press, Box, Move };
+    enum class Drag : std::uint8_t { None, Press, Box, Selection };
 
     void light(const Pointer& pointer, Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
     void selectBox(const Pointer& pointer, Workbench& bench);
+    void startDrag(Workbench& bench);
+    void finishDrag(Workbench& bench);
     app::Point offset() const { return to_.raw - from_.raw; }
+    clipping::Window target() const; ///< where the drag would bring the selection's bounds
     void paintBox(QPainter& painter, const Workbench& bench) const;
-    void paintBounds(QPainter& painter, const Workbench& bench, const app::Point& by) const;
+    void paintBounds(QPainter& painter, const Workbench& bench,
+                     const clipping::Window& bounds) const;
     void paintMoved(QPainter& painter, const Workbench& bench) const;
 
     ui::WindowGesture gesture_;
     std::optional<app::Grip> litGrip_;
+    std::optional<app::Grip> boxGrip_;      ///< of the selection's bounding box
     std::optional<std::size_t> litSegment_; ///< of the scene
+    clipping::Window bounds_{};             ///< of the selection, as the drag began
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
 
+// A single line has no box around it: it shows its ends.
+std::optional<clipping::Window> boxAround(const app::Session& session)
+{
+    const bool single = session.selection().size() == 1 && session.inspected();
+    return single ? std::nullopt : app::boundsOf(session.scene, session.selection());
+}
+
 void SelectTool::light(const Pointer& pointer, Workbench& bench)
 {
     litGrip_ = app::gripAt(pointer.screen, bench.session.sheet().window, bench.view);
-    litSegment_ =
-        litGrip_ ? std::nullopt : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    const auto box = litGrip_ ? std::nullopt : boxAround(bench.session);
+    boxGrip_ = box ? app::gripAt(pointer.screen, *box, bench.view, boxReach) : std::nullopt;
+    litSegment_ = litGrip_ || boxGrip_ ? std::nullopt
+                                       : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
 }
 
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
@@ -87,12 +104,35 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
         return;
     }
     to_ = pointer;
-    if (drag_ != Drag::Press || !dragged(from_.screen, pointer))
-        return;
-    drag_ = litSegment_ ? Drag::Move : Drag::Box;
-    const auto& selection = bench.session.selection();
-    if (litSegment_ && !selection.contains(bench.session.scene.shapeOf(*litSegment_)))
+    if (drag_ == Drag::Press && dragged(from_.screen, pointer))
+        startDrag(bench);
+}
+
+void SelectTool::startDrag(Workbench& bench)
+{
+    drag_ = litSegment_ || boxGrip_ ? Drag::Selection : Drag::Box;
+    const app::Session& session = bench.session;
+    if (litSegment_ && !session.selection().contains(session.scene.shapeOf(*litSegment_)))
         click(from_, bench);
+    bounds_ = app::boundsOf(session.scene, session.selection()).value_or(clipping::Window{});
+}
+
+clipping::Window SelectTool::target() const
+{
+    const auto proportion =
+        to_.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
+    return app::dragged(bounds_, boxGrip_.value_or(app::Grip{}), offset(), proportion,
+                        anchorOf(to_.modifiers));
+}
+
+void SelectTool::finishDrag(Workbench& bench)
+{
+    app::Session& session = bench.session;
+    if (boxGrip_.value_or(app::Grip{}) == app::Grip{})
+        session.history.push(new app::MoveShapes(session.drawing, session.selection(), offset()));
+    else
+        session.history.push(
+            new app::ResizeShapes(session.drawing, session.selection(), bounds_, target()));
 }
 
 void SelectTool::release(const Pointer& pointer, Workbench& bench)
@@ -107,9 +147,8 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
         click(from_, bench);
     else if (drag == Drag::Box)
         selectBox(pointer, bench);
-    else if (drag == Drag::Move)
-        bench.session.history.push(
-            new app::MoveShapes(bench.session.drawing, bench.session.selection(), offset()));
+    else if (drag == Drag::Selection)
+        finishDrag(bench);
     litSegment_.reset();
 }
 
@@ -175,18 +214,19 @@ QCursor SelectTool::cursor(const Workbench&) const
 {
     if (litGrip_ || gesture_.going())
         return cursorOf(litGrip_.value_or(app::Grip{}));
-    return drag_ == Drag::Move ? Qt::SizeAllCursor : Qt::ArrowCursor;
+    if (boxGrip_)
+        return cursorOf(*boxGrip_);
+    return drag_ == Drag::Selection ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 
 void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
     if (drag_ == Drag::Box)
         paintBox(painter, bench);
-    if (drag_ == Drag::Move)
+    if (drag_ == Drag::Selection)
         paintMoved(painter, bench);
-    if (bench.session.selection().size() > 1
-        || (!bench.session.selection().empty() && !bench.session.inspected()))
-        paintBounds(painter, bench, drag_ == Drag::Move ? offset() : app::Point(0));
+    if (const auto bounds = boxAround(bench.session))
+        paintBounds(painter, bench, drag_ == Drag::Selection ? target() : *bounds);
 }
 
 void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
@@ -200,12 +240,9 @@ void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
 }
 
 // The selection's bounding box with round handles at its corners and sides.
-void SelectTool::paintBounds(QPainter& painter, const Workbench& bench, const app::Point& by) const
+void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
+                             const clipping::Window& box) const
 {
-    const auto bounds = app::boundsOf(bench.session.scene, bench.session.selection());
-    if (!bounds)
-        return;
-    const clipping::Window box{bounds->min + by, bounds->max + by};
     painter.setPen(QPen(bench.look.selection, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(bench.onScreen(box.min), bench.onScreen(box.max)));
@@ -218,12 +255,16 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench, const ap
 void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
 {
     const app::Scene& scene = bench.session.scene;
+    const clipping::Window to = target();
+    const auto at = [&](const app::Point& p) {
+        return bench.onScreen(app::fitted(p, bounds_, to));
+    };
     std::vector<QLineF> lines;
-    for (const std::size_t shape : bench.session.selection())
-        for (auto i = scene.firstSegmentOf(shape);
-             i < scene.firstSegmentOf(shape + 1) && lines.size() < mostPreviewed; ++i)
-            lines.emplace_back(bench.onScreen(scene.segments()[i].a + offset()),
-                               bench.onScreen(scene.segments()[i].b + offset()));
+    for (const std::size_t shape : bench.session.selection()) {
+        const auto end = scene.firstSegmentOf(shape + 1);
+        for (auto i = scene.firstSegmentOf(shape); i < end && lines.size() < mostPreviewed; ++i)
+            lines.emplace_back(at(scene.segments()[i].a), at(scene.segments()[i].b));
+    }
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.drawLines(lines.data(), int(lines.size()));
 }

@@ -3,6 +3,7 @@
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_shapes.h"
 #include "app/commands/remove_shapes.h"
+#include "app/commands/resize_shapes.h"
 #include "app/commands/set_layers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
@@ -41,7 +42,7 @@ public:
     {
         const app::Sheet& sheet = drawing_.sheet();
         const std::uint32_t layer = std::uint32_t(random_() % sheet.layers.size());
-        switch (random_() % 8) {
+        switch (random_() % 9) {
         case 0:
             return new app::AddShapes(
                 drawing_, {line({1, 1}, {number(), 2}, layer), line({3, number()}, {4, 4}, layer)},
@@ -62,6 +63,9 @@ public:
             return new app::SetLayers(drawing_, layers, "Layers");
         }
         case 6:
+            return new app::ResizeShapes(drawing_, some(), {{0, 0}, {1, 0}},
+                                         {{number(), 1}, {9, number()}});
+        case 7:
             return sheet.layers.size() > 1
                        ? static_cast<QUndoCommand*>(new app::RemoveLayer(drawing_, layer))
                        : next();

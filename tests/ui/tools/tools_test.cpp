@@ -191,6 +191,18 @@ private slots:
         QCOMPARE(shapes(stage)[0].paths[0].start, app::Point(60, 40));
     }
 
+    void theSelectionsBoxResizesIt()
+    {
+        Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
+        stage.session.select({0, 1}); // 70, 40 to 90, 60
+        stage.drag({90, 60}, {110, 70});
+        QVERIFY(near(bounds(stage, 0), {{70, 40}, {110, 40}}));
+        QVERIFY(near(bounds(stage, 1), {{70, 70}, {90, 70}}));
+        QCOMPARE(stage.session.history.undoText(), QString("Resize selection"));
+        stage.session.history.undo();
+        QCOMPARE(bounds(stage, 0), (clipping::Window{{70, 40}, {90, 40}}));
+    }
+
     void lockedLayersAreNotTouched()
     {
         Stage stage(raster);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/patch.h"
+
+#include <QUndoCommand>
+
+namespace app {
+
+/// Moves and scales shapes so that what was in the rectangle `from` is in `to`. Stroke widths stay.
+/// Along an axis where `from` has no extent, shapes are only moved.
+class ResizeShapes : public QUndoCommand {
+public:
+    ResizeShapes(Drawing& drawing, const std::set<std::size_t>& shapes,
+                 const clipping::Window& from, const clipping::Window& to);
+
+    void redo() override { apply(drawing_, patches_); }
+    void undo() override { revert(drawing_, patches_); }
+
+private:
+    Drawing& drawing_;
+    Patches patches_;
+};
+
+/// Where a point of `from` is in `to`.
+Point fitted(const Point& point, const clipping::Window& from, const clipping::Window& to);
+
+} // namespace app
