@@ -116,35 +116,45 @@ void Plating::stroke(const Style& style, std::span<const clipping::Segment> whol
     const auto before = pattern_.empty() ? std::vector<double>{} : lengthsBefore(whole);
     for (const clipping::Clipped& piece : pieces) {
         const clipping::Segment& source = whole[piece.source - number];
-        const bool contact = piece.segment.a == piece.segment.b && source.a != source.b;
-        clipping::Segment s = piece.segment;
-        bool freshA = clipping::cutEdgeOfA(piece.cut) != clipping::Edge::None;
-        bool freshB = clipping::cutEdgeOfB(piece.cut) != clipping::Edge::None;
-        if (contact)
+        const auto part = partSeen(piece, source);
+        if (!part)
             continue;
-        if (!contains(seen_, s.a) || !contains(seen_, s.b)) {
-            const auto visible = clipToView(s, seen_);
-            if (!visible)
-                continue;
-            freshA |= visible->a != s.a;
-            freshB |= visible->b != s.b;
-            s = *visible;
-        }
-        if (open_ && (open_->last != s.a || freshA))
+        if (open_ && (open_->last != part->segment.a || part->cutA))
             finish(true);
         if (!open_) {
-            const double phase =
-                before.empty() ? 0 : before[piece.source - number] + glm::distance(source.a, s.a);
-            plate_.points.push_back(onScreen(s.a));
-            open_ = Open{s.a, std::nullopt, phase + style.dashOffset, !freshA};
-            openAt_ = std::uint32_t(plate_.points.size() - 1);
+            const double start = before.empty() ? 0 : before[piece.source - number];
+            begin(*part, style.dashOffset + start + glm::distance(source.a, part->segment.a));
         }
-        proceed(s.b);
-        if (freshB)
+        proceed(part->segment.b);
+        if (part->cutB)
             finish(false);
     }
     if (open_)
         finish(true);
+}
+
+// A single point that a longer line has in common with the window is not drawn.
+std::optional<Plating::Part> Plating::partSeen(const clipping::Clipped& piece,
+                                               const clipping::Segment& source) const
+{
+    const clipping::Segment& s = piece.segment;
+    if (s.a == s.b && source.a != source.b)
+        return std::nullopt;
+    Part part{s, clipping::cutEdgeOfA(piece.cut) != clipping::Edge::None,
+              clipping::cutEdgeOfB(piece.cut) != clipping::Edge::None};
+    if (contains(seen_, s.a) && contains(seen_, s.b))
+        return part;
+    const auto visible = clipToView(s, seen_);
+    if (!visible)
+        return std::nullopt;
+    return Part{*visible, part.cutA || visible->a != s.a, part.cutB || visible->b != s.b};
+}
+
+void Plating::begin(const Part& part, double phase)
+{
+    openAt_ = std::uint32_t(plate_.points.size());
+    plate_.points.push_back(onScreen(part.segment.a));
+    open_ = Open{part.segment.a, std::nullopt, phase, !part.cutA};
 }
 
 void Plating::proceed(const Point& to)

@@ -25,10 +25,19 @@ private:
         bool capAtStart;
     };
 
+    // A piece, or what of it is in the view.
+    struct Part {
+        clipping::Segment segment;
+        bool cutA, cutB; // these ends are not the stroke's own
+    };
+
     void fill(std::span<const clipping::Segment> whole, const Style& style);
     void stroke(const Style& style, std::span<const clipping::Segment> whole, std::size_t number,
                 std::span<const clipping::Clipped> pieces);
     void beginCoat(const Ink& ink);
+    std::optional<Part> partSeen(const clipping::Clipped& piece,
+                                 const clipping::Segment& source) const;
+    void begin(const Part& part, double phase);
     void proceed(const Point& to);
     void finish(bool capAtEnd);
     void finishDashed(bool capAtEnd);
