@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/outline_text.h"
 
-#include "app/formats/number.h"
+#include "app/formats/coordinates.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace app::svg {
-namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-} // namespace
-
 void OutlineText::append(std::string& text, const std::vector<Path>& paths) const
 {
     const Path& path = paths.front();
@@ -27,10 +20,10 @@ void OutlineText::append(std::string& text, const std::vector<Path>& paths) cons
                    path.stretches.empty() ? path.start : path.stretches.front().to);
     } else {
         text += path.closed ? "<polygon points=\"" : "<polyline points=\"";
-        appendPoint(text, path.start);
+        appendPoint(text, path.start, ' ', options_);
         for (const Stretch& stretch : path.stretches) {
             text += ' ';
-            appendPoint(text, stretch.to);
+            appendPoint(text, stretch.to, ' ', options_);
         }
         text += '"';
     }
@@ -39,65 +32,36 @@ void OutlineText::append(std::string& text, const std::vector<Path>& paths) cons
 void OutlineText::appendLine(std::string& text, const Point& from, const Point& to) const
 {
     text += "<line x1=\"";
-    appendCoordinate(text, from.x, 0);
+    appendCoordinate(text, from.x, 0, options_);
     text += "\" y1=\"";
-    appendCoordinate(text, from.y, 1);
+    appendCoordinate(text, from.y, 1, options_);
     text += "\" x2=\"";
-    appendCoordinate(text, to.x, 0);
+    appendCoordinate(text, to.x, 0, options_);
     text += "\" y2=\"";
-    appendCoordinate(text, to.y, 1);
+    appendCoordinate(text, to.y, 1, options_);
     text += '"';
 }
 
 void OutlineText::appendPathData(std::string& text, const Path& path) const
 {
     text += 'M';
-    appendPoint(text, path.start);
+    appendPoint(text, path.start, ' ', options_);
     for (const Stretch& stretch : path.stretches) {
         text += stretch.curved ? 'C' : 'L';
         if (stretch.curved) {
-            appendControl(text, stretch.control1);
+            appendControl(text, stretch.control1, ' ', options_);
             text += ' ';
-            appendControl(text, stretch.control2);
+            appendControl(text, stretch.control2, ' ', options_);
             text += ' ';
         }
-        appendPoint(text, stretch.to);
+        appendPoint(text, stretch.to, ' ', options_);
     }
     if (path.stretches.empty() && !path.closed) {
         text += 'L'; // a point is a line without length
-        appendPoint(text, path.start);
+        appendPoint(text, path.start, ' ', options_);
     }
     if (path.closed)
         text += 'Z';
-}
-
-void OutlineText::appendPoint(std::string& text, const Point& p) const
-{
-    appendCoordinate(text, p.x, 0);
-    text += ' ';
-    appendCoordinate(text, p.y, 1);
-}
-
-// Control points may lie outside of bounds in which the curve lies.
-void OutlineText::appendControl(std::string& text, const Point& p) const
-{
-    if (options_.precision < 0) {
-        appendPoint(text, p);
-        return;
-    }
-    appendNumber(text, p.x, options_.precision, -unbounded, unbounded);
-    text += ' ';
-    appendNumber(text, p.y, options_.precision, -unbounded, unbounded);
-}
-
-void OutlineText::appendCoordinate(std::string& text, double value, int axis) const
-{
-    if (options_.precision < 0)
-        appendNumber(text, value);
-    else if (const auto& bounds = options_.bounds)
-        appendNumber(text, value, options_.precision, bounds->min[axis], bounds->max[axis]);
-    else
-        appendNumber(text, value, options_.precision, -unbounded, unbounded);
 }
 
 } // namespace app::svg

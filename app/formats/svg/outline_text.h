@@ -20,9 +20,6 @@ public:
 private:
     void appendLine(std::string& text, const Point& from, const Point& to) const;
     void appendPathData(std::string& text, const Path& path) const;
-    void appendPoint(std::string& text, const Point& p) const;
-    void appendControl(std::string& text, const Point& p) const;
-    void appendCoordinate(std::string& text, double value, int axis) const;
 
     const WriteOptions& options_;
 };
