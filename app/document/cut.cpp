@@ -130,7 +130,7 @@ private:
         } else {
             ++counts.cut;
             counts.opened += opened;
-            counts.unfilled += shape.style.fill.has_value();
+            counts.unfilled += shape.style.fill && hasArea(shape);
             addCutShape(shape, runs);
         }
     }
@@ -139,8 +139,7 @@ private:
     void addCutShape(const Shape& shape, std::vector<Run>& runs)
     {
         Shape outline{{}, shape.style, shape.id, shape.layer, false};
-        if (!outline.style.stroke)
-            outline.style.stroke = outline.style.fill;
+        outline.style.stroke = lineInk(shape);
         outline.style.fill.reset();
         std::ranges::move(shapesOfRuns(outline, std::move(runs)),
                           std::back_inserter(result_.sheet.shapes));
@@ -156,6 +155,19 @@ private:
 };
 
 } // namespace
+
+bool hasArea(const Shape& shape)
+{
+    return std::ranges::any_of(shape.paths, [](const Path& path) {
+        return path.stretches.size() > 1
+               || (path.stretches.size() == 1 && path.stretches.front().curved);
+    });
+}
+
+std::optional<Colour> lineInk(const Shape& shape)
+{
+    return shape.style.stroke || !hasArea(shape) ? shape.style.stroke : shape.style.fill;
+}
 
 Cut cut(const Sheet& sheet, const CutOptions& options)
 {

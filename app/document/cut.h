@@ -17,6 +17,14 @@ struct CutOptions {
     bool onlyShown = true;     ///< hidden shapes and layers are left out (export); else kept as is
 };
 
+/// Whether there is anything to fill: not in single straight lines. (SVG fills what does not say
+/// otherwise, and some programs and PDF viewers then paint such a line as a hairline.)
+bool hasArea(const Shape& shape);
+
+/// The colour of a shape's lines where nothing is filled: its stroke's or, without one, that of its
+/// fill if there is an area to fill; nothing if the shape is not seen.
+std::optional<Colour> lineInk(const Shape& shape);
+
 /// What a cut did, for the report.
 struct CutCounts {
     std::size_t whole = 0;    ///< shapes that came back unchanged

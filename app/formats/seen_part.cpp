@@ -75,13 +75,15 @@ Sheet seenPart(const Sheet& sheet)
 {
     Sheet seen{sheet.page, sheet.layers, {}, sheet.window};
     const double tolerance = flatteningMillimetres / sheet.page.millimetresPerUnit();
-    for (const Shape& shape : sheet.shapes) {
+    for (Shape shape : sheet.shapes) {
         if (!sheet.shown(shape))
             continue;
+        if (!hasArea(shape))
+            shape.style.fill.reset();
         const auto window = surroundings(sheet.page, shape.style);
         if (std::ranges::all_of(shape.paths,
                                 [&](const Path& path) { return within(path, window); }))
-            seen.shapes.push_back(shape);
+            seen.shapes.push_back(std::move(shape));
         else
             addReduced(shape, window, tolerance, seen);
     }

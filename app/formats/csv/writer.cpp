@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/writer.h"
 
+#include "app/document/cut.h"
 #include "app/document/flatten.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
@@ -68,7 +69,7 @@ private:
     void write(std::size_t index)
     {
         const Shape& shape = sheet_.shapes[index];
-        const auto& ink = shape.style.stroke ? shape.style.stroke : shape.style.fill;
+        const auto ink = lineInk(shape);
         if (!ink)
             return; // nothing is drawn
         std::string rest = ",";

@@ -105,6 +105,28 @@ private slots:
         QVERIFY(!cut.sheet.shapes[0].style.fill);
     }
 
+    void aLineHasNothingToFill()
+    {
+        const app::Style filled{.fill = app::Colour{}};
+        const auto cut = cutAt(sheetOf({{{0, 0}, {{{9, 0}}}, false}}, filled), Keep::Inside);
+        QCOMPARE(cut.counts.unfilled, 0u);
+        QVERIFY(!cut.sheet.shapes[0].style.stroke && !cut.sheet.shapes[0].style.fill);
+    }
+
+    void everyShapeKnowsWhereItCameFrom()
+    {
+        app::Style dashed{.stroke = app::Colour{}};
+        dashed.dashes = {1};
+        Sheet sheet = sheetOf({{{9, 9}, {{{8, 8}}}, false}});
+        const auto add = [&](Path path) {
+            sheet.shapes.push_back({{std::move(path)}, dashed, {}, 0, false});
+        };
+        add({{-5, 0}, {{{5, 0}}, {{5, 1}}, {{-5, 1}}}, false});
+        add({{0, 0}, {{{1, 1}}}, false});
+        QCOMPARE(cutAt(sheet, Keep::Inside).sources, (std::vector<std::size_t>{1, 1, 2}));
+        QCOMPARE(cutAt(sheet, Keep::Outside).sources, (std::vector<std::size_t>{0, 1, 1, 1}));
+    }
+
     void aContactIsLeftOutAPointIsKept()
     {
         const Path touch{{2, 3}, {{{4, 1}}}, false}; // the corner (3, 2)
