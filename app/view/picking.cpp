@@ -74,6 +74,36 @@ std::optional<std::size_t> Picking::nearest(const Point& point, double radius) c
     return best;
 }
 
+// How often a closed outline goes round the point, and how often a ray from it meets the outline.
+// Open paths are filled as if closed; the closing line is left out here, so they are rarely hit.
+static bool contains(std::span<const clipping::Segment> outline, FillRule rule, const Point& p)
+{
+    int winding = 0, crossings = 0;
+    for (const auto& s : outline) {
+        if ((s.a.y <= p.y) == (s.b.y <= p.y))
+            continue;
+        const double x = s.a.x + (s.b.x - s.a.x) * ((p.y - s.a.y) / (s.b.y - s.a.y));
+        if (x <= p.x)
+            continue;
+        ++crossings;
+        winding += s.b.y > s.a.y ? 1 : -1;
+    }
+    return rule == FillRule::EvenOdd ? crossings % 2 == 1 : winding != 0;
+}
+
+std::optional<std::size_t> Picking::areaAt(const Point& point) const
+{
+    const auto& shapes = drawing_.sheet().shapes;
+    for (std::size_t shape = shapes.size(); shape-- > 0;) {
+        const auto first = scene_.firstSegmentOf(shape), end = scene_.firstSegmentOf(shape + 1);
+        const app::Style& style = shapes[shape].style;
+        if (style.fill && pickable(shape)
+            && contains(scene_.segments().subspan(first, end - first), style.fillRule, point))
+            return shape;
+    }
+    return std::nullopt;
+}
+
 std::set<std::size_t> Picking::shapesIn(const clipping::Window& rectangle, Box box) const
 {
     static const auto clip = clipping::algorithms().front().corrected.clip;

@@ -22,6 +22,9 @@ public:
     /// The nearest of those (the uppermost of equally near ones) whose shape may be picked.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
+    /// The uppermost filled shape that may be picked and whose area the point is in.
+    std::optional<std::size_t> areaAt(const Point& point) const;
+
     enum class Box : std::uint8_t { Contains, Touches };
     /// The shapes that a rectangle contains wholly or touches, of those that may be picked.
     std::set<std::size_t> shapesIn(const clipping::Window& rectangle, Box box) const;

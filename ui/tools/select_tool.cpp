@@ -108,10 +108,13 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
         startDrag(bench);
 }
 
+// In the area of a shape that is not selected a box begins: else a background would be in the way.
 void SelectTool::startDrag(Workbench& bench)
 {
-    drag_ = litSegment_ || boxGrip_ ? Drag::Selection : Drag::Box;
     const app::Session& session = bench.session;
+    const auto area = bench.picking.areaAt(from_.raw);
+    const bool inSelection = area && session.selection().contains(*area);
+    drag_ = litSegment_ || boxGrip_ || inSelection ? Drag::Selection : Drag::Box;
     if (litSegment_ && !session.selection().contains(session.scene.shapeOf(*litSegment_)))
         click(from_, bench);
     bounds_ = app::boundsOf(session.scene, session.selection()).value_or(clipping::Window{});
@@ -156,15 +159,14 @@ void SelectTool::click(const Pointer& pointer, Workbench& bench)
 {
     app::Session& session = bench.session;
     const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    const auto shape = segment ? std::optional(session.scene.shapeOf(*segment))
+                               : bench.picking.areaAt(pointer.raw);
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
     auto selection = adds ? session.selection() : std::set<std::size_t>{};
     bool chosen = segment.has_value();
-    if (segment) {
-        const std::size_t shape = session.scene.shapeOf(*segment);
-        if (!selection.insert(shape).second) {
-            selection.erase(shape);
-            chosen = false;
-        }
+    if (shape && !selection.insert(*shape).second) {
+        selection.erase(*shape);
+        chosen = false;
     }
     session.select(std::move(selection));
     session.inspect(chosen ? segment : std::nullopt);

@@ -86,6 +86,22 @@ private slots:
         drawing.setLayers({{"below", false}, {"above", true, true}});
         QCOMPARE(picking.nearest({5, 1}, 2), std::nullopt);
     }
+    void areasArePickedByTheirRule()
+    {
+        app::Sheet sheet;
+        app::Shape rings; // two squares, turning the same way
+        for (const double r : {10.0, 5.0})
+            rings.paths.push_back({{-r, -r}, {{{r, -r}}, {{r, r}}, {{-r, r}}}, true});
+        rings.style.fill = app::Colour{};
+        sheet.shapes = {rings, rings};
+        sheet.shapes[1].style.fillRule = app::FillRule::EvenOdd;
+        app::Drawing drawing(sheet);
+        const app::Scene scene(drawing);
+        const app::Picking picking(drawing, scene);
+        QCOMPARE(picking.areaAt({7, 0}), std::optional<std::size_t>(1));
+        QCOMPARE(picking.areaAt({0, 0}), std::optional<std::size_t>(0)); // through the hole
+        QCOMPARE(picking.areaAt({12, 0}), std::nullopt);
+    }
     void aBoxContainsOrTouches()
     {
         app::Sheet sheet;

@@ -191,6 +191,22 @@ private slots:
         QCOMPARE(shapes(stage)[0].paths[0].start, app::Point(60, 40));
     }
 
+    void areasAreSelectedByAClickAndBoxedThrough()
+    {
+        app::Shape ground = line({0, 0}, {200, 0});
+        ground.paths[0].stretches.insert(ground.paths[0].stretches.end(),
+                                         {{{200, 100}}, {{0, 100}}});
+        ground.paths[0].closed = true;
+        ground.style.fill = app::Colour{250, 250, 250};
+        Stage stage(raster, {ground, line({100, 40}, {120, 40})});
+        stage.click({70, 60});
+        QCOMPARE(stage.session.selection(), Set{0});
+        stage.session.select({});
+        stage.drag({80, 30}, {130, 60});
+        QCOMPARE(stage.session.selection(), Set{1});
+        QCOMPARE(stage.session.history.count(), 0);
+    }
+
     void theSelectionsBoxResizesIt()
     {
         Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
