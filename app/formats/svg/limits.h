@@ -20,7 +20,7 @@ constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
 constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one
 constexpr std::size_t mostClipSides = 1'000;         ///< of a convex clip path
 constexpr std::size_t mostClippedCurves = 50'000;    ///< of one path that a clip path cuts
-constexpr std::size_t mostClipWork = 300'000'000;  ///< chords times sides
+constexpr std::size_t mostClipWork = 300'000'000;    ///< chords times sides
 constexpr double largestCoordinate = 1e300;          ///< so that sums and differences stay finite
 
 } // namespace app::svg

@@ -172,13 +172,15 @@ void Walk::drawSwitch(Node node, const Place& around)
 
 void Walk::drawOutline(Node node, const Place& around)
 {
-    const Place place = inside(node, around);
-    const Properties& properties = place.properties;
+    Place place = inside(node, around);
+    Properties& properties = place.properties;
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     Shape shape;
     shape.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
     if (shape.paths.empty() || place.matrix.determinant() == 0)
         return;
+    if (!hasArea(shape.paths))
+        properties.fill = {};
     reportEffects(properties, false);
     shape.style =
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());

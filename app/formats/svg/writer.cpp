@@ -4,6 +4,7 @@
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
+#include "app/formats/svg/path_data.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/write_all.h"
 
@@ -22,6 +23,14 @@ std::string lengthText(const Length& length)
     std::string text;
     appendNumber(text, length.value);
     return text += infoOf(unit).suffix;
+}
+
+Style writtenStyle(const Shape& shape)
+{
+    Style style = shape.style;
+    if (!hasArea(shape.paths))
+        style.fill.reset();
+    return style;
 }
 
 class Writer {
@@ -75,19 +84,19 @@ private:
             appendAttribute(text_, "display", "none");
         text_ += ">\n";
         for (auto first = shapes.begin(); first != shapes.end();) {
+            const Style style = writtenStyle(*first);
             const auto last = std::find_if(first, shapes.end(), [&](const Shape& shape) {
-                return shape.style != first->style;
+                return writtenStyle(shape) != style;
             });
-            appendRun({first, last});
+            appendRun({first, last}, styleText(style));
             first = last;
         }
         text_ += "</g>\n";
     }
 
     // Shapes of one style, which is written once.
-    void appendRun(std::span<const Shape> shapes)
+    void appendRun(std::span<const Shape> shapes, const std::string& style)
     {
-        const std::string style = styleText(shapes.front().style);
         const bool grouped = shapes.size() > 1;
         if (grouped)
             text_ += "<g" + style + ">\n";

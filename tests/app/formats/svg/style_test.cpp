@@ -9,6 +9,7 @@
 
 namespace {
 
+const QByteArray triangle = "<path d='M0 0h9v9' id='i'";
 const QByteArray line = "<line x2='9' y2='9' id='i' class='a b'";
 
 QString name(const std::optional<app::Colour>& c)
@@ -82,7 +83,8 @@ private slots:
 
     void whatIsNotSaidIsSvgsDefault()
     {
-        const app::Style plain = style("");
+        const app::Style plain = shapeOf(triangle + "/>").style;
+        QCOMPARE(name(style("").fill), "none"); // a line has nothing to fill
         QCOMPARE(name(plain.fill), "0 0 0 255");
         QCOMPARE(name(plain.stroke), "none");
         QCOMPARE(plain.width, 1.0);
@@ -136,7 +138,7 @@ private slots:
     void inheritance()
     {
         const auto child = [](const QByteArray& parent, const QByteArray& own) {
-            return shapeOf("<g " + parent + "><line x2='1' " + own + "/></g>").style;
+            return shapeOf("<g " + parent + "><path d='M0 0h1v1' " + own + "/></g>").style;
         };
         QCOMPARE(name(child("stroke='blue'", "").stroke), "0 0 255 255");
         QCOMPARE(name(child("fill='blue'", "fill='red' style='fill:inherit'").fill), "0 0 255 255");
@@ -201,7 +203,7 @@ private slots:
             "style='stop-color:red'/></linearGradient>"
             "<linearGradient id='loop' xlink:href='#loop'/><pattern id='p'/></defs>";
         const auto fill = [&](const QByteArray& value) {
-            return name(shapeOf(defs + line + " fill='" + value + "'/>").style.fill);
+            return name(shapeOf(defs + triangle + " fill='" + value + "'/>").style.fill);
         };
         QCOMPARE(fill("url(#r)"), "0 0 255 51");
         QCOMPARE(fill("url( &quot;#one&quot; )"), "255 0 0 255");
@@ -210,9 +212,9 @@ private slots:
         QCOMPARE(fill("url(#p) red"), "255 0 0 255");
         QCOMPARE(fill("url(#nothing) #00f"), "0 0 255 255");
         QCOMPARE(fill("url(#nothing)"), "none");
-        QCOMPARE(reportOf(defs + line + " fill='url(#r)' stroke='url(#p)'/>"),
+        QCOMPARE(reportOf(defs + triangle + " fill='url(#r)' stroke='url(#p)'/>"),
                  "1 pattern; 1 gradient (its first colour is used)");
-        QCOMPARE(reportOf(defs + line + " fill='url(#one)'/>"), "");
+        QCOMPARE(reportOf(defs + triangle + " fill='url(#one)'/>"), "");
     }
 };
 
