@@ -5,10 +5,12 @@
 #include "ui/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
 
 #include <array>
+#include <map>
 
 namespace ui {
 
@@ -61,13 +63,19 @@ QAction* makeAction(MainWindow& window, const ActionInfo& row)
 
 void addMenus(MainWindow& window)
 {
+    std::map<std::string_view, QActionGroup*> groups;
     for (const MenuInfo& info : menus()) {
         QMenu* menu = window.menuBar()->addMenu(info.title);
         for (const ActionInfo& row : info.rows)
-            if (row.key.empty())
+            if (row.key.empty()) {
                 menu->addSeparator();
-            else
-                menu->addAction(makeAction(window, row));
+            } else {
+                QAction* action = makeAction(window, row);
+                menu->addAction(action);
+                if (!row.group.empty())
+                    groups.try_emplace(row.group, new QActionGroup(&window))
+                        .first->second->addAction(action);
+            }
         if (info.complete)
             info.complete(window, *menu);
     }

@@ -31,6 +31,7 @@ struct ActionInfo {
     void (*run)(MainWindow& window) = nullptr;
     bool (*enabled)(const MainWindow& window) = nullptr; ///< null: always
     bool (*checked)(const MainWindow& window) = nullptr; ///< null: not a switch
+    std::string_view group = {};                         ///< of which one is on
 };
 
 /// One menu: its commands, and what is filled in from another catalogue (tools, algorithms …).

@@ -55,7 +55,13 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     canvas_->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // All that is on the screen looks at the session, which goes with the members: it goes first.
+    const QSignalBlocker quiet(this);
+    hide();
+    qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+}
 
 void MainWindow::addCentre()
 {

@@ -50,13 +50,17 @@ QString edgeName(Edge edge)
     }
 }
 
-QString exact(double number)
+/// Six digits say enough here; the last of seventeen would hide the first.
+QString shortNumber(double number)
 {
-    QString text = QLocale().toString(number, 'g', QLocale::FloatingPointShortest);
+    QString text = QLocale().toString(number, 'g', 6);
     return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
 }
 
-QString pointText(const Point& p) { return QStringLiteral("(%1; %2)").arg(exact(p.x), exact(p.y)); }
+QString pointText(const Point& p)
+{
+    return QStringLiteral("(%1; %2)").arg(shortNumber(p.x), shortNumber(p.y));
+}
 
 QString stepText(const clipping::Step& step)
 {
@@ -65,10 +69,11 @@ QString stepText(const clipping::Step& step)
         text += QStringLiteral(", ") + edge;
     QStringList values;
     for (const auto& value : step.values)
-        values << latin(value.name) + QStringLiteral(" = ") + exact(value.value);
+        values << latin(value.name) + QStringLiteral(" = ") + shortNumber(value.value);
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
-    return tr("%1. Left: %2 to %3").arg(text, pointText(step.segment.a), pointText(step.segment.b));
+    return tr("%1\n     leaves %2 to %3")
+        .arg(text, pointText(step.segment.a), pointText(step.segment.b));
 }
 
 QString endText(const Inspection& line)
@@ -164,7 +169,7 @@ QStringList stepTexts(const Inspection& line)
 {
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
-        texts << stepText(step);
+        texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step));
     return texts << endText(line);
 }
 

@@ -40,7 +40,8 @@ Inspection inspect(const Session& session, std::size_t segment);
 
 /// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
 QString costText(const clipping::OperationCounts& cost);
-/// One line of text for each step of the trace: what is done, with which values, what is left.
+/// A text for each step of the trace: what is done, with which values, what is left, in the
+/// drawing's own units; and one for how it ended.
 QStringList stepTexts(const Inspection& inspection);
 
 } // namespace app

@@ -115,20 +115,10 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     setUniformItemSizes(true);
     setMouseTracking(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setFixedHeight(model()->rowCount() * space::rowHeight);
     viewport()->setAutoFillBackground(false);
     connect(&session, &app::Session::displayChanged, this, &AlgorithmList::follow);
     follow();
-}
-
-QSize AlgorithmList::sizeHint() const
-{
-    return {space::rowHeight * 10, model()->rowCount() * space::rowHeight};
-}
-
-QSize AlgorithmList::minimumSizeHint() const
-{
-    return {200, std::min(4, model()->rowCount()) * space::rowHeight};
 }
 
 void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex& previous)

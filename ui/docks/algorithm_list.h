@@ -25,8 +25,6 @@ class AlgorithmList : public QListView {
 
 public:
     explicit AlgorithmList(app::Session& session, QWidget* parent = nullptr);
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;

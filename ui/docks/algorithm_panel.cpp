@@ -30,6 +30,8 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     corrected_->setAccessibleName(tr("Form: corrected"));
     published_->setAccessibleName(tr("Form: as published"));
     verdict_->setWordWrap(true);
+    verdict_->setAlignment(Qt::AlignTop);
+    verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing()); // or it would jump
     verdict_->setAccessibleName(tr("Agreement"));
     tick_->setFixedSize(16, 16);
 
@@ -109,12 +111,11 @@ void AlgorithmPanel::paintVerdict()
 {
     const Look& look = lookOf(palette());
     const bool good = differences_.empty();
-    QPalette inks = verdict_->palette();
-    inks.setColor(QPalette::WindowText, good ? look.good : look.differs);
-    verdict_->setPalette(inks);
+    const QColor colour = good ? look.good : look.differs;
     verdict_->setFont(good ? font() : semiBold(font()));
-    tick_->setPixmap(tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(),
-                            good ? look.good : look.differs));
+    verdict_->setStyleSheet(QStringLiteral("color: ") + colour.name());
+    tick_->setPixmap(
+        tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(), colour));
 }
 
 void AlgorithmPanel::showEvent(QShowEvent* event)

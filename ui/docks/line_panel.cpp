@@ -45,7 +45,10 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     column->setSpacing(6);
     column->addWidget(nothing_);
     column->addWidget(table_);
-    column->addWidget(steps_, 1);
+    auto* steps = new QHBoxLayout; // the text's own margin is 4
+    steps->setContentsMargins(space::dockMargin - 4, 0, 0, 0);
+    steps->addWidget(steps_);
+    column->addLayout(steps, 1);
     column->addStretch();
 
     soon_.setSingleShot(true);

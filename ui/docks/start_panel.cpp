@@ -58,6 +58,15 @@ public:
     }
 };
 
+QString readableFormats()
+{
+    QStringList names;
+    for (const app::Format& format : app::formats())
+        if (format.read)
+            names << QString::fromUtf8(format.key.data(), qsizetype(format.key.size())).toUpper();
+    return names.join(QStringLiteral(", "));
+}
+
 QHBoxLayout* heading(const QString& text, const QString& remark)
 {
     auto* row = new QHBoxLayout;
@@ -79,7 +88,7 @@ StartPanel::StartPanel(QWidget* parent)
       noRecent_(new QLabel(tr("Drawings you open are listed here."))), recent_(new QListWidget)
 {
     auto* draw = new StartButton("pencil", tr("Draw"), tr("a new A3 sheet"));
-    auto* open = new StartButton("folder", tr("Open…"), tr("SVG, CSV"));
+    auto* open = new StartButton("folder", tr("Open…"), readableFormats());
     recent_->setAccessibleName(tr("Recent drawings"));
     recent_->setFrameShape(QFrame::NoFrame);
     recent_->setMouseTracking(true);

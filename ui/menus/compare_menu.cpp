@@ -61,7 +61,8 @@ MenuInfo compareMenu()
                  nullptr,
                  [](const MainWindow& w) {
                      return w.session().display().form == clipping::Form::Corrected;
-                 }},
+                 },
+                 "form"},
                 {"form-published",
                  tr("Form as &published"),
                  {},
@@ -73,7 +74,8 @@ MenuInfo compareMenu()
                  },
                  [](const MainWindow& w) {
                      return w.session().display().form == clipping::Form::Published;
-                 }},
+                 },
+                 "form"},
                 {},
                 {"agree",
                  tr("Do all &algorithms agree?"),
