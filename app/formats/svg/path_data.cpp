@@ -245,14 +245,6 @@ Path lineBetween(const Point& from, const Point& to)
     return path;
 }
 
-bool hasArea(const std::vector<Path>& paths)
-{
-    return std::ranges::any_of(paths, [](const Path& path) {
-        return path.stretches.size() > 1
-               || (!path.stretches.empty() && path.stretches.front().curved);
-    });
-}
-
 Outline parsePoints(std::string_view text, Ending ending)
 {
     Outline outline;

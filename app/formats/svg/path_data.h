@@ -25,8 +25,4 @@ Outline parsePoints(std::string_view text, Ending ending);
 /// How a path without stretches is drawn and kept: see above. Used for <line> as well.
 Path lineBetween(const Point& from, const Point& to);
 
-/// Whether a fill could be seen. Shapes without an area are read and written without a fill, as
-/// SVG fills everything that does not say otherwise, lines too.
-bool hasArea(const std::vector<Path>& paths);
-
 } // namespace app::svg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/walk.h"
 
+#include "app/document/cut.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -179,8 +180,8 @@ void Walk::drawOutline(Node node, const Place& around)
     shape.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
     if (shape.paths.empty() || place.matrix.determinant() == 0)
         return;
-    if (!hasArea(shape.paths))
-        properties.fill = {};
+    if (!hasArea(shape))
+        properties.fill = {}; // it would be written without one, too
     reportEffects(properties, false);
     shape.style =
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/writer.h"
 
+#include "app/document/cut.h"
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
-#include "app/formats/svg/path_data.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/write_all.h"
 
@@ -25,10 +25,11 @@ std::string lengthText(const Length& length)
     return text += infoOf(unit).suffix;
 }
 
+// SVG fills what does not say otherwise; a line, which has no area, is read without a fill.
 Style writtenStyle(const Shape& shape)
 {
     Style style = shape.style;
-    if (!hasArea(shape.paths))
+    if (!hasArea(shape))
         style.fill.reset();
     return style;
 }
