@@ -11,6 +11,7 @@ namespace app {
 
 // Each is defined in the file of its command.
 Command clipCommand();
+Command convertCommand();
 Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
@@ -18,7 +19,7 @@ Command infoCommand();
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(), infoCommand(), algorithmsCommand(), benchCommand()};
+    return {clipCommand(), convertCommand(), infoCommand(), algorithmsCommand(), benchCommand()};
 }
 
 namespace {
@@ -49,8 +50,12 @@ QString overview()
     return Commands::tr("Usage: clearcut [FILE]                 opens the editor\n"
                         "       clearcut COMMAND [OPTIONS]      works without a display\n"
                         "       clearcut COMMAND --help         says what a command can do\n"
-                        "       clearcut --version\n\nCommands:\n")
-           + aligned(rows)
+                        "       clearcut --version\n\nOptions of the editor:\n")
+           + aligned({{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},
+                      {"--theme system|light|dark", Commands::tr("How the window looks.")},
+                      {"--size WIDTHxHEIGHT", Commands::tr("How large the window is.")},
+                      {"--screenshot FILE.png", Commands::tr("Take a picture of it and end.")}})
+           + Commands::tr("\nCommands:\n") + aligned(rows)
            + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted.\n");
 }
 

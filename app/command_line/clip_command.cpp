@@ -68,9 +68,7 @@ CutOptions cutOptionsOf(const Given& given, const Sheet& sheet, const Output& ou
 
 void report(const Imported& imported, const CutCounts& counts)
 {
-    const QStringList lost = losses(imported);
-    for (const QString& line : lost)
-        say(line);
+    sayLosses(imported);
     QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
                        .arg(counts.cut)
@@ -116,10 +114,7 @@ void clip(const Given& given)
     Output output = outputOf(given, input);
     Stopwatch stopwatch;
     Imported imported = readDrawing(given, input);
-    if (imported.lossy() && given.has(QStringLiteral("in-place")) && output.path == input)
-        throw Failure{Commands::tr("Cannot write over %1: it holds what would be lost (%2). Give "
-                                   "another name with -o.")
-                          .arg(input, losses(imported).join(QStringLiteral(", ")))};
+    refuseLossInPlace(given, imported, input, output);
     stopwatch.lap(Commands::tr("read"));
 
     const CutOptions options = cutOptionsOf(given, imported.sheet, output);

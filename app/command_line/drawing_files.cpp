@@ -2,6 +2,7 @@
 #include "app/command_line/drawing_files.h"
 
 #include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -140,6 +141,22 @@ QStringList losses(const Imported& imported)
         lines << QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what)
                      + (loss.remark ? QString() : Commands::tr(" (not kept)"));
     return lines;
+}
+
+void refuseLossInPlace(const Given& given, const Imported& imported, const QString& input,
+                       const Output& output)
+{
+    if (imported.lossy() && given.has(QStringLiteral("in-place")) && sameFile(output.path, input))
+        throw Failure{Commands::tr("Cannot write over %1: it holds what would be lost (%2). Give "
+                                   "another name with -o.")
+                          .arg(input, losses(imported).join(QStringLiteral(", ")))};
+}
+
+void sayLosses(const Imported& imported)
+{
+    const QStringList lost = losses(imported);
+    for (const QString& line : lost)
+        say(line);
 }
 
 } // namespace app

@@ -29,6 +29,13 @@ Output outputOf(const Given& given, const QString& input);
 /// Throws Failure; what is there is lost only to a whole new file.
 void writeDrawing(const Sheet& sheet, const Output& output);
 
+/// Throws Failure if that would lose what the import could not keep: writing over the input.
+void refuseLossInPlace(const Given& given, const Imported& imported, const QString& input,
+                       const Output& output);
+
+/// Says on standard error what `losses` lists.
+void sayLosses(const Imported& imported);
+
 /// What an import could not keep, a line for each kind, with how often: "3 × text".
 QStringList losses(const Imported& imported);
 

@@ -305,7 +305,18 @@ private slots:
         QCOMPARE(contentOf(path("c.svg")), lossy);
     }
 
-    void convertsBetweenNamesWithDashes()
+    void convertCutsNothing()
+    {
+        const QString rosette = SOURCE_DIR "/resources/samples/rosette.svg";
+        QCOMPARE(clearcut({"convert", rosette, "-o", path("r.svg")}).code, 0);
+        QCOMPARE(sheetOf(contentOf(path("r.svg"))), sheetOf(contentOf(rosette)));
+        const auto csv = clearcut({"convert", "-", "--from", "csv", "-o", "-", "--to", "csv"},
+                                  "0,1,2,3,b\n4,5,6,7,a\n");
+        QCOMPARE(csv.out, csvHeader + "0,1,2,3,b,#000000,1,0\n4,5,6,7,a,#000000,1,1\n");
+        QCOMPARE(csv.err, "");
+    }
+
+    void namesMayBeginWithADash()
     {
         writeText(path("d.csv"), "0,0,1,1\n");
         const auto run =

@@ -50,7 +50,7 @@ private slots:
         const auto all = app::contestants(algorithms);
         QVERIFY(all.size() > algorithms.size());
         const app::ExperimentOptions options{
-            .lines = 1'200'345, .runs = 3, .seed = 4}; // two blocks
+            .lines = 1'000'345, .runs = 2, .seed = 4}; // two blocks
         std::vector<clipping::Segment> lines(options.lines);
         app::PaperScene(options.seed).fill(lines);
         std::vector<clipping::Clipped> visible(lines.size());

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/drawing_files.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+
+namespace app {
+namespace {
+
+void convert(const Given& given)
+{
+    const QString input = given.operands().first();
+    Output output = outputOf(given, input);
+    const Imported imported = readDrawing(given, input);
+    refuseLossInPlace(given, imported, input, output);
+    output.options.sources = imported.rows;
+    writeDrawing(imported.sheet, output);
+    if (!given.has(QStringLiteral("quiet")))
+        sayLosses(imported);
+}
+
+} // namespace
+
+Command convertCommand()
+{
+    std::vector<Option> options = writingOptions();
+    for (Option& more : readingOptions())
+        options.push_back(std::move(more));
+    options.push_back({{"q", "quiet"}, {}, Commands::tr("Do not say what was lost.")});
+    return {"convert",
+            "INPUT -o OUTPUT [OPTIONS]",
+            Commands::tr("Writes a drawing as another type of file, uncut."),
+            std::move(options),
+            {"clearcut convert drawing.svg -o drawing.pdf"},
+            1,
+            convert};
+}
+
+} // namespace app
