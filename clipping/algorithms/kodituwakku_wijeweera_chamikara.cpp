@@ -8,9 +8,9 @@
 //
 // Published is the listing of its appendix. It takes a result shorter than one pixel for a miss,
 // and so loses short pieces, steep ones, contacts, and all that lies on an edge. Corrected: every
-// comparison is closed, and a miss is known by position: the other end is beyond the same edge, or
-// both new ends are beyond one side. The slope stays a fraction, each end moves from where it was
-// given, and new ends are held inside the window.
+// comparison is closed, and a miss is known by position: an end is pushed from an edge that the
+// other end is beyond as well, which for a miss happens to one of them. The slope stays a fraction,
+// each end moves from where it was given, and new ends are held inside the window.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -173,15 +173,9 @@ struct KodituwakkuWijeweeraChamikara {
         const auto edgeB = push<form>(&BasicSegment<T>::b, line, visible, s, w, watch);
         if (!edgeB)
             return std::nullopt;
-        bool missed = false;
-        if constexpr (form == Form::Published)
-            missed = underOnePixel(visible.a.x, visible.b.x);
-        else {
-            missed = (visible.a.x < w.min.x && visible.b.x < w.min.x)
-                     || (visible.a.x > w.max.x && visible.b.x > w.max.x);
+        if constexpr (form == Form::Corrected)
             visible = {clampedAlong(*edgeA, visible.a, w), clampedAlong(*edgeB, visible.b, w)};
-        }
-        if (missed) {
+        else if (underOnePixel(visible.a.x, visible.b.x)) {
             watch("reject", 8, visible, Edge::None);
             return std::nullopt;
         }
