@@ -9,7 +9,7 @@
 
 namespace app {
 
-constexpr double mostCellsPerSide = 1024;
+constexpr double mostCellsPerSide = 512; // more would cost more to fill than looking them up saves
 
 double distance(const Point& point, const clipping::Segment& s)
 {
@@ -172,7 +172,7 @@ void Picking::build() const
         min = glm::min(min, glm::min(s.a, s.b));
         max = glm::max(max, glm::max(s.a, s.b));
     }
-    const double side = std::clamp(std::sqrt(double(segments.size())), 1.0, mostCellsPerSide);
+    const double side = std::clamp(std::sqrt(double(segments.size())) / 2, 1.0, mostCellsPerSide);
     origin_ = min;
     columns_ = rows_ = std::size_t(side);
     cell_ = glm::max((max - min) / double(columns_), Point(1e-12));
