@@ -4,8 +4,6 @@
 #include "app/view/numbers.h"
 #include "app/view/ruler.h"
 
-#include <QLocale>
-
 #include <cmath>
 
 namespace ui {
@@ -20,10 +18,18 @@ QFont rulerFont(const QWidget& widget)
     return font;
 }
 
-QString tickText(double value)
+// As many decimals as the step from number to number needs.
+int decimalsOf(std::span<const app::Tick> ticks)
 {
-    QString text = QLocale().toString(std::abs(value), 'g', 10);
-    return value < 0 ? QChar(0x2212) + text : text;
+    std::optional<double> first;
+    for (const app::Tick& tick : ticks) {
+        if (tick.rank != app::Tick::Rank::Numbered)
+            continue;
+        if (first)
+            return std::max(0, -int(std::floor(std::log10(tick.value - *first) + 1e-9)));
+        first = tick.value;
+    }
+    return 0;
 }
 
 } // namespace
@@ -74,7 +80,9 @@ void Ruler::paintTicks(QPainter& painter, double length)
                  to = (seen.max[axis] - page.min[axis]) * perUnit;
     const double pixels = view.zoom / perUnit, ratio = devicePixelRatioF(), pixel = 1 / ratio;
     painter.setFont(rulerFont(*this));
-    for (const app::Tick& tick : app::ticks(from, to, pixels)) {
+    const auto all = app::ticks(from, to, pixels);
+    const int decimals = decimalsOf(all);
+    for (const app::Tick& tick : all) {
         const double at = (tick.value - from) * pixels;
         const double x = std::floor((across() ? at : length - at) * ratio) / ratio;
         const bool number = tick.rank == app::Tick::Rank::Numbered;
@@ -87,7 +95,7 @@ void Ruler::paintTicks(QPainter& painter, double length)
                          controller_.look().muted);
         painter.setPen(controller_.look().muted);
         painter.drawText(QRectF(x + 4, 0, 80, rulerWidth - 6), Qt::AlignLeft | Qt::AlignVCenter,
-                         tickText(tick.value));
+                         app::numberText(tick.value, decimals));
     }
 }
 

@@ -89,7 +89,9 @@ void paintWindow(QPainter& painter, const Controller& controller)
     pen.setWidthF(width);
     painter.setPen(pen);
     painter.drawRect(window);
-    if (!controller.tool().showsGrips())
+    const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
+    const bool edgeSeen = seen.intersects(window) && !window.contains(seen);
+    if (!controller.tool().showsGrips() || !edgeSeen)
         return;
     paintHandles(painter, controller, look);
     paintLabel(painter, controller, window);
