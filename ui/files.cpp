@@ -197,7 +197,7 @@ void Files::crop()
 
 bool Files::mayClose()
 {
-    if (session_.history.isClean())
+    if (session_.history.isClean() || onlyLookedAtSample())
         return true;
     switch (questions_->saveChanges(name())) {
     case Questions::Answer::Save:
@@ -207,6 +207,18 @@ bool Files::mayClose()
     case Questions::Answer::Cancel:
         break;
     }
+    return false;
+}
+
+/// A sample of which nothing but the clip window was changed is nothing to save.
+bool Files::onlyLookedAtSample() const
+{
+    for (const app::Sample& sample : app::samples())
+        if (sample.key == sample_)
+            if (auto fresh = app::readFile(sample.file)) {
+                fresh.value->sheet.window = session_.sheet().window;
+                return fresh.value->sheet == session_.sheet();
+            }
     return false;
 }
 

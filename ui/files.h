@@ -44,6 +44,7 @@ signals:
 private:
     void show(app::Imported imported, const QString& path, const QString& title);
     bool write(const QString& path);
+    bool onlyLookedAtSample() const;
     void noteRecent();
     QString folder() const;
     app::CutOptions cutOptions() const;

@@ -3,6 +3,7 @@
 
 #include "ui/look.h"
 
+#include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyleOption>
@@ -289,6 +290,8 @@ int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
         return 0;
     case SH_UnderlineShortcut:
         return 1;
+    case SH_ItemView_ActivateItemOnSingleClick:
+        return qobject_cast<const QListWidget*>(widget) != nullptr; // recent files
     case SH_ComboBox_Popup:
         return 0;
     default:

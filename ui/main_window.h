@@ -13,6 +13,7 @@ namespace ui {
 class AlgorithmPanel;
 class Dock;
 class Files;
+class StartPanel;
 class StatusBar;
 class WindowNote;
 
@@ -64,6 +65,9 @@ private:
     void addCentre();
     void addTools();
     void addPanels();
+    void place(Dock& dock);
+    void connectStart(StartPanel& start);
+    void makeRoomForLine();
     void addBars();
     void connectFiles();
     void showTitle();
@@ -88,9 +92,10 @@ private:
     QList<QAction*> toolActions_;
     WindowNote* note_ = nullptr;
     Arrangement arrangement_ = Arrangement::Stacked;
-    bool arranging_ = false; ///< docks move because we move them
-    bool ownLayout_ = false; ///< the person moved them: never rearranged
-    bool starting_ = false;  ///< the start panel is in front
+    bool arranging_ = false;  ///< docks move because we move them
+    bool ownLayout_ = false;  ///< the person moved them: never rearranged
+    bool inspecting_ = false; ///< a line is in the inspector
+    bool starting_ = false;   ///< the start panel is in front
 };
 
 } // namespace ui

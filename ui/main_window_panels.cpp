@@ -37,22 +37,10 @@ void MainWindow::addPanels()
               new Dock("algorithm", tr("Algorithm"), algorithmPanel_),
               new Dock("window", tr("Clip window"), window), new Dock("line", tr("Line"), line),
               new Dock("layers", tr("Layers"), layers)};
-    for (Dock* dock : docks_) {
-        dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-        dock->setMinimumWidth(narrowPanelWidth);
-        addDockWidget(Qt::RightDockWidgetArea, dock);
-        const auto moved = [this] {
-            if (!arranging_ && isVisible())
-                ownLayout_ = true;
-        };
-        connect(dock, &QDockWidget::topLevelChanged, this, moved);
-        connect(dock, &QDockWidget::dockLocationChanged, this, moved);
-        connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::refreshDockTitles,
-                Qt::QueuedConnection);
-    }
+    for (Dock* dock : docks_)
+        place(*dock);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setDockOptions(dockOptions() & ~AnimatedDocks);
+    setDockOptions(AllowTabbedDocks | AllowNestedDocks); // nothing slides
     docks_[4]->addTitleAction(layers->addAction());
     docks_[4]->addTitleAction(layers->removeAction());
     connect(line, &LinePanel::titled, docks_[3],
@@ -63,34 +51,57 @@ void MainWindow::addPanels()
     connect(window, &WindowPanel::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
     });
-    connect(start, &StartPanel::drawWanted, this, [this] {
+    connectStart(*start);
+    connect(&session_, &app::Session::inspectedChanged, this, &MainWindow::makeRoomForLine);
+}
+
+void MainWindow::place(Dock& dock)
+{
+    dock.setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    dock.setMinimumWidth(narrowPanelWidth);
+    addDockWidget(Qt::RightDockWidgetArea, &dock);
+    const auto moved = [this] {
+        if (!arranging_ && isVisible())
+            ownLayout_ = true;
+    };
+    connect(&dock, &QDockWidget::topLevelChanged, this, moved);
+    connect(&dock, &QDockWidget::dockLocationChanged, this, moved);
+    connect(&dock, &QDockWidget::visibilityChanged, this, &MainWindow::refreshDockTitles,
+            Qt::QueuedConnection);
+}
+
+void MainWindow::connectStart(StartPanel& start)
+{
+    connect(&start, &StartPanel::drawWanted, this, [this] {
         files_->startNew();
         canvas_->setTool("line");
     });
-    connect(start, &StartPanel::openWanted, this, [this] { files_->open(); });
-    connect(start, &StartPanel::fileWanted, this,
+    connect(&start, &StartPanel::openWanted, this, [this] { files_->open(); });
+    connect(&start, &StartPanel::fileWanted, this,
             [this](const QString& path) { files_->open(path); });
-    connect(start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
-    const auto follow = [this, start] { start->showRecent(files_->recent()); };
-    connect(files_.get(), &Files::recentChanged, start, follow);
-    connect(files_.get(), &Files::nameChanged, start,
-            [this, start] { start->markSample(files_->sample()); });
+    connect(&start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
+    const auto follow = [this, &start] { start.showRecent(files_->recent()); };
+    connect(files_.get(), &Files::recentChanged, &start, follow);
+    connect(files_.get(), &Files::nameChanged, &start,
+            [this, &start] { start.markSample(files_->sample()); });
     follow();
-    // The first line in the inspector makes room for what is said of it.
-    connect(&session_, &app::Session::inspectedChanged, this, [this, before = false]() mutable {
-        const bool now = session_.inspected().has_value();
-        if (std::exchange(before, now) != now && now && !ownLayout_
-            && arrangement_ == Arrangement::Stacked) {
-            const QScopedValueRollback quiet(arranging_, true);
-            shareHeight();
-        }
-    });
     // Choosing or drawing leads on from Start to what can be done there.
     connect(&session_, &app::Session::loaded, this, &MainWindow::leaveStart);
     connect(&session_.history, &QUndoStack::indexChanged, this, [this](int index) {
         if (index > 0)
             leaveStart();
     });
+}
+
+/// The first line in the inspector gets the room for what is said of it.
+void MainWindow::makeRoomForLine()
+{
+    const bool inspecting = session_.inspected().has_value();
+    if (inspecting && !inspecting_ && !ownLayout_ && arrangement_ == Arrangement::Stacked) {
+        const QScopedValueRollback quiet(arranging_, true);
+        shareHeight();
+    }
+    inspecting_ = inspecting;
 }
 
 QList<QAction*> MainWindow::panelToggles() const
@@ -103,6 +114,10 @@ QList<QAction*> MainWindow::panelToggles() const
 
 void MainWindow::raisePanel(const QString& key)
 {
+    if (key == QStringLiteral("start") && !ownLayout_) {
+        starting_ = true;
+        return arrange();
+    }
     for (Dock* dock : docks_)
         if (dock->objectName() == key) {
             const QScopedValueRollback quiet(arranging_, true);
@@ -146,16 +161,13 @@ void MainWindow::arrangeAs(Arrangement arrangement)
     }
     const bool tabs = arrangement != Arrangement::Stacked;
     const bool start = arrangement == Arrangement::StartInFront;
+    Dock* const hidden = start ? docks_[3] : docks_[0]; // no line is chosen yet; or Start is over
     Dock* last = nullptr;
     for (Dock* dock : docks_) {
-        if (dock == docks_[0] && !start)
-            continue;
-        if (dock == docks_[3] && start)
-            continue; // no line is chosen yet
         addDockWidget(Qt::RightDockWidgetArea, dock);
-        if (tabs && last)
+        dock->setVisible(dock != hidden);
+        if (last && (tabs || last == hidden))
             tabifyDockWidget(last, dock);
-        dock->show();
         last = dock;
     }
     (start ? docks_[0] : docks_[1])->raise();

@@ -258,6 +258,32 @@ private slots:
         QTRY_VERIFY(inFront(algorithm));
         QVERIFY(QSettings().value("windowDragged").toBool());
     }
+    void aSampleIsOnlyAskedAboutWhenItWasDrawnIn()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        setWindow(t, {{50, 50}, {100, 100}});
+        t.window->files().openSample(app::samples()[1]);
+        QCOMPARE(t.answers->asked, 0);
+        QCOMPARE(t.window->files().name(), app::samples()[1].title);
+        t.action("select-all")->trigger();
+        t.action("delete")->trigger();
+        t.window->files().startNew();
+        QCOMPARE(t.answers->asked, 1);
+    }
+    void startComesBack()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        t.window->files().startNew();
+        auto* start = t.window->findChild<QDockWidget*>("start");
+        QTRY_VERIFY(!inFront(start));
+        t.action("start")->trigger();
+        QTRY_VERIFY(inFront(start));
+        QVERIFY(start->width() < 600 && start->x() > 600);
+    }
     void layoutIsKeptAndReset()
     {
         TestWindow t;

@@ -128,7 +128,7 @@ StartPanel::StartPanel(QWidget* parent)
     connect(draw, &QAbstractButton::clicked, this, &StartPanel::drawWanted);
     connect(open, &QAbstractButton::clicked, this, &StartPanel::openWanted);
     connect(gallery_, &Gallery::chosen, this, &StartPanel::sampleWanted);
-    connect(recent_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+    connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
         emit fileWanted(item->data(PathRole).toString());
     });
 }
