@@ -17,6 +17,8 @@ namespace {
 constexpr double exportDpi = 300;         // of pictures
 constexpr double newPenMillimetres = 0.3; // the width of a fresh drawing's pen
 
+bool isNative(const QString& path) { return app::formatOfFile(path) == &app::formats().front(); }
+
 app::Sheet emptySheet()
 {
     app::Sheet sheet;
@@ -116,8 +118,7 @@ void Files::openSample(const app::Sample& sample)
 bool Files::save()
 {
     const QString path = session_.path();
-    const bool native = app::formatOfFile(path) == &app::formats().front();
-    if (path.isEmpty() || !native)
+    if (path.isEmpty() || !isNative(path))
         return saveAs();
     if (session_.mustSaveAs())
         return questions_->saveAsNewFile(session_.losses()) && saveAs();
@@ -126,13 +127,20 @@ bool Files::save()
     return (!changedElsewhere || questions_->overwriteChanged(path)) && write(path);
 }
 
+// Only the native format holds a whole drawing: what is saved in another one would be lost later.
 bool Files::saveAs()
 {
     const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
     const QString path = questions_->fileToSave(
         tr("Save as"), QDir(folder()).filePath(base + QStringLiteral(".svg")),
         Questions::Formats::Native);
-    return !path.isEmpty() && write(path);
+    if (path.isEmpty() || isNative(path))
+        return !path.isEmpty() && write(path);
+    emit told({Message::Kind::Warning,
+               tr("%1 was not saved: a drawing is saved as SVG. “Export cut drawing…” writes other "
+                  "types.")
+                   .arg(QFileInfo(path).fileName())});
+    return false;
 }
 
 bool Files::write(const QString& path)
@@ -166,7 +174,8 @@ void Files::exportCut()
     if (path.isEmpty())
         return;
     app::CutOptions options = cutOptions();
-    options.keepContacts = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+    const app::Format* format = app::formatOfFile(path);
+    options.keepContacts = format && format->holds == app::Holds::SeparateLines;
     app::WriteOptions writing;
     writing.dpi = exportDpi;
     const auto job = [sheet = session_.sheet(), options, path, writing] {

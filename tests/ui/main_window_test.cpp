@@ -187,6 +187,17 @@ private slots:
         QVERIFY(QFile::exists(t.path("new.svg")));
         QVERIFY(t.window->files().save()); // now it is ours
     }
+    void onlySvgHoldsAWholeDrawing()
+    {
+        TestWindow t;
+        t.show();
+        t.window->files().open(t.twoLines());
+        t.answers->save = t.path("picture.png");
+        QVERIFY(!t.window->files().saveAs());
+        QVERIFY(!QFile::exists(t.path("picture.png")));
+        QVERIFY2(t.window->message().contains("SVG"), qPrintable(t.window->message()));
+        QVERIFY(t.window->session().path().endsWith("two.svg"));
+    }
     void exportsTheCutDrawing()
     {
         TestWindow t;
