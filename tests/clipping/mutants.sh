@@ -17,6 +17,13 @@ cmake --preset release -S "$root" >"$work/log" || { cat "$work/log"; exit 1; }
 for test in "${tests[@]}"; do
     cmake --build "$build" --target "clipping.${test}_test" >"$work/log" || { cat "$work/log"; exit 1; }
 done
+# A test that fails by itself, or takes too long here, would seem to kill everything.
+for test in "${tests[@]}"; do
+    timeout 120 "$build/tests/clipping.${test}_test" >"$work/log" 2>&1 || {
+        echo "clipping.${test}_test fails without a mutant, or takes more than two minutes."
+        exit 1
+    }
+done
 
 # Links a test with the mutant before the library, which then keeps its own object to itself.
 link() { # TEST
