@@ -3,9 +3,11 @@
 
 #include "app/formats/number.h"
 #include "app/formats/svg/length.h"
+#include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"
 
 #include <array>
+#include <cmath>
 
 namespace app::svg {
 namespace {
@@ -60,10 +62,11 @@ std::optional<clipping::Window> readWindow(const Tree& tree)
             if (tree.name(node) != "clearcut:window")
                 continue;
             const auto number = [&](std::string_view name) {
-                return parseNumber(tree.attribute(node, name));
+                const auto read = parseNumber(tree.attribute(node, name));
+                return read && std::abs(*read) <= largestCoordinate ? read : std::nullopt;
             };
             const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
-            if (v[0] && v[1] && v[2] && v[3])
+            if (v[0] && v[1] && v[2] && v[3] && *v[0] <= *v[2] && *v[1] <= *v[3])
                 return clipping::Window{{*v[0], *v[1]}, {*v[2], *v[3]}};
         }
     }

@@ -15,7 +15,7 @@ struct RootPage {
 };
 RootPage readPage(const Tree& tree);
 
-/// The clip window that Clearcut wrote into the metadata.
+/// The clip window that Clearcut wrote into the metadata; nothing if it is none (inside out).
 std::optional<clipping::Window> readWindow(const Tree& tree);
 
 } // namespace app::svg

@@ -85,6 +85,12 @@ private slots:
                                  "xmax='3' ymax='4e1'/></metadata>"))
                      .window,
                  (clipping::Window{{0.1, -2}, {3, 40}}));
+        for (const char* bad : {"xmin='5' ymin='0' xmax='4' ymax='9'",
+                                "xmin='-1e308' ymin='0' xmax='1e308' ymax='9'"})
+            QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' " + QByteArray(bad)
+                                     + "/></metadata>"))
+                         .window,
+                     (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' xmin='x' ymin='-2' "
                                  "xmax='3' ymax='4'/></metadata>"))
                      .window,
