@@ -5,6 +5,7 @@
 #include "app/command_line/terminal.h"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 
 namespace app {
@@ -94,6 +95,9 @@ int runCommandLine(const QStringList& arguments)
         return int(Exit::Usage);
     } catch (const Failure& failure) {
         say(QStringLiteral("clearcut %1: %2").arg(name, failure.sentence));
+        return int(Exit::Failed);
+    } catch (const std::bad_alloc&) {
+        say(Commands::tr("clearcut %1: There is not enough memory for this.").arg(name));
         return int(Exit::Failed);
     }
 }

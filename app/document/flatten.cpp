@@ -44,6 +44,17 @@ void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
         chords.push_back({{last, path.start}, path.stretches.size(), 0, 1});
 }
 
+std::size_t chordCount(const Path& path, double tolerance)
+{
+    std::size_t count = path.stretches.empty() || path.closed; // the closing line, or the point
+    Point last = path.start;
+    for (const Stretch& stretch : path.stretches) {
+        count += stretch.curved ? std::size_t(chordCount(last, stretch, tolerance)) : 1;
+        last = stretch.to;
+    }
+    return count - (path.closed && !path.stretches.empty() && last == path.start);
+}
+
 Sheet flattened(Sheet sheet, double tolerance)
 {
     std::vector<Chord> chords;

@@ -22,6 +22,9 @@ struct Chord {
 /// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
 void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
 
+/// How many chords `flatten` makes of the path.
+std::size_t chordCount(const Path& path, double tolerance);
+
 /// The drawing with chords in place of its curves.
 Sheet flattened(Sheet sheet, double tolerance);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 namespace app {
 
@@ -56,8 +57,13 @@ Result<Imported> readFile(const QString& path, const Format* format)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
-    Result<Imported> result = format->read(file);
-    return result ? std::move(result) : failure(result.error);
+    try {
+        Result<Imported> result = format->read(file);
+        return result ? std::move(result) : failure(result.error);
+    } catch (const std::bad_alloc&) {
+        return failure(QCoreApplication::translate(
+            "formats", "there is not enough memory for it. Close other programs, or split it."));
+    }
 }
 
 namespace {

@@ -62,6 +62,8 @@ bool Text::next(Record& record)
     record.line = line_;
     std::size_t count = 0, size = 0;
     do {
+        if (++size > longestRecord)
+            throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
         if (count == record.fields.size())
             record.fields.emplace_back();
         readField(record.fields[count++], size);

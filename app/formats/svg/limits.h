@@ -14,7 +14,7 @@ constexpr std::size_t mostText = 1'000'000'000; ///< bytes of attributes and sty
 constexpr std::size_t mostNames =
     10'000; ///< different ones of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
-constexpr std::size_t mostParts = 10'000'000;        ///< shapes, stretches and dashes together
+constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and dashes together
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tried
 constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
 constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one

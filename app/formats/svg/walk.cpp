@@ -2,6 +2,7 @@
 #include "app/formats/svg/walk.h"
 
 #include "app/document/cut.h"
+#include "app/document/flatten.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -218,7 +219,7 @@ void Walk::countParts(const Shape& shape)
         throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
     parts_ += 1 + style.dashes.size();
     for (const Path& path : shape.paths)
-        parts_ += 1 + path.stretches.size();
+        parts_ += 1 + chordCount(path, tolerance_);
     if (parts_ > mostParts)
         throw Refused{Text::tr("is where the drawing has more than %1 points.").arg(mostParts)};
 }

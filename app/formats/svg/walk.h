@@ -27,7 +27,7 @@ struct Place {
 /// Draws the tree into a sheet: one row of a list for each element that SVG can paint.
 class Walk {
 public:
-    /// `tolerance`, in user units, is for curves that clip paths cut.
+    /// `tolerance`, in user units, is what curves are flattened to.
     Walk(const Tree& tree, Sheet& sheet, Report& report, double tolerance);
 
     /// Everything under the root. Throws Refused.

@@ -220,6 +220,16 @@ private slots:
         QCOMPARE(contentOf(path("old.csv")), "old");
     }
 
+    void memoryThatIsNotThereIsASentence()
+    {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("the sanitizer itself takes more memory than is left here");
+#endif
+        const auto run = inShell("ulimit -v 600000; yes 1,2,3,4 | $clearcut info - --from csv");
+        QCOMPARE(run.code, 1);
+        QCOMPARE(run.err, "clearcut info: There is not enough memory for this.\n");
+    }
+
     void algorithmsAreListed()
     {
         const auto lines = clearcut({"algorithms", "--format", "csv"}).out.trimmed().split('\n');

@@ -103,6 +103,7 @@ private slots:
         row("open quote", "1,2,3,4\n1,2,3,4,\"abc\n\n",
             "line 2 opens a quotation mark that is never closed.");
         row("after quote", "1,2,3,4,\"a\"b\n", "line 1 has text after a closing quotation mark.");
+        row("endless commas", QByteArray(3'000'000, ','), "line 1 is too long for CSV.");
         row("endless", QByteArray(3'000'000, '\0'), "line 1 is too long for CSV.");
         row("line after a quoted one", "1,2,3,4,\"a\r\nb\"\r\nx,2,3,4\r\n",
             "line 3 has “x” where a number is needed.");
