@@ -5,6 +5,13 @@
 
 namespace clipping {
 
+// As Skala's published form returns some of what it finds.
+static bool isTurned(const Segment& part, const Segment& whole)
+{
+    const glm::dvec2 p = part.b - part.a, w = whole.b - whole.a;
+    return p.x * w.x + p.y * w.y < 0;
+}
+
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
                        std::span<Clipped> out)
 {
@@ -20,12 +27,14 @@ std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> ins
             out[written++] = {whole, source, 0};
             continue;
         }
-        if (part->segment.a != whole.a)
-            out[written++] = {
-                {whole.a, part->segment.a}, source, cutAt(Edge::None, cutEdgeOfA(part->cut))};
-        if (part->segment.b != whole.b)
-            out[written++] = {
-                {part->segment.b, whole.b}, source, cutAt(cutEdgeOfB(part->cut), Edge::None)};
+        const bool turned = isTurned(part->segment, whole);
+        const Segment inner = turned ? Segment{part->segment.b, part->segment.a} : part->segment;
+        const Edge enter = turned ? cutEdgeOfB(part->cut) : cutEdgeOfA(part->cut);
+        const Edge leave = turned ? cutEdgeOfA(part->cut) : cutEdgeOfB(part->cut);
+        if (inner.a != whole.a)
+            out[written++] = {{whole.a, inner.a}, source, cutAt(Edge::None, enter)};
+        if (inner.b != whole.b)
+            out[written++] = {{inner.b, whole.b}, source, cutAt(leave, Edge::None)};
     }
     return written;
 }

@@ -13,7 +13,8 @@ namespace clipping {
 /// at least `in.size() + inside.size()` pieces; returns how many were written, in input order,
 /// the piece at a's side first. The pieces reuse the inside's cut points bit for bit: inside and
 /// outside together are the whole. A segment that touches the window in a single point comes
-/// back whole, once; a part along an edge belongs to the inside. Allocates nothing.
+/// back whole, once; a piece of a published form may run the other way; a part along an edge
+/// belongs to the inside. Allocates nothing.
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
                        std::span<Clipped> out);
 

@@ -107,6 +107,22 @@ private slots:
         QCOMPARE(outside[1].cut, cutAt(Edge::Right, Edge::None));
     }
 
+    void aPieceThatIsTurnedRoundIsStillCutOut()
+    {
+        const std::vector<Segment> in{{{-2, 0.5}, {7, 1}}, {{7, 1}, {-2, 0.5}}};
+        const Algorithm& skala = *findAlgorithm("skala");
+        std::vector<Clipped> inside(in.size());
+        inside.resize(skala.published->clipAll(in, window, inside));
+        QCOMPARE(inside.size(), 2u);
+        QVERIFY(inside[0].segment.a.x > inside[0].segment.b.x); // turned round
+        const auto outside = outsideOf(in, inside);
+        QCOMPARE(outside.size(), 4u);
+        for (const Clipped& piece : outside)
+            QVERIFY((piece.segment.a.x <= -1 && piece.segment.b.x <= -1)
+                    || (piece.segment.a.x >= 3 && piece.segment.b.x >= 3));
+        QCOMPARE(outside[0].cut, cutAt(Edge::None, Edge::Left));
+    }
+
     void aTouchLeavesTheSegmentWholeAnEdgeBelongsToTheInside()
     {
         const std::vector<Segment> in{
