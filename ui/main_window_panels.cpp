@@ -12,7 +12,8 @@
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QTabBar>
-#include <QTimer>
+
+#include <algorithm>
 
 // The panels at the right, and where they stand. A layout that the person made is kept as it is.
 
@@ -108,7 +109,8 @@ QList<QAction*> MainWindow::panelToggles() const
 {
     QList<QAction*> toggles;
     for (Dock* dock : docks_)
-        toggles << dock->toggleViewAction();
+        if (dock != docks_[0]) // Help > Start; it comes and goes by itself
+            toggles << dock->toggleViewAction();
     return toggles;
 }
 
@@ -121,6 +123,10 @@ void MainWindow::raisePanel(const QString& key)
     for (Dock* dock : docks_)
         if (dock->objectName() == key) {
             const QScopedValueRollback quiet(arranging_, true);
+            if (dockWidgetArea(dock) == Qt::NoDockWidgetArea) {
+                addDockWidget(Qt::RightDockWidgetArea, dock);
+                tabifyDockWidget(docks_[1], dock);
+            }
             dock->show();
             dock->raise();
         }
@@ -164,9 +170,11 @@ void MainWindow::arrangeAs(Arrangement arrangement)
     Dock* const hidden = start ? docks_[3] : docks_[0]; // no line is chosen yet; or Start is over
     Dock* last = nullptr;
     for (Dock* dock : docks_) {
+        if (dock == hidden && !tabs)
+            continue; // not even behind another, whose title would then be in a tab
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->setVisible(dock != hidden);
-        if (last && (tabs || last == hidden))
+        if (tabs && last)
             tabifyDockWidget(last, dock);
         last = dock;
     }
@@ -194,10 +202,13 @@ void MainWindow::shareHeight()
 /// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
 void MainWindow::refreshDockTitles()
 {
-    for (Dock* dock : docks_)
-        dock->setTitle(tabifiedDockWidgets(dock).isEmpty() || dock->isFloating()
-                           ? Dock::Title::Shown
-                           : Dock::Title::InTab);
+    for (Dock* dock : docks_) {
+        const auto others = tabifiedDockWidgets(dock);
+        const bool tab = !dock->isFloating() && std::ranges::any_of(others, [](auto* other) {
+            return !other->isHidden();
+        });
+        dock->setTitle(tab ? Dock::Title::InTab : Dock::Title::Shown);
+    }
     for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
         bar->setFont(captionFont(font()));
         bar->setExpanding(false);

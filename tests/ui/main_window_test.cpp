@@ -295,6 +295,21 @@ private slots:
         QTRY_VERIFY(inFront(start));
         QVERIFY(start->width() < 600 && start->x() > 600);
     }
+    void panelsHaveTheirTitlesWhereTheyAreStacked()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        for (const char* key : {"algorithm", "window", "line", "layers"}) {
+            auto* dock = t.window->findChild<QDockWidget*>(key);
+            QTRY_VERIFY2(dock->titleBarWidget()->height() > 20, key);
+        }
+        t.window->resize(1280, 640); // low: tabs
+        auto* layers = t.window->findChild<QDockWidget*>("layers");
+        QTRY_VERIFY(layers->titleBarWidget()->height() == 0
+                    || !layers->titleBarWidget()->isVisible());
+        QTRY_VERIFY(inFront(t.window->findChild<QDockWidget*>("algorithm")));
+    }
     void layoutIsKeptAndReset()
     {
         TestWindow t;

@@ -49,7 +49,7 @@ void addShortcuts(QString& rows, const QMenu& menu)
         if (action->shortcut().isEmpty())
             continue;
         QStringList keys;
-        for (const QKeySequence& key : action->shortcuts())
+        for (const QKeySequence& key : action->shortcuts().mid(0, 2)) // more are of old keyboards
             keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
         QString name = action->text();
         rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td>%2</td></tr>")
