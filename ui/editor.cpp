@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -19,6 +20,8 @@
 namespace ui {
 
 namespace {
+
+constexpr qint64 quickBytes = 1'000'000; // read in a blink
 
 struct Options {
     Backend backend = Backend::Automatic;
@@ -125,10 +128,15 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     MainWindow window(options.backend);
     if (options.size)
         window.resize(*options.size);
+    // What takes long to read must not keep the window from being seen.
+    const auto open = [&] { window.files().open(options.file); };
+    const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;
     if (options.file.isEmpty())
         window.showStart();
+    else if (first)
+        open();
     else
-        window.files().open(options.file);
+        QMetaObject::invokeMethod(&window, open, Qt::QueuedConnection);
     if (options.verbose)
         QObject::connect(&window.canvas(), &Canvas::frameShown, &window,
                          [&clock, once = false]() mutable {

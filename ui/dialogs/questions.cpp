@@ -69,8 +69,11 @@ QString Questions::fileToSave(const QString& title, const QString& proposal, For
     dialog.selectFile(QFileInfo(proposal).fileName());
     const auto follow = [&dialog](const QString& chosen) {
         for (const app::Format& format : app::formats())
-            if (filter(format) == chosen)
+            if (filter(format) == chosen) {
                 dialog.setDefaultSuffix(ending(format));
+                const QFileInfo named(dialog.selectedFiles().value(0));
+                dialog.selectFile(named.completeBaseName() + u'.' + ending(format));
+            }
     };
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, follow);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
