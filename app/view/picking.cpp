@@ -10,6 +10,7 @@
 namespace app {
 
 constexpr double mostCellsPerSide = 512; // more would cost more to fill than looking them up saves
+constexpr double mostCellsCrossed = 16;  // by a segment, in the mean: long ones want few cells
 
 double distance(const Point& point, const clipping::Segment& s)
 {
@@ -172,7 +173,12 @@ void Picking::build() const
         min = glm::min(min, glm::min(s.a, s.b));
         max = glm::max(max, glm::max(s.a, s.b));
     }
-    const double side = std::clamp(std::sqrt(double(segments.size())) / 2, 1.0, mostCellsPerSide);
+    Point share(0); // of the whole's width and height that all segments together take
+    for (const auto& s : segments)
+        share += glm::abs(s.b - s.a) / glm::max(max - min, Point(1e-12));
+    const auto count = double(segments.size());
+    const double crossed = mostCellsCrossed * count / std::max(share.x + share.y, 1.0);
+    const double side = std::clamp(std::min(std::sqrt(count) / 2, crossed), 1.0, mostCellsPerSide);
     origin_ = min;
     columns_ = rows_ = std::size_t(side);
     cell_ = glm::max((max - min) / double(columns_), Point(1e-12));
