@@ -58,7 +58,12 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
 MainWindow::~MainWindow()
 {
     // All that is on the screen looks at the session, which goes with the members: it goes first.
+    // What the session says while it goes, nobody is left to hear.
     const QSignalBlocker quiet(this);
+    for (const QObject* source :
+         {static_cast<QObject*>(&session_), static_cast<QObject*>(&session_.drawing),
+          static_cast<QObject*>(&session_.history)})
+        disconnect(source, nullptr, this, nullptr);
     hide();
     qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
