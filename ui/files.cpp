@@ -3,6 +3,7 @@
 
 #include "app/commands/crop_to_window.h"
 #include "app/comparison/cut_text.h"
+#include "app/document/flatten.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/in_background.h"
 
@@ -165,6 +166,30 @@ app::CutOptions Files::cutOptions() const
             .keep = session_.display().keep};
 }
 
+namespace {
+
+using Exported = std::pair<std::optional<QString>, app::CutCounts>;
+
+// On a thread of its own, where an exception would end the program. Separate lines are cut as
+// lines, so that each of them lies inside the window.
+Exported exported(const app::Sheet& sheet, const app::CutOptions& options, const QString& path,
+                  const app::WriteOptions& writing)
+{
+    try {
+        const app::Cut cut = app::cut(
+            options.keepContacts ? app::flattened(sheet, app::usualTolerance(sheet.page)) : sheet,
+            options);
+        return {app::writeFile(cut.sheet, path, writing), cut.counts};
+    } catch (const std::bad_alloc&) {
+        return {Files::tr("Cannot export %1: there is not enough memory. Close other programs, or "
+                          "export a part of the drawing.")
+                    .arg(path),
+                {}};
+    }
+}
+
+} // namespace
+
 void Files::exportCut()
 {
     const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
@@ -178,14 +203,17 @@ void Files::exportCut()
     options.keepContacts = format && format->holds == app::Holds::SeparateLines;
     app::WriteOptions writing;
     writing.dpi = exportDpi;
+    std::stop_source cancel;
+    writing.stop = cancel.get_token();
     const auto job = [sheet = session_.sheet(), options, path, writing] {
-        const app::Cut cut = app::cut(sheet, options);
-        return std::pair(app::writeFile(cut.sheet, path, writing), cut.counts);
+        return exported(sheet, options, path, writing);
     };
     const auto done =
         inBackground(&window_, tr("Exporting %1…").arg(QFileInfo(path).fileName()), job);
-    if (!done)
+    if (!done) {
+        cancel.request_stop();
         return;
+    }
     const auto& [error, counts] = *done;
     if (error)
         emit told({Message::Kind::Warning, *error});

@@ -69,7 +69,7 @@ std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
     const Sheet& sheet = imported.sheet;
     Content all;
     std::vector<Content> layers(sheet.layers.size());
-    const double tolerance = flatteningMillimetres / sheet.page.millimetresPerUnit();
+    const double tolerance = usualTolerance(sheet.page);
     std::size_t hidden = 0;
     std::vector<Chord> chords;
     for (const Shape& shape : sheet.shapes) {

@@ -62,6 +62,18 @@ QString pointText(const Point& p)
     return QStringLiteral("(%1; %2)").arg(shortNumber(p.x), shortNumber(p.y));
 }
 
+/// Outcodes as everywhere in the window, for the edges as they appear on the screen: where y points
+/// down, the library's bottom is above.
+QString valueText(const clipping::Step& step, const clipping::NamedValue& value)
+{
+    if (step.what != "outcodes")
+        return shortNumber(value.value);
+    const auto code = unsigned(value.value);
+    return Region{int((code & 2) != 0) - int((code & 1) != 0),
+                  int((code & 8) != 0) - int((code & 4) != 0)}
+        .outcode();
+}
+
 QString stepText(const clipping::Step& step)
 {
     QString text = latin(step.what);
@@ -69,7 +81,7 @@ QString stepText(const clipping::Step& step)
         text += QStringLiteral(", ") + edge;
     QStringList values;
     for (const auto& value : step.values)
-        values << latin(value.name) + QStringLiteral(" = ") + shortNumber(value.value);
+        values << latin(value.name) + QStringLiteral(" = ") + valueText(step, value);
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
     return tr("%1\n     leaves %2 to %3")

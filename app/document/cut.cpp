@@ -61,9 +61,8 @@ class Cutter {
 public:
     Cutter(const Sheet& sheet, const CutOptions& options)
         : options_(options), sheet_(sheet),
-          chords_(chordsOf(sheet, options.tolerance > 0
-                                      ? options.tolerance
-                                      : flatteningMillimetres / sheet.page.millimetresPerUnit())),
+          chords_(chordsOf(sheet,
+                           options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page))),
           pieces_(keptPieces(chords_.all, options)), next_(pieces_.begin())
     {
         result_.sheet.page = sheet.page;

@@ -10,6 +10,12 @@ namespace app {
 /// The curves' usual tolerance, on paper.
 constexpr double flatteningMillimetres = 0.05;
 
+/// The same in the page's user units.
+inline double usualTolerance(const Page& page)
+{
+    return flatteningMillimetres / page.millimetresPerUnit();
+}
+
 /// Where a chord of a flattened path comes from: `stretch` (== stretches.size(): the closing line)
 /// and the part [t0, t1] of it.
 struct Chord {

@@ -27,7 +27,9 @@ Frame Scene::clip(const clipping::Uses<clipping::Segment, clipping::Window>& alg
     const auto start = std::chrono::steady_clock::now();
     const std::size_t count = algorithm.clipAll(segments_, window, inside_);
     const auto time = std::chrono::steady_clock::now() - start;
-    Frame frame{std::span(inside_).first(count), {}, segments_.size(),
+    Frame frame{std::span(inside_).first(count),
+                {},
+                segments_.size(),
                 std::uint64_t(std::chrono::nanoseconds(time).count())};
     if (removed == Removed::Kept) {
         outside_.resize(segments_.size() + count);
@@ -44,10 +46,12 @@ void Scene::update(const Change& change)
         return;
     }
     const Sheet& sheet = drawing_.sheet();
-    const double tolerance = flatteningMillimetres / sheet.page.millimetresPerUnit();
+    const double tolerance = usualTolerance(sheet.page);
     const bool splice = change.kind == Change::Kind::Shapes;
     const std::size_t from = splice ? change.first : 0;
-    const std::size_t oldEnd = splice ? from + change.removed : first_.empty() ? 0 : first_.size() - 1;
+    const std::size_t oldEnd = splice           ? from + change.removed
+                               : first_.empty() ? 0
+                                                : first_.size() - 1;
     const std::size_t newEnd = splice ? from + change.added : sheet.shapes.size();
     if (first_.empty())
         first_ = {0};
@@ -69,7 +73,8 @@ void Scene::update(const Change& change)
     const auto at = [](auto& v, std::size_t i) { return v.begin() + std::ptrdiff_t(i); };
     const std::size_t firstOld = first_[from], endOld = first_[oldEnd];
     const auto shift = std::ptrdiff_t(firstOld + segments.size()) - std::ptrdiff_t(endOld);
-    std::for_each(at(first_, oldEnd), first_.end(), [&](auto& n) { n = std::size_t(std::ptrdiff_t(n) + shift); });
+    std::for_each(at(first_, oldEnd), first_.end(),
+                  [&](auto& n) { n = std::size_t(std::ptrdiff_t(n) + shift); });
     first_.erase(at(first_, from), at(first_, oldEnd));
     first_.insert(at(first_, from), first.begin(), first.end());
     segments_.erase(at(segments_, firstOld), at(segments_, endOld));

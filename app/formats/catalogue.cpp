@@ -76,6 +76,8 @@ std::optional<QString> writeTo(QFileDevice& file, const Sheet& sheet, const Writ
         return file.errorString() + u'.';
     if (auto error = format.write(sheet, file, options))
         return error;
+    if (options.stop.stop_requested())
+        return QCoreApplication::translate("formats", "it was cancelled.");
     return finish(file) ? std::nullopt : std::optional(file.errorString() + u'.');
 }
 

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 namespace app {
@@ -39,6 +40,8 @@ struct WriteOptions {
     /// CSV: the column `source`, one number for each shape of the sheet, and the rows in its order;
     /// empty: no such column, and the rows in drawing order.
     std::vector<std::uint32_t> sources{};
+    /// Asked to stop before all is written: nothing on disk changes.
+    std::stop_token stop{};
 };
 
 /// What a drawing is in a file: paths and curves, or separate lines, where what touches the clip

@@ -74,7 +74,7 @@ void addReduced(const Shape& shape, const clipping::Window& window, double toler
 Sheet seenPart(const Sheet& sheet)
 {
     Sheet seen{sheet.page, sheet.layers, {}, sheet.window};
-    const double tolerance = flatteningMillimetres / sheet.page.millimetresPerUnit();
+    const double tolerance = usualTolerance(sheet.page);
     for (Shape shape : sheet.shapes) {
         if (!sheet.shown(shape))
             continue;

@@ -37,9 +37,7 @@ class Writer {
 public:
     Writer(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
         : sheet_(sheet), out_(out), options_(options),
-          tolerance_(options.tolerance > 0
-                         ? options.tolerance
-                         : flatteningMillimetres / sheet.page.millimetresPerUnit())
+          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page))
     {
     }
 

@@ -2,9 +2,12 @@
 #include "app/formats/svg/reader.h"
 
 #include "app/document/page_around.h"
+#include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/walk.h"
+
+#include <QBuffer>
 
 namespace app::svg {
 namespace {
@@ -15,7 +18,7 @@ Imported import(const Tree& tree)
     Report report;
     Sheet& sheet = imported.sheet;
     const RootPage root = readPage(tree);
-    Walk walk(tree, sheet, report, flatteningMillimetres / root.page.millimetresPerUnit());
+    Walk walk(tree, sheet, report, usualTolerance(root.page));
     try {
         walk.drawAll(root.matrix, root.page.size / Point{1, root.matrix.d});
     } catch (Refused& refused) {
@@ -29,6 +32,33 @@ Imported import(const Tree& tree)
     return imported;
 }
 
+// A token may be as long as what is read, and a pipe may never end.
+QByteArray wholePipe(QIODevice& in)
+{
+    QByteArray data;
+    while (in.waitForReadyRead(-1) || !in.atEnd()) {
+        const QByteArray more = in.read(qint64(1) << 20);
+        if (more.isEmpty())
+            break;
+        data += more;
+        if (std::size_t(data.size()) > mostBytes)
+            throw Refused{
+                Text::tr("it is larger than %1 bytes. Save it as a file first.").arg(mostBytes),
+                Refused::wholeFile};
+    }
+    return data;
+}
+
+Tree readTree(QIODevice& in)
+{
+    if (!in.isSequential())
+        return Tree::read(in);
+    QByteArray data = wholePipe(in);
+    QBuffer buffer(&data);
+    buffer.open(QIODevice::ReadOnly);
+    return Tree::read(buffer);
+}
+
 } // namespace
 
 Result<Imported> read(QIODevice& in)
@@ -37,7 +67,7 @@ Result<Imported> read(QIODevice& in)
         return Result<Imported>::failure(
             Text::tr("it is compressed (.svgz). Unpack it with gunzip and open the .svg file."));
     try {
-        return Result<Imported>::of(import(Tree::read(in)));
+        return Result<Imported>::of(import(readTree(in)));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)

@@ -46,6 +46,18 @@ private slots:
         QCOMPARE(classOf(2), app::LineClass::Cut);
         QCOMPARE(classOf(3), app::LineClass::Missed);
     }
+    void outcodesOfStepsAreThoseOfTheRegions()
+    {
+        app::Session session;
+        session.load({sheetOf({{{-5, -5}, {15, 5}}}), {}});
+        app::Display display = session.display();
+        display.algorithm = clipping::findAlgorithm("cs");
+        session.setDisplay(display);
+        const auto line = app::inspect(session, 0);
+        QCOMPARE(line.from.outcode(), "1001");
+        QVERIFY2(app::stepTexts(line).front().contains("a = 1001, b = 0010"),
+                 qPrintable(app::stepTexts(line).front()));
+    }
     void whatIsLeftAndWhatItCosts()
     {
         app::Session session;

@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QTest>
 
+#include <glm/common.hpp>
+
 #include <random>
 
 #include "tests/app/formats/svg/text.h"
@@ -18,7 +20,8 @@ public:
         app::Sheet sheet;
         sheet.page = {
             point(), {1 + std::abs(number()), 1 + std::abs(number())}, length(), length()};
-        sheet.window = {point(), point()};
+        const app::Point p = point(), q = point(); // one that is inside out is not kept
+        sheet.window = {glm::min(p, q), glm::max(p, q)};
         sheet.layers.clear();
         for (auto n = 1 + below(4); n > 0; --n) {
             const auto layer = std::uint32_t(sheet.layers.size());
