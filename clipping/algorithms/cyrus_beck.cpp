@@ -44,7 +44,6 @@ struct CyrusBeck {
         return {T(unit[i].x), T(unit[i].y)};
     }
 
-    /// Where the line passes edge i, if it does: t from 0 at a to 1 at b.
     template <Form form, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
