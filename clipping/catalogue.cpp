@@ -20,7 +20,8 @@ using Catalogue = List<
     struct NichollLeeNicholl,
     struct Skala,
     struct KodituwakkuWijeweeraChamikara,
-    struct MatthesDrakopoulos
+    struct MatthesDrakopoulos,
+    struct Exact
 >;
 // clang-format on
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How far the floating-point shortcuts of `exact` can be from the truth, and why. Whoever takes a
+// shortcut, scalar or vector, compares with these numbers, and asks whole numbers where the
+// comparison does not settle the matter. e is 2^-53, the largest relative error of one operation
+// in double; sums and differences never underflow, a product loses at most 2^-1075 by it. Every
+// comparison is written so that infinities and NaNs leave the matter open.
+
+namespace clipping {
+
+/// The order in which a line passes x and y is the sign of p* - q*, with p* = (x - ax)(by - ay)
+/// and q* = (y - ay)(bx - ax). Computed, each factor is off by (1 + e) and the product by another,
+/// together less than (3e + 4e^2)|p*|, which is at most (3e + 14e^2)|p|; the difference of p and
+/// q adds e times itself. So |p - q| > 3.5 e (|p| + |q|) has the sign of the truth; 4e makes up for
+/// the rounding of the bound itself, and `tiny` for underflow (2^-1074 in all).
+constexpr double orderBound = 0x1p-51;
+constexpr double tiny = 0x1p-1000;
+
+/// The y at x is ay + M U / D, with M = by - ay, U = x - ax and D = bx - ax known exactly as pairs
+/// (low parts at most e times the high ones). With p = Mh Uh, computed exactly as ph + pe:
+///   low  = pe + Mh Ul + Ml Uh              off by  8.1 e^2 |ph|  (7 by rounding, Ml Ul left out)
+///   q    = ph / Dh or ph times 1 / Dh      off by  at most 3e |q|
+///   rest = (ph - q Dh) + low - q Dl        off by 17 e^2 |ph| more (3, 6, 1 and 7 by rounding)
+///   rest / Dh, |rest| at most 7e |ph|      off by 28 e^2 |q|     (Dh for D, quotient)
+/// together less than 54 e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds
+/// e^2 |s| + 8 e^2 |q| where t is rounded, and the same again where the error is added to t. All
+/// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is 128 e^2 (|q| + |s|). Rounding is monotone,
+/// so the truth rounds to what s + (t - bound) and s + (t + bound) both round to.
+template <class T>
+constexpr double crossingBound = 0x1p-99;
+
+/// For float that sum is rounded to double before it is rounded to float. The bound is larger by
+/// two roundings to double, so that the truth stays between the two after the first rounding.
+/// (t is at most 8e (|q| + |s|), so |s| stands for the sum.)
+template <>
+constexpr double crossingBound<float> = 0x1p-51;
+
+/// Products and quotients this far from the ends of the range lose nothing to underflow that the
+/// bounds above do not cover 2^300 times. (A product that is 0 because M is 0 is exact.)
+constexpr double smallestProduct = 0x1p-600, largestProduct = 0x1p600;
+constexpr double smallestQuotient = 0x1p-900, largestQuotient = 0x1p900;
+
+} // namespace clipping
