@@ -12,6 +12,7 @@
 // a corner of the window lies. exact/bounds.h proves when floating point gives that order and the
 // rounded coordinate; whole numbers settle the rest.
 
+#include "clipping/batch/sets.h"
 #include "clipping/describe.h"
 #include "clipping/exact/line.h"
 
@@ -77,6 +78,14 @@ struct Exact {
     static constexpr bool ours = true;   // nothing was published but this
     static constexpr bool single = true; // float data too
 
+    template <class T>
+    static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
+                            std::span<BasicClipped<BasicSegment<T>>> out)
+    {
+        assert(out.size() >= in.size());
+        return clipBatch(Batch<T>{in.data(), 0, in.size(), window, out.data()}).pieces;
+    }
+
     template <Form, class T, class Watch>
     static std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s, const BasicWindow<T>& w,
                                                Watch&& watch)
@@ -120,6 +129,24 @@ struct Exact {
         return visible;
     }
 };
+
+template <class T>
+std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
+                         std::size_t count, const BasicWindow<T>& window,
+                         BasicClipped<BasicSegment<T>>* out)
+{
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const BasicSegment<T>& s = segments[indices[i]];
+        if (const auto piece = clipOne<Exact, Form::Corrected>(s, window))
+            out[visible++] = {*piece, indices[i], cutOf(s, *piece, window)};
+    }
+    return visible;
+}
+template std::size_t clipOneByOne(const Segment*, const std::uint32_t*, std::size_t, const Window&,
+                                  Clipped*);
+template std::size_t clipOneByOne(const BasicSegment<float>*, const std::uint32_t*, std::size_t,
+                                  const BasicWindow<float>&, BasicClipped<BasicSegment<float>>*);
 
 template Algorithm describe<Exact>();
 

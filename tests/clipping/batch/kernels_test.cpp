@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clipping/algorithm.h"
+#include "clipping/batch/kernels.h"
+
+#include <QTest>
+
+#include <cstring>
+
+#include "tests/clipping/scenes.h"
+
+using namespace clipping;
+
+namespace {
+
+template <class T>
+using Piece = BasicClipped<BasicSegment<T>>;
+
+template <class T>
+auto clipOf(const InstructionSet& set)
+{
+    if constexpr (sizeof(T) == sizeof(double))
+        return set.clip;
+    else
+        return set.clipSingle;
+}
+
+template <class T>
+const Uses<BasicSegment<T>, BasicWindow<T>>& exactUses()
+{
+    if constexpr (sizeof(T) == sizeof(double))
+        return findAlgorithm("exact")->corrected;
+    else
+        return *findAlgorithm("exact")->single;
+}
+
+/// What `exact` finds, one segment after the other.
+template <class T>
+std::vector<Piece<T>> oneByOne(const Scene<T>& scene)
+{
+    std::vector<Piece<T>> pieces;
+    for (std::size_t i = 0; i < scene.segments.size(); ++i)
+        if (const auto piece = exactUses<T>().clip(scene.segments[i], scene.window))
+            pieces.push_back({*piece, static_cast<std::uint32_t>(i), 0});
+    return pieces;
+}
+
+/// What a set of instructions finds between begin and end, in a buffer that fits exactly.
+template <class T>
+std::vector<Piece<T>> clipped(const InstructionSet& set, const Scene<T>& scene, std::size_t begin,
+                              std::size_t end)
+{
+    std::vector<Piece<T>> out(end - begin);
+    const auto result =
+        clipOf<T>(set)({scene.segments.data(), begin, end, scene.window, out.data()});
+    out.resize(result.pieces);
+    return out;
+}
+
+template <class T>
+bool sameBits(const std::vector<Piece<T>>& p, const std::vector<Piece<T>>& q)
+{
+    return p.size() == q.size()
+           && (p.empty() || std::memcmp(p.data(), q.data(), p.size() * sizeof(Piece<T>)) == 0);
+}
+
+template <class T>
+bool sameSegments(const std::vector<Piece<T>>& p, const std::vector<Piece<T>>& q)
+{
+    for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
+        if (std::memcmp(&p[i].segment, &q[i].segment, sizeof p[i].segment) != 0
+            || p[i].source != q[i].source)
+            return false;
+    return p.size() == q.size();
+}
+
+/// Numbers that are no numbers, among those that are.
+template <class T>
+Scene<T> spoilt(Scene<T> scene)
+{
+    const T bad[] = {T(NAN), T(INFINITY), -T(INFINITY)};
+    Dice dice(7);
+    for (auto& s : scene.segments) {
+        T* const numbers[] = {&s.a.x, &s.a.y, &s.b.x, &s.b.y};
+        if (dice.integer(0, 2) == 0)
+            *numbers[dice.integer(0, 3)] = bad[dice.integer(0, 2)];
+    }
+    scene.name += ", spoilt";
+    return scene;
+}
+
+template <class T>
+std::vector<Scene<T>> allScenes()
+{
+    auto scenes = hardScenes<T>(20011);
+    for (const std::size_t i : {0, 1})
+        scenes.push_back(spoilt(scenes[i]));
+    auto inside = paperScene<T>(5003);
+    inside.name = "all inside";
+    inside.window = {{-960, -720}, {960, 720}};
+    scenes.push_back(inside);
+    scenes.push_back({"an empty window", {{1, 1}, {-1, -1}}, inside.segments});
+    scenes.push_back({"no window", {{-1, -1}, {T(NAN), 1}}, inside.segments});
+    return scenes;
+}
+
+template <class T>
+void compareSets()
+{
+    for (const auto& scene : allScenes<T>()) {
+        const auto expected = oneByOne(scene);
+        const auto& portable = instructionSets().front();
+        const auto first = clipped(portable, scene, 0, scene.segments.size());
+        QVERIFY2(sameSegments(first, expected), scene.name.c_str());
+        for (const InstructionSet& set : instructionSets())
+            if (set.available) {
+                const auto pieces = clipped(set, scene, 0, scene.segments.size());
+                QVERIFY2(sameBits(pieces, first),
+                         (scene.name + ", " + std::string(set.name)).c_str());
+            }
+    }
+}
+
+template <class T>
+void comparePartsOfTheWhole()
+{
+    const auto scene = hardScenes<T>(1100)[1];
+    for (const InstructionSet& set : instructionSets())
+        if (set.available)
+            for (std::size_t begin : {0, 1, 513})
+                for (std::size_t end = begin; end < begin + 70; ++end) {
+                    std::vector<Piece<T>> expected;
+                    for (const auto& piece : clipped(set, scene, 0, scene.segments.size()))
+                        if (piece.source >= begin && piece.source < end)
+                            expected.push_back(piece);
+                    QVERIFY(sameBits(clipped(set, scene, begin, end), expected));
+                }
+}
+
+} // namespace
+
+class KernelsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void saysWhatThisProcessorLacks()
+    {
+        QVERIFY(instructionSets().front().available);
+        for (const InstructionSet& set : instructionSets())
+            if (!set.available)
+                qWarning("%s is not available here and was not tested", set.name.data());
+    }
+
+    void givesTheSameBitsInAllInstructions() { compareSets<double>(); }
+    void givesTheSameBitsInAllInstructionsInFloat() { compareSets<float>(); }
+    void clipsAnyPartAndWritesNoFurther() { comparePartsOfTheWhole<double>(); }
+    void clipsAnyPartAndWritesNoFurtherInFloat() { comparePartsOfTheWhole<float>(); }
+
+    void settlesThePapersSceneInVectors()
+    {
+        const auto scene = paperScene<double>(100000);
+        std::vector<Clipped> out(scene.segments.size());
+        for (const InstructionSet& set : instructionSets())
+            if (set.available) {
+                const auto result = set.clip(
+                    {scene.segments.data(), 0, scene.segments.size(), scene.window, out.data()});
+                QVERIFY(result.pieces > 10000 && result.unsettled <= 10); // 0.01 %
+            }
+    }
+
+    void isWhatTheRowUses()
+    {
+        const auto scene = paperScene<double>(3000);
+        std::vector<Clipped> out(scene.segments.size());
+        out.resize(findAlgorithm("exact")->corrected.clipAll(scene.segments, scene.window, out));
+        QVERIFY(sameBits(out, clipped(instructionSets().front(), scene, 0, scene.segments.size())));
+    }
+};
+
+QTEST_APPLESS_MAIN(KernelsTest)
+#include "kernels_test.moc"
