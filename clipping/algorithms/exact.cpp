@@ -130,6 +130,22 @@ struct Exact {
     }
 };
 
+namespace {
+
+/// Remembers by which edges a segment enters and leaves. (Where a new end is rounded onto another
+/// edge as well, its coordinates do not tell.)
+struct CutWatcher {
+    Edge edgeOfA = Edge::None, edgeOfB = Edge::None;
+    void operator()(std::string_view, int line, const auto&, Edge edge)
+    {
+        if (edge != Edge::None)
+            (line < firstLineOfB ? edgeOfA : edgeOfB) = edge;
+    }
+    static constexpr int firstLineOfB = 9;
+};
+
+} // namespace
+
 template <class T>
 std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
                          std::size_t count, const BasicWindow<T>& window,
@@ -138,8 +154,11 @@ std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* i
     std::size_t visible = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const BasicSegment<T>& s = segments[indices[i]];
-        if (const auto piece = clipOne<Exact, Form::Corrected>(s, window))
-            out[visible++] = {*piece, indices[i], cutOf(s, *piece, window)};
+        CutWatcher watch;
+        if (!withinContract(s, window))
+            continue;
+        if (const auto piece = Exact::clip<Form::Corrected>(s, window, watch))
+            out[visible++] = {*piece, indices[i], cutAt(watch.edgeOfA, watch.edgeOfB)};
     }
     return visible;
 }

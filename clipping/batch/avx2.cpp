@@ -91,6 +91,14 @@ struct Doubles {
     {
         return {_mm256_blendv_pd(b.v, a.v, sign.v)};
     }
+    /// NaN, infinite, or too small for a full reciprocal; but not 0.
+    LANE Mask irregular(Doubles a)
+    {
+        const Doubles size = abs(a);
+        const Mask normal = (size >= of(std::numeric_limits<double>::min()))
+                            & (size <= of(std::numeric_limits<double>::max()));
+        return ~(normal | (a == of(0)));
+    }
     template <class T>
     CLIPPING_INLINE Doubles rounded() const
     {
@@ -126,7 +134,7 @@ struct Doubles {
     }
 
     CLIPPING_INLINE static void store(Clipped* out, const Clip<Doubles>& clip,
-                                      const std::uint32_t* at, unsigned visible, std::size_t lanes)
+                                      const std::uint32_t* at, unsigned visible)
     {
         const auto& [ax, ay, bx, by] = clip.piece;
         const __m256d a02 = _mm256_unpacklo_pd(ax.v, ay.v), a13 = _mm256_unpackhi_pd(ax.v, ay.v);
@@ -136,7 +144,7 @@ struct Doubles {
             _mm256_permute2f128_pd(a02, b02, 0x31), _mm256_permute2f128_pd(a13, b13, 0x31)};
         alignas(32) std::uint64_t tails[width];
         _mm256_store_si256(reinterpret_cast<__m256i*>(tails), tailsOf(clip, at));
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < width; ++i) {
             _mm256_storeu_pd(&out->segment.a.x, rows[i]);
             __builtin_memcpy(&out->source, tails + i, 8);
             out += visible >> i & 1;
@@ -144,7 +152,7 @@ struct Doubles {
     }
     CLIPPING_INLINE static void store(BasicClipped<BasicSegment<float>>* out,
                                       const Clip<Doubles>& clip, const std::uint32_t* at,
-                                      unsigned visible, std::size_t lanes)
+                                      unsigned visible)
     {
         __m128 r0 = _mm256_cvtpd_ps(clip.piece.ax.v), r1 = _mm256_cvtpd_ps(clip.piece.ay.v);
         __m128 r2 = _mm256_cvtpd_ps(clip.piece.bx.v), r3 = _mm256_cvtpd_ps(clip.piece.by.v);
@@ -152,7 +160,7 @@ struct Doubles {
         const __m128 rows[4] = {r0, r1, r2, r3};
         alignas(32) std::uint64_t tails[width];
         _mm256_store_si256(reinterpret_cast<__m256i*>(tails), tailsOf(clip, at));
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < width; ++i) {
             _mm_storeu_ps(&out->segment.a.x, rows[i]);
             __builtin_memcpy(&out->source, tails + i, 8);
             out += visible >> i & 1;

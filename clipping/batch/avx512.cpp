@@ -10,27 +10,28 @@ namespace {
 
 #define LANE CLIPPING_INLINE friend
 
-/// A bit for each lane.
-template <class Bits>
-struct LaneMask {
-    Bits lanes;
-    LANE LaneMask operator&(LaneMask a, LaneMask b)
-    {
-        return {static_cast<Bits>(a.lanes & b.lanes)};
-    }
-    LANE LaneMask operator|(LaneMask a, LaneMask b)
-    {
-        return {static_cast<Bits>(a.lanes | b.lanes)};
-    }
-    LANE LaneMask operator~(LaneMask a) { return {static_cast<Bits>(~a.lanes)}; }
-    LANE bool any(LaneMask a) { return a.lanes != 0; }
-    LANE unsigned bits(LaneMask a) { return a.lanes; }
+/// A bit for each of eight lanes; by intrinsics, so that it stays in a mask register.
+struct Mask8 {
+    __mmask8 lanes;
+    LANE Mask8 operator&(Mask8 a, Mask8 b) { return {_kand_mask8(a.lanes, b.lanes)}; }
+    LANE Mask8 operator|(Mask8 a, Mask8 b) { return {_kor_mask8(a.lanes, b.lanes)}; }
+    LANE Mask8 operator~(Mask8 a) { return {_knot_mask8(a.lanes)}; }
+    LANE bool any(Mask8 a) { return !_kortestz_mask8_u8(a.lanes, a.lanes); }
+    LANE unsigned bits(Mask8 a) { return _cvtmask8_u32(a.lanes); }
+};
+
+/// And of sixteen.
+struct Mask16 {
+    __mmask16 lanes;
+    LANE Mask16 operator&(Mask16 a, Mask16 b) { return {_kand_mask16(a.lanes, b.lanes)}; }
+    LANE Mask16 operator|(Mask16 a, Mask16 b) { return {_kor_mask16(a.lanes, b.lanes)}; }
+    LANE Mask16 operator~(Mask16 a) { return {_knot_mask16(a.lanes)}; }
 };
 
 /// Eight doubles.
 struct Doubles {
     static constexpr std::size_t width = 8;
-    using Mask = LaneMask<__mmask8>;
+    using Mask = Mask8;
     __m512d v;
 
     CLIPPING_INLINE static Doubles of(double x) { return {_mm512_set1_pd(x)}; }
@@ -51,6 +52,8 @@ struct Doubles {
     LANE Doubles min(Doubles a, Doubles b) { return {_mm512_maskz_min_pd(0xff, a.v, b.v)}; }
     LANE Doubles max(Doubles a, Doubles b) { return {_mm512_maskz_max_pd(0xff, a.v, b.v)}; }
     LANE Doubles signOf(Doubles a) { return {_mm512_and_pd(a.v, _mm512_set1_pd(-0.0))}; }
+    /// NaN, infinite, or too small for a full reciprocal; but not 0.
+    LANE Mask irregular(Doubles a) { return {_mm512_fpclass_pd_mask(a.v, 0xb9)}; }
     LANE Mask operator<(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
     LANE Mask operator>(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
     LANE Mask operator<=(Doubles a, Doubles b)
@@ -134,7 +137,7 @@ struct Doubles {
     }
 
     CLIPPING_INLINE static void store(Clipped* out, const Clip<Doubles>& clip,
-                                      const std::uint32_t* at, unsigned visible, std::size_t lanes)
+                                      const std::uint32_t* at, unsigned visible)
     {
         const auto& [ax, ay, bx, by] = clip.piece;
         const __m512d a02 = _mm512_unpacklo_pd(ax.v, ay.v), a13 = _mm512_unpackhi_pd(ax.v, ay.v);
@@ -147,7 +150,7 @@ struct Doubles {
         const auto* row = reinterpret_cast<const double*>(rows);
         alignas(64) std::uint64_t tails[width];
         _mm512_store_si512(tails, tailsOf(clip, at));
-        for (std::size_t i = 0; i < lanes; ++i) { // rows: 0, 2, 1, 3, 4, 6, 5, 7
+        for (std::size_t i = 0; i < width; ++i) { // rows: 0, 2, 1, 3, 4, 6, 5, 7
             const std::size_t at8 = (i & 4) * 4 + (i & 1) * 8 + (i & 2) * 2;
             _mm256_storeu_pd(&out->segment.a.x, _mm256_load_pd(row + at8));
             __builtin_memcpy(&out->source, tails + i, 8);
@@ -156,7 +159,7 @@ struct Doubles {
     }
     CLIPPING_INLINE static void store(BasicClipped<BasicSegment<float>>* out,
                                       const Clip<Doubles>& clip, const std::uint32_t* at,
-                                      unsigned visible, std::size_t lanes)
+                                      unsigned visible)
     {
         const auto narrow = [](Doubles x) { return _mm512_maskz_cvtpd_ps(0xff, x.v); };
         const __m256 ax = narrow(clip.piece.ax), ay = narrow(clip.piece.ay);
@@ -170,7 +173,7 @@ struct Doubles {
         const auto* row = reinterpret_cast<const float*>(rows);
         alignas(64) std::uint64_t tails[width];
         _mm512_store_si512(tails, tailsOf(clip, at));
-        for (std::size_t i = 0; i < lanes; ++i) { // rows: 0 and 4, 1 and 5, ...
+        for (std::size_t i = 0; i < width; ++i) { // rows: 0 and 4, 1 and 5, ...
             _mm_storeu_ps(&out->segment.a.x, _mm_load_ps(row + (i & 3) * 8 + (i & 4)));
             __builtin_memcpy(&out->source, tails + i, 8);
             out += visible >> i & 1;
@@ -197,7 +200,7 @@ private:
 /// Sixteen floats, for the first pass.
 struct Floats {
     static constexpr std::size_t width = 16;
-    using Mask = LaneMask<__mmask16>;
+    using Mask = Mask16;
     __m512 v;
 
     CLIPPING_INLINE static Floats of(float x) { return {_mm512_set1_ps(x)}; }

@@ -58,12 +58,18 @@ struct VectorPair {
     V high, low;
 };
 
+/// What the difference of a and b lacks.
+template <class V>
+CLIPPING_INLINE V lowOfDifference(V a, V b, V difference)
+{
+    const V ofB = difference - a;
+    return (a - (difference - ofB)) - (b + ofB);
+}
 template <class V>
 CLIPPING_INLINE VectorPair<V> twoDifference(V a, V b)
 {
     const V difference = a - b;
-    const V ofB = difference - a;
-    return {difference, (a - (difference - ofB)) - (b + ofB)};
+    return {difference, lowOfDifference(a, b, difference)};
 }
 
 /// `crossing` of exact/line.h in every lane: start + rise * run / length, and where that is proved
@@ -75,11 +81,17 @@ struct Crossing {
 };
 template <class T, class V>
 CLIPPING_INLINE Crossing<V> crossing(V start, VectorPair<V> rise, VectorPair<V> run,
-                                     VectorPair<V> length)
+                                     VectorPair<V> length, V inverse)
 {
+    if constexpr (sizeof(T) == sizeof(float)) {
+        const V q = rise.high * run.high * inverse, sum = start + q;
+        const V error = V::of(singleBound) * (q + abs(sum));
+        const V below = (sum - error).template rounded<T>();
+        const V above = (sum + error).template rounded<T>();
+        return {below, below == above}; // floats cannot bring q to the ends of double's range
+    }
     const V p = rise.high * run.high;
     const V low = fma(rise.low, run.high, fma(rise.high, run.low, fms(rise.high, run.high, p)));
-    const V inverse = V::of(1) / length.high;
     const V q = p * inverse;
     const V rest = fnma(q, length.low, fnma(q, length.high, p) + low);
     const V s = start + q, ofQ = s - start;
@@ -87,9 +99,9 @@ CLIPPING_INLINE Crossing<V> crossing(V start, VectorPair<V> rise, VectorPair<V> 
     const V error = V::of(crossingBound<T>) * (q + abs(s));
     const V below = (s + (t - error)).template rounded<T>();
     const V above = (s + (t + error)).template rounded<T>();
-    const auto tame = ((p >= V::of(smallestProduct)) & (p <= V::of(largestProduct))
-                       & (q >= V::of(smallestQuotient)) & (q <= V::of(largestQuotient)))
-                      | (rise.high == V::of(0));
+    // Only underflow goes unnoticed: what overflows ends as NaN and is equal to nothing.
+    const auto tame =
+        ((p >= V::of(smallestProduct)) & (q >= V::of(smallestQuotient))) | (rise.high == V::of(0));
     return {below, tame & (below == above)};
 }
 
@@ -101,103 +113,110 @@ struct Clip {
     typename V::Mask visible, unsettled;
 };
 
-/// The window in every lane, and mirrored for segments that run left or down.
+/// The window in every lane.
 template <class V>
 struct VectorWindow {
     V minX, minY, maxX, maxY;
 };
 
-/// The edges of new ends as `edgeAt` names them, shifted into place, where `isNew`.
+/// What `cut` says where an end is on the edge of one axis or the other, shifted into place.
 template <class V>
-CLIPPING_INLINE V edgesAt(V x, V y, typename V::Mask isNew, const VectorWindow<V>& w, int shift)
+CLIPPING_INLINE V edgeBits(typename V::Mask byX, V sign, Edge positive, Edge negative, V signY,
+                           Edge positiveY, Edge negativeY, int shift)
 {
     const auto edge = [shift](Edge e) { return V::ofBits(std::uint64_t(e) << (32 + shift)); };
-    V result = select(y == w.minY, edge(Edge::Bottom), edge(Edge::Top));
-    result = select(x == w.maxX, edge(Edge::Right), result);
-    result = select(x == w.minX, edge(Edge::Left), result);
-    return select(isNew, result, V::of(0));
+    return select(byX, select(sign, edge(negative), edge(positive)),
+                  select(signY, edge(negativeY), edge(positiveY)));
 }
 
 /// The algorithm of algorithms/exact.cpp, on segments mirrored so that they run right and up: then
-/// the near edges are the left and bottom ones, and no product that matters is negative.
+/// the near edges are the left and bottom ones. Crossings are ordered by how much of the segment
+/// lies before them, which lies between 0 and 1 wherever it matters.
 template <class T, class V>
 CLIPPING_INLINE Clip<V> clipLanes(const Ends<V>& original, const VectorWindow<V>& w)
 {
+    const V zero = V::of(0), one = V::of(1), bound = V::of(parameterBound);
     const V signX = signOf(original.bx - original.ax), signY = signOf(original.by - original.ay);
     const V ax = original.ax ^ signX, bx = original.bx ^ signX;
     const V ay = original.ay ^ signY, by = original.by ^ signY;
-    const V nearX = select(signX, w.maxX, w.minX) ^ signX;
-    const V farX = select(signX, w.minX, w.maxX) ^ signX;
-    const V nearY = select(signY, w.maxY, w.minY) ^ signY;
-    const V farY = select(signY, w.minY, w.maxY) ^ signY;
-    const auto enterX = ax<nearX, enterY = ay<nearY, leaveX = bx> farX, leaveY = by> farY;
-    const auto beyond = (bx < nearX) | (ax > farX) | (by < nearY) | (ay > farY);
-
+    const V entryX = select(signX, w.maxX, w.minX), exitX = select(signX, w.minX, w.maxX);
+    const V entryY = select(signY, w.maxY, w.minY), exitY = select(signY, w.minY, w.maxY);
+    const V nearX = entryX ^ signX, farX = exitX ^ signX;
+    const V nearY = entryY ^ signY, farY = exitY ^ signY;
+    const auto newA = (ax < nearX) | (ay < nearY), newB = (bx > farX) | (by > farY);
     const auto dx = twoDifference(bx, ax), dy = twoDifference(by, ay);
-    const V largest = V::of(std::numeric_limits<double>::max());
-    const auto finite = (dx.high <= largest) & (dy.high <= largest);
-    const auto touched = enterX | enterY | leaveX | leaveY | ~finite;
+    const auto odd = irregular(dx.high) | irregular(dy.high);
+    const auto touched = newA | newB | odd;
     if (!any(touched))
-        return {original, V::of(0), ~touched, touched};
+        return {original, zero, ~touched, touched};
 
-    // What the order of two crossings is the sign of: x's product minus y's.
-    const V pNear = (nearX - ax) * dy.high, qNear = (nearY - ay) * dx.high;
-    const V pFar = (farX - ax) * dy.high, qFar = (farY - ay) * dx.high;
-    const auto later = [](V p, V q) { return p - q > fma(p + q, V::of(orderBound), V::of(tiny)); };
-    const auto missX = enterX & leaveY, missY = enterY & leaveX;
-    const auto corner = enterX & enterY, farCorner = leaveX & leaveY;
-    const auto misses = beyond | (missX & later(pNear, qFar)) | (missY & later(qNear, pFar));
-    const auto enterByX = enterX & (~enterY | later(pNear, qNear));
-    const auto leaveByX = leaveX & (~leaveY | later(qFar, pFar));
-    const auto open = (missX & ~later(qFar, pNear)) | (missY & ~later(pFar, qNear))
-                      | (corner & ~enterByX & ~later(qNear, pNear))
-                      | (farCorner & ~leaveByX & ~later(pFar, qFar));
+    const V ux = nearX - ax, uy = nearY - ay, vx = farX - ax, vy = farY - ay;
+    const V inverseX = one / dx.high, inverseY = one / dy.high;
+    // Where a difference is 0, a quotient may be NaN; max and min then give the second.
+    const V enterX = max(ux * inverseX, zero), enterY = max(uy * inverseY, zero);
+    const V leaveX = min(vx * inverseX, one), leaveY = min(vy * inverseY, one);
+    const V shown = min(leaveX, leaveY) - max(enterX, enterY);
+    const V entryOrder = enterX - enterY, exitOrder = leaveY - leaveX;
+    const auto visible = shown > bound, gone = shown < V::of(-parameterBound);
+    const auto enterByX = entryOrder > zero, leaveByX = exitOrder > zero;
 
-    const auto end = [&](typename V::Mask byX, V edgeX, V edgeY) {
-        const V from = select(byX, ax, ay), start = select(byX, ay, ax);
+    const auto end = [&](typename V::Mask byX, V edgeX, V edgeY, V runX, V runY) {
+        const V start = select(byX, ay, ax), inverse = select(byX, inverseX, inverseY);
         const VectorPair<V> rise{select(byX, dy.high, dx.high), select(byX, dy.low, dx.low)};
         const VectorPair<V> length{select(byX, dx.high, dy.high), select(byX, dx.low, dy.low)};
-        const auto run = twoDifference(select(byX, edgeX, edgeY), from);
-        return crossing<T>(start, rise, run, length);
+        const V run = select(byX, runX, runY);
+        const V low = lowOfDifference(select(byX, edgeX, edgeY), select(byX, ax, ay), run);
+        return crossing<T>(start, rise, {run, low}, length, inverse);
     };
-    const auto newA = enterX | enterY, newB = leaveX | leaveY;
-    const auto a = end(enterByX, nearX, nearY), b = end(leaveByX, farX, farY);
-    const auto place = [](typename V::Mask isNew, typename V::Mask onEdge, V edge, V value, V sign,
-                          V old) {
-        return select(isNew, select(onEdge, edge ^ sign, (value ^ sign) + V::of(0)), old);
+    const auto a = end(enterByX, nearX, nearY, ux, uy), b = end(leaveByX, farX, farY, vx, vy);
+    const auto place = [zero](typename V::Mask isNew, typename V::Mask onEdge, V edge, V value,
+                              V sign, V old) {
+        return select(isNew, select(onEdge, edge, (value ^ sign) + zero), old); // never -0
     };
-    const Ends<V> piece{place(newA, enterByX, nearX, a.value, signX, original.ax),
-                        place(newA, ~enterByX, nearY, a.value, signY, original.ay),
-                        place(newB, leaveByX, farX, b.value, signX, original.bx),
-                        place(newB, ~leaveByX, farY, b.value, signY, original.by)};
-    const V cut = edgesAt(piece.ax, piece.ay, newA, w, 0) | edgesAt(piece.bx, piece.by, newB, w, 8);
-    const auto unsettled = ~misses & (~finite | open | (newA & ~a.settled) | (newB & ~b.settled));
-    return {piece, cut, ~misses, unsettled};
+    const Ends<V> piece{place(newA, enterByX, entryX, a.value, signX, original.ax),
+                        place(newA, ~enterByX, entryY, a.value, signY, original.ay),
+                        place(newB, leaveByX, exitX, b.value, signX, original.bx),
+                        place(newB, ~leaveByX, exitY, b.value, signY, original.by)};
+    const V cutA =
+        edgeBits(enterByX, signX, Edge::Left, Edge::Right, signY, Edge::Bottom, Edge::Top, 0);
+    const V cutB =
+        edgeBits(leaveByX, signX, Edge::Right, Edge::Left, signY, Edge::Top, Edge::Bottom, 8);
+    const auto openA = newA & (~(abs(entryOrder) > bound) | ~a.settled);
+    const auto openB = newB & (~(abs(exitOrder) > bound) | ~b.settled);
+    return {piece, select(newA, cutA, zero) | select(newB, cutB, zero), visible,
+            odd | ~(gone | (visible & ~(openA | openB)))};
 }
 
-/// Second pass: clips the segments at `indices`, which has room to be filled up to whole vectors.
+/// Second pass: clips the segments at `indices`, which has room to be filled up to whole vectors,
+/// into `out`, which has room for `room`. Meanwhile fetches what the next block will read.
 template <class V, class T>
 CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* indices,
-                                          std::size_t count, BasicClipped<BasicSegment<T>>* out)
+                                          std::size_t count, const BasicSegment<T>* next,
+                                          BasicClipped<BasicSegment<T>>* out, std::size_t room)
 {
     const VectorWindow<V> w{V::of(batch.window.min.x), V::of(batch.window.min.y),
                             V::of(batch.window.max.x), V::of(batch.window.max.y)};
-    for (std::size_t i = 0; i < V::width; ++i)
-        indices[count + i] = indices[count - 1];
     BatchResult result{};
+    for (std::size_t lane = count; lane < count + V::width; ++lane)
+        indices[lane] = static_cast<std::uint32_t>(batch.begin);
+    const char* line = reinterpret_cast<const char*>(next);
+    const char* const end = reinterpret_cast<const char*>(next + blockSize);
     for (std::size_t i = 0; i < count; i += V::width) {
+        for (int ahead = 0; ahead < 8 && line < end; ++ahead, line += 64)
+            __builtin_prefetch(line);
         const std::size_t lanes = count - i < V::width ? count - i : V::width;
         const unsigned used = (1u << lanes) - 1;
-        const Clip<V> clip = clipLanes<T>(V::gather(batch.segments, indices + i), w);
-        if (const unsigned unsettled = bits(clip.unsettled) & used) {
+        const auto clip = clipLanes<T>(V::gather(batch.segments, indices + i), w);
+        const unsigned unsettled = bits(clip.unsettled) & used;
+        if (unsettled != 0 || result.pieces + V::width > room) {
             result.unsettled += static_cast<std::size_t>(__builtin_popcount(unsettled));
             result.pieces +=
                 clipOneByOne(batch.segments, indices + i, lanes, batch.window, out + result.pieces);
-        } else {
-            V::store(out + result.pieces, clip, indices + i, bits(clip.visible) & used, lanes);
-            result.pieces +=
-                static_cast<std::size_t>(__builtin_popcount(bits(clip.visible) & used));
+            continue;
         }
+        const unsigned visible = bits(clip.visible) & used;
+        V::store(out + result.pieces, clip, indices + i, visible);
+        result.pieces += static_cast<std::size_t>(__builtin_popcount(visible));
     }
     return result;
 }
@@ -213,10 +232,9 @@ CLIPPING_INLINE BatchResult clipInVectors(const Batch<T>& batch)
     for (std::size_t first = batch.begin; first < batch.end; first += blockSize) {
         const std::size_t last = batch.end - first < blockSize ? batch.end : first + blockSize;
         const std::size_t count = survivorsOf<First>(batch.segments, first, last, box, indices);
-        if (count == 0)
-            continue;
         const BatchResult block =
-            clipSurvivors<V>(batch, indices, count, batch.out + result.pieces);
+            clipSurvivors<V>(batch, indices, count, batch.segments + last,
+                             batch.out + result.pieces, batch.end - batch.begin - result.pieces);
         result.pieces += block.pieces;
         result.unsettled += block.unsettled;
     }

@@ -17,6 +17,13 @@ namespace clipping {
 constexpr double orderBound = 0x1p-51;
 constexpr double tiny = 0x1p-1000;
 
+/// The same order from the parts of the segment before each crossing, (x - ax) / (bx - ax) and
+/// (y - ay) / (by - ay), each computed as a difference times a reciprocal: off by less than 4.1e of
+/// itself, by 8.1e where the reciprocal is denormal. Where the order matters, one of the two is at
+/// most 1; the other may be larger, but then by far. So a difference of more than 17e decides; 32e
+/// leaves room for its own rounding. Needs denominators that are 0 or normal.
+constexpr double parameterBound = 0x1p-48;
+
 /// The y at x is ay + M U / D, with M = by - ay, U = x - ax and D = bx - ax known exactly as pairs
 /// (low parts at most e times the high ones). With p = Mh Uh, computed exactly as ph + pe:
 ///   low  = pe + Mh Ul + Ml Uh              off by  8.1 e^2 |ph|  (7 by rounding, Ml Ul left out)
@@ -35,6 +42,11 @@ constexpr double crossingBound = 0x1p-99;
 /// (t is at most 8e (|q| + |s|), so |s| stands for the sum.)
 template <>
 constexpr double crossingBound<float> = 0x1p-51;
+
+/// Floats leave so much room in double that mostly no pairs are needed: Mh Uh / Dh is off by less
+/// than 7e of itself (three differences, product, quotient, squares), ay + q by e more, and the
+/// bound is added with another e. Rounding to float afterwards is monotone.
+constexpr double singleBound = 0x1p-49;
 
 /// Products and quotients this far from the ends of the range lose nothing to underflow that the
 /// bounds above do not cover 2^300 times. (A product that is 0 because M is 0 is exact.)
