@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/parallel/clip_all.h"
+
+#include "clipping/batch/kernels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+namespace clipping {
+namespace {
+
+/// Some segments on their way: clipped into a slot, then moved to their place.
+template <class T>
+struct Part {
+    std::size_t begin, end;
+    BasicClipped<BasicSegment<T>>* slot;
+    std::size_t pieces;
+};
+
+/// How the work is cut up. The slots lie at the end of the output, behind everything that the
+/// parts themselves can fill: the segments that would fill the slots are left to the end. They are
+/// so few that they stay in the caches, and none is used again before its part has been moved.
+struct Plan {
+    std::size_t slots, partSize, shared;
+};
+Plan planFor(std::size_t count)
+{
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t slots = 2 * threads;
+    const std::size_t partSize = std::clamp<std::size_t>(count / (64 * slots), 1024, 8192);
+    const bool worthwhile =
+        threads > 1 && count >= parallelThreshold && 2 * slots * partSize < count;
+    return {slots, partSize, worthwhile ? count - slots * partSize : 0};
+}
+
+} // namespace
+
+template <class T>
+std::size_t clipAllInParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
+                              std::span<BasicClipped<BasicSegment<T>>> out)
+{
+    assert(out.size() >= in.size());
+    const Plan plan = planFor(in.size());
+    std::size_t begun = 0, pieces = 0;
+    const auto take = [&](tbb::flow_control& flow) -> Part<T> {
+        if (begun == plan.shared) {
+            flow.stop();
+            return {};
+        }
+        const std::size_t begin = begun;
+        begun = std::min(begin + plan.partSize, plan.shared);
+        const std::size_t slot = begin / plan.partSize % plan.slots;
+        return {begin, begun, out.data() + plan.shared + slot * plan.partSize, 0};
+    };
+    const auto clip = [&](Part<T> part) {
+        part.pieces =
+            clipBatch(Batch<T>{in.data(), part.begin, part.end, window, part.slot}).pieces;
+        return part;
+    };
+    const auto place = [&](const Part<T>& part) {
+        std::memcpy(static_cast<void*>(out.data() + pieces), part.slot,
+                    part.pieces * sizeof *part.slot);
+        pieces += part.pieces;
+    };
+    if (plan.shared > 0)
+        tbb::parallel_pipeline(
+            plan.slots,
+            tbb::make_filter<void, Part<T>>(tbb::filter_mode::serial_in_order, take)
+                & tbb::make_filter<Part<T>, Part<T>>(tbb::filter_mode::parallel, clip)
+                & tbb::make_filter<Part<T>, void>(tbb::filter_mode::serial_in_order, place));
+    const Batch<T> rest{in.data(), plan.shared, in.size(), window, out.data() + pieces};
+    return pieces + clipBatch(rest).pieces;
+}
+
+template std::size_t clipAllInParallel(std::span<const Segment>, const Window&, std::span<Clipped>);
+template std::size_t clipAllInParallel(std::span<const BasicSegment<float>>,
+                                       const BasicWindow<float>&,
+                                       std::span<BasicClipped<BasicSegment<float>>>);
+
+} // namespace clipping

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clipping/batch/kernels.h"
+// oneTBB has functions of that name.
+#define QT_NO_EMIT
+
+#include "clipping/parallel/clip_all.h"
+
+#include <QTest>
+
+#include <cstring>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "tests/benchmarks/scenes.h"
+
+using namespace clipping;
+
+namespace {
+
+template <class T>
+void compareThreads()
+{
+    using Piece = BasicClipped<BasicSegment<T>>;
+    for (const std::size_t count : {parallelThreshold - 1, parallelThreshold, std::size_t(500'009)})
+        for (const auto& maker : benchmarkScenes<T>) {
+            const auto scene = maker.make(count);
+            std::vector<Piece> expected(count), out(count);
+            expected.resize(
+                clipBatch(Batch<T>{scene.segments.data(), 0, count, scene.window, expected.data()})
+                    .pieces);
+            for (const int threads : {1, 2, 3, 8}) {
+                tbb::task_arena arena(threads);
+                const std::size_t pieces = arena.execute(
+                    [&] { return clipAllInParallel<T>(scene.segments, scene.window, out); });
+                QCOMPARE(pieces, expected.size());
+                QVERIFY2(std::memcmp(out.data(), expected.data(), pieces * sizeof(Piece)) == 0
+                             || pieces == 0,
+                         maker.name);
+            }
+        }
+}
+
+} // namespace
+
+class ClipAllTest : public QObject {
+    Q_OBJECT
+
+    tbb::global_control enough_{tbb::global_control::max_allowed_parallelism, 8};
+
+private slots:
+    void findsTheSameWithAnyNumberOfThreads() { compareThreads<double>(); }
+    void findsTheSameWithAnyNumberOfThreadsInFloat() { compareThreads<float>(); }
+};
+
+QTEST_APPLESS_MAIN(ClipAllTest)
+#include "clip_all_test.moc"
