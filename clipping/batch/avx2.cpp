@@ -8,8 +8,6 @@
 namespace clipping {
 namespace {
 
-#define LANE CLIPPING_INLINE friend
-
 /// All bits of a lane, or none.
 struct LaneMask {
     __m256d lanes;
@@ -72,7 +70,11 @@ struct Doubles {
     LANE Doubles operator^(Doubles a, Doubles b) { return {_mm256_xor_pd(a.v, b.v)}; }
     LANE Doubles operator|(Doubles a, Doubles b) { return {_mm256_or_pd(a.v, b.v)}; }
     LANE Doubles fma(Doubles a, Doubles b, Doubles c) { return {_mm256_fmadd_pd(a.v, b.v, c.v)}; }
-    LANE Doubles fms(Doubles a, Doubles b, Doubles c) { return {_mm256_fmsub_pd(a.v, b.v, c.v)}; }
+    /// a * b - c, where c is nearly a * b.
+    LANE Doubles restOfProduct(Doubles a, Doubles b, Doubles c)
+    {
+        return {_mm256_fmsub_pd(a.v, b.v, c.v)};
+    }
     LANE Doubles fnma(Doubles a, Doubles b, Doubles c) { return {_mm256_fnmadd_pd(a.v, b.v, c.v)}; }
     LANE Doubles abs(Doubles a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
     LANE Doubles min(Doubles a, Doubles b) { return {_mm256_min_pd(a.v, b.v)}; }

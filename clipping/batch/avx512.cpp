@@ -8,8 +8,6 @@
 namespace clipping {
 namespace {
 
-#define LANE CLIPPING_INLINE friend
-
 /// A bit for each of eight lanes; by intrinsics, so that it stays in a mask register.
 struct Mask8 {
     __mmask8 lanes;
@@ -46,7 +44,11 @@ struct Doubles {
     LANE Doubles operator^(Doubles a, Doubles b) { return {_mm512_xor_pd(a.v, b.v)}; }
     LANE Doubles operator|(Doubles a, Doubles b) { return {_mm512_or_pd(a.v, b.v)}; }
     LANE Doubles fma(Doubles a, Doubles b, Doubles c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
-    LANE Doubles fms(Doubles a, Doubles b, Doubles c) { return {_mm512_fmsub_pd(a.v, b.v, c.v)}; }
+    /// a * b - c, where c is nearly a * b.
+    LANE Doubles restOfProduct(Doubles a, Doubles b, Doubles c)
+    {
+        return {_mm512_fmsub_pd(a.v, b.v, c.v)};
+    }
     LANE Doubles fnma(Doubles a, Doubles b, Doubles c) { return {_mm512_fnmadd_pd(a.v, b.v, c.v)}; }
     LANE Doubles abs(Doubles a) { return {_mm512_abs_pd(a.v)}; }
     LANE Doubles min(Doubles a, Doubles b) { return {_mm512_maskz_min_pd(0xff, a.v, b.v)}; }

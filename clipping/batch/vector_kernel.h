@@ -15,6 +15,7 @@ namespace clipping {
 namespace {
 
 #define CLIPPING_INLINE [[gnu::always_inline]] inline
+#define LANE CLIPPING_INLINE friend
 
 /// The four coordinates of as many segments as a vector has lanes.
 template <class V>
@@ -91,9 +92,10 @@ CLIPPING_INLINE Crossing<V> crossing(V start, VectorPair<V> rise, VectorPair<V> 
         return {below, below == above}; // floats cannot bring q to the ends of double's range
     }
     const V p = rise.high * run.high;
-    const V low = fma(rise.low, run.high, fma(rise.high, run.low, fms(rise.high, run.high, p)));
+    const V low =
+        fma(rise.low, run.high, fma(rise.high, run.low, restOfProduct(rise.high, run.high, p)));
     const V q = p * inverse;
-    const V rest = fnma(q, length.low, fnma(q, length.high, p) + low);
+    const V rest = fnma(q, length.low, low - restOfProduct(q, length.high, p));
     const V s = start + q, ofQ = s - start;
     const V t = fma(rest, inverse, (start - (s - ofQ)) + (q - ofQ));
     const V error = V::of(crossingBound<T>) * (q + abs(s));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "clipping/batch/kernels.h"
-// oneTBB has functions of that name.
+// Qt's macro of that name is a function of oneTBB's.
 #define QT_NO_EMIT
 
 #include "clipping/parallel/clip_all.h"
+
+#include "clipping/batch/kernels.h"
+#include "tests/benchmarks/scenes.h"
 
 #include <QTest>
 
