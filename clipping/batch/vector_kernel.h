@@ -15,7 +15,7 @@ namespace clipping {
 namespace {
 
 #define CLIPPING_INLINE [[gnu::always_inline]] inline
-#define LANE CLIPPING_INLINE friend
+#define LANE [[maybe_unused]] CLIPPING_INLINE friend
 
 /// The four coordinates of as many segments as a vector has lanes.
 template <class V>
