@@ -27,6 +27,17 @@ BasicWindow<T> boxAround(std::span<const BasicSegment<T>> segments)
     return box;
 }
 
+/// Where the run that begins at `begin` ends.
+template <class T>
+std::size_t endOfRun(std::span<const BasicSegment<T>> segments, std::size_t begin)
+{
+    const std::size_t last = std::min(begin + BasicChunks<T>::longest, segments.size());
+    for (std::size_t i = begin + BasicChunks<T>::shortest; i < last; ++i)
+        if (segments[i].a != segments[i - 1].b)
+            return i;
+    return last;
+}
+
 enum class Place : std::uint8_t { Outside, Inside, Across };
 
 template <class T>
@@ -51,15 +62,20 @@ template <class T>
 void BasicChunks<T>::update(std::span<const BasicSegment<T>> segments, std::size_t first,
                             std::size_t last)
 {
-    assert(last <= segments.size());
-    const std::size_t chunks = (segments.size() + size - 1) / size;
-    // What moved because something before it was inserted or removed is new as well.
-    const bool resized = chunks != boxes_.size() || last == segments.size();
-    boxes_.resize(chunks);
-    const std::size_t end = resized ? chunks : std::min((last + size - 1) / size, chunks);
-    for (std::size_t i = first / size; i < end; ++i)
-        boxes_[i] =
-            boxAround(segments.subspan(i * size, std::min(size, segments.size() - i * size)));
+    assert(first <= last && last <= segments.size());
+    auto chunk = std::ranges::upper_bound(chunks_, first, {}, &Chunk::end);
+    std::size_t begin = chunk == chunks_.begin() ? 0 : chunk[-1].end;
+    if (!chunks_.empty() && chunks_.back().end == segments.size()) {
+        for (; begin < last; begin = chunk++->end)
+            chunk->box = boxAround(segments.subspan(begin, chunk->end - begin));
+        return;
+    }
+    chunks_.erase(chunk, chunks_.end());
+    while (begin < segments.size()) {
+        const std::size_t end = endOfRun(segments, begin);
+        chunks_.push_back({boxAround(segments.subspan(begin, end - begin)), end});
+        begin = end;
+    }
 }
 
 template <class T>
@@ -67,23 +83,23 @@ std::size_t BasicChunks<T>::clipAll(std::span<const BasicSegment<T>> segments,
                                     const BasicWindow<T>& window,
                                     std::span<BasicClipped<BasicSegment<T>>> out) const
 {
-    assert(out.size() >= segments.size() && boxes_.size() == (segments.size() + size - 1) / size);
+    assert(out.size() >= segments.size());
+    assert(segments.size() == (chunks_.empty() ? 0 : chunks_.back().end));
     if (!legal(window))
         return 0;
-    std::size_t pieces = 0;
-    for (std::size_t i = 0; i < boxes_.size();) {
-        const Place place = placeOf(boxes_[i], window);
-        const std::size_t begin = i * size;
-        do
-            ++i;
-        while (place != Place::Outside && i < boxes_.size() && placeOf(boxes_[i], window) == place);
-        const std::size_t end = std::min(i * size, segments.size());
+    std::size_t pieces = 0, begin = 0;
+    for (auto chunk = chunks_.begin(); chunk != chunks_.end(); ++chunk) {
+        const Place place = placeOf(chunk->box, window);
+        while (chunk + 1 != chunks_.end() && placeOf(chunk[1].box, window) == place)
+            ++chunk;
         if (place == Place::Inside)
-            for (std::size_t j = begin; j < end; ++j)
-                out[pieces++] = {segments[j], static_cast<std::uint32_t>(j), 0};
+            for (std::size_t i = begin; i < chunk->end; ++i)
+                out[pieces++] = {segments[i], static_cast<std::uint32_t>(i), 0};
         else if (place == Place::Across)
-            pieces += clipBatch(Batch<T>{segments.data(), begin, end, window, out.data() + pieces})
-                          .pieces;
+            pieces +=
+                clipBatch(Batch<T>{segments.data(), begin, chunk->end, window, out.data() + pieces})
+                    .pieces;
+        begin = chunk->end;
     }
     return pieces;
 }

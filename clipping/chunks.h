@@ -11,18 +11,18 @@ namespace clipping {
 
 /// Bounding boxes of short runs of segments, for drawings that stay while the window moves. Clips
 /// as the row `exact` does, bit for bit, but looks only at the segments near the window's edges:
-/// in drawings, neighbours in the array are mostly neighbours on the sheet.
+/// in drawings, neighbours in the array are mostly neighbours on the sheet. A run ends after
+/// `longest` segments, and where the pen was lifted, lest a box reach from one stroke to the next.
 template <class T>
 class BasicChunks {
 public:
-    /// Of how many segments a box is made.
-    static constexpr std::size_t size = 64;
+    static constexpr std::size_t longest = 64, shortest = 8;
 
     BasicChunks() = default;
     explicit BasicChunks(std::span<const BasicSegment<T>> segments);
 
-    /// The segments from `first` to `last` (not included) are new; the others have not changed,
-    /// but may have become fewer or more after `last`, which then is the end.
+    /// The segments from `first` to `last` (not included) are new. If there are as many as before,
+    /// the others have not changed; if not, all from `first` on may have.
     void update(std::span<const BasicSegment<T>> segments, std::size_t first, std::size_t last);
 
     /// `exact`'s clipAll on the segments that the boxes were made of.
@@ -30,7 +30,11 @@ public:
                         std::span<BasicClipped<BasicSegment<T>>> out) const;
 
 private:
-    std::vector<BasicWindow<T>> boxes_;
+    struct Chunk {
+        BasicWindow<T> box;
+        std::size_t end; ///< one behind its last segment; the next one begins here
+    };
+    std::vector<Chunk> chunks_;
 };
 using Chunks = BasicChunks<double>;
 

@@ -30,7 +30,8 @@ T rounded(ExactInteger::Quotient quotient, int exponent)
     constexpr int smallest = Limits::min_exponent - Limits::digits; // of a bit in a T
     const std::uint64_t bits = quotient.whole << 1 | (quotient.remainder ? 1 : 0);
     --exponent;
-    const int lowest = std::max(static_cast<int>(std::bit_width(bits)) + exponent - Limits::digits, smallest);
+    const int lowest =
+        std::max(static_cast<int>(std::bit_width(bits)) + exponent - Limits::digits, smallest);
     const int dropped = lowest - exponent;
     if (dropped <= 0)
         return static_cast<T>(std::ldexp(static_cast<double>(bits), exponent));

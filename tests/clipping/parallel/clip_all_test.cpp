@@ -2,10 +2,8 @@
 // Qt's macro of that name is a function of oneTBB's.
 #define QT_NO_EMIT
 
-#include "clipping/parallel/clip_all.h"
-
 #include "clipping/batch/kernels.h"
-#include "tests/benchmarks/scenes.h"
+#include "clipping/parallel/clip_all.h"
 
 #include <QTest>
 
