@@ -85,7 +85,7 @@ std::size_t BasicChunks<T>::clipAll(std::span<const BasicSegment<T>> segments,
 {
     assert(out.size() >= segments.size());
     assert(segments.size() == (chunks_.empty() ? 0 : chunks_.back().end));
-    if (!legal(window))
+    if (!canShow(window))
         return 0;
     std::size_t pieces = 0, begin = 0;
     for (auto chunk = chunks_.begin(); chunk != chunks_.end(); ++chunk) {

@@ -186,12 +186,12 @@ BatchResult clipSingle(const Batch<float>& batch) { return clipInVectors<Doubles
 const InstructionSet portableSet{"portable", true, clip, clipSingle};
 
 template <class T>
-bool legal(const BasicWindow<T>& window)
+bool canShow(const BasicWindow<T>& window)
 {
     return withinContract(BasicSegment<T>{}, window);
 }
-template bool legal(const BasicWindow<double>&);
-template bool legal(const BasicWindow<float>&);
+template bool canShow(const BasicWindow<double>&);
+template bool canShow(const BasicWindow<float>&);
 
 template <class T>
 Box<T> boxOf(const BasicWindow<T>& w)

@@ -31,7 +31,7 @@ Box<T> boxOf(const BasicWindow<T>& window);
 
 /// Whether anything can be visible in this window: finite, and min <= max.
 template <class T>
-bool legal(const BasicWindow<T>& window);
+bool canShow(const BasicWindow<T>& window);
 
 /// The line through a and b misses the box if |m x d| > hw |dy| + hh |dx|, where d = b - a and
 /// m = a - centre. Computed, |m x d| is off by less than 5u(|mx dy| + |my dx|) (u, half the

@@ -226,7 +226,7 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* 
 template <class V, class First, class T>
 CLIPPING_INLINE BatchResult clipInVectors(const Batch<T>& batch)
 {
-    if (!legal(batch.window))
+    if (!canShow(batch.window))
         return {};
     const Box<T> box = boxOf(batch.window);
     std::uint32_t indices[blockSize + V::width + First::width];
