@@ -12,16 +12,20 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
 
-/// The shapes whose lines some algorithm treats in another way.
+/// The shapes whose lines some algorithm treats in another way; locked ones are left alone.
 void selectDiffering(MainWindow& window)
 {
     AlgorithmPanel& panel = window.algorithmPanel();
     panel.compare();
+    const app::Session& session = window.session();
     std::set<std::size_t> shapes;
     for (const app::Difference& difference : panel.differences())
         for (const std::uint32_t segment : difference.segments)
-            shapes.insert(window.session().scene.shapeOf(segment));
-    window.tell({Message::Kind::Done, panel.verdict()});
+            shapes.insert(session.scene.shapeOf(segment));
+    window.tell({shapes.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
+    std::erase_if(shapes, [&](std::size_t shape) {
+        return session.sheet().layers[session.sheet().shapes[shape].layer].locked;
+    });
     window.session().select(std::move(shapes));
 }
 
