@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
+#include <functional>
 
 namespace clipping {
 namespace {
@@ -28,8 +28,9 @@ InstructionSet whereAvailable(InstructionSet set, bool onThisProcessor)
 
 const InstructionSet& fastest()
 {
+    const auto all = instructionSets();
     static const InstructionSet& set =
-        *std::ranges::find_if(instructionSets() | std::views::reverse, &InstructionSet::available);
+        *std::find_if(all.rbegin(), all.rend(), std::mem_fn(&InstructionSet::available));
     return set;
 }
 

@@ -35,13 +35,13 @@ constexpr double parameterBound = 0x1p-48;
 /// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is 128 e^2 (|q| + |s|). Rounding is monotone,
 /// so the truth rounds to what s + (t - bound) and s + (t + bound) both round to.
 template <class T>
-constexpr double crossingBound = 0x1p-99;
+inline constexpr double crossingBound = 0x1p-99;
 
 /// For float that sum is rounded to double before it is rounded to float. The bound is larger by
 /// two roundings to double, so that the truth stays between the two after the first rounding.
 /// (t is at most 8e (|q| + |s|), so |s| stands for the sum.)
 template <>
-constexpr double crossingBound<float> = 0x1p-51;
+inline constexpr double crossingBound<float> = 0x1p-51;
 
 /// Floats leave so much room in double that mostly no pairs are needed: Mh Uh / Dh is off by less
 /// than 7e of itself (three differences, product, quotient, squares), ay + q by e more, and the
