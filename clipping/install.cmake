@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+# `cmake --install BUILD --component library`: what find_package(Clearcut) finds, wherever it is moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Clearcut)
+
+install(TARGETS clipping EXPORT ClearcutClipping
+  ARCHIVE COMPONENT library FILE_SET HEADERS COMPONENT library)
+install(EXPORT ClearcutClipping NAMESPACE Clearcut:: DESTINATION ${package} COMPONENT library)
+if(TARGET clipping_parallel)
+  install(TARGETS clipping_parallel EXPORT ClearcutClippingParallel
+    ARCHIVE COMPONENT library FILE_SET HEADERS COMPONENT library)
+  install(EXPORT ClearcutClippingParallel NAMESPACE Clearcut:: DESTINATION ${package} COMPONENT library)
+endif()
+
+configure_package_config_file(ClearcutConfig.cmake.in ClearcutConfig.cmake INSTALL_DESTINATION ${package}
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(ClearcutConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ClearcutConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/ClearcutConfigVersion.cmake DESTINATION ${package} COMPONENT library)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/Clearcut COMPONENT library)
