@@ -134,7 +134,7 @@ void StatusBar::keepRoom()
             > fontMetrics().horizontalAdvance(widest))
             widest = latin(row.abbreviation);
     const auto& display = session_.display();
-    const bool published = display.form == clipping::Form::Published;
+    const bool published = display.usedForm() == clipping::Form::Published;
     const QString mark = tr(", published");
     algorithm_->setWidest(published ? widest + mark : widest);
     algorithm_->setText(latin(display.algorithm->abbreviation) + (published ? mark : QString()));

@@ -4,6 +4,7 @@
 #include "app/command_line/terminal.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
+#include "app/document/usual_algorithm.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,20 +12,18 @@
 namespace app {
 namespace {
 
-constexpr const char* usualAlgorithm = "matthes-drakopoulos";
-
 const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& given)
 {
     const auto named = given.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
         throw WrongUsage{Commands::tr("A drawing is cut with one algorithm; name one with -a.")};
     const auto& algorithm =
-        named.empty() ? *clipping::findAlgorithm(usualAlgorithm) : *named.front();
+        named.empty() ? usualAlgorithm() : *named.front();
     const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
                                                              : clipping::Form::Corrected);
     if (!uses)
-        throw WrongUsage{Commands::tr("%1 was never published in another form.")
+        throw WrongUsage{Commands::tr("“%1” has no published form; name another algorithm with -a.")
                              .arg(QLatin1StringView(algorithm.name))};
     return *uses;
 }
@@ -155,7 +154,7 @@ Command clipCommand()
         {{"a", "algorithm"},
          "ALGORITHM",
          Commands::tr("Key or abbreviation of what clips (%1).")
-             .arg(QLatin1StringView(usualAlgorithm))},
+             .arg(QLatin1StringView(usualAlgorithm().key))},
         {{"form"},
          "corrected|published",
          Commands::tr("With its defects mended, or as its authors printed it (corrected).")},

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/session.h"
 
+#include "app/document/usual_algorithm.h"
+
 #include <algorithm>
 
 namespace app {
 
 Session::Session(QObject* parent) : QObject(parent)
 {
-    display_.algorithm = clipping::findAlgorithm("matthes-drakopoulos");
+    display_.algorithm = &usualAlgorithm();
     connect(&drawing, &Drawing::changed, this, &Session::follow);
     connect(&scene, &Scene::outdated, this, [this] {
         if (inspected_ && *inspected_ >= scene.segments().size())
@@ -25,8 +27,7 @@ void Session::setDisplay(const Display& display)
 
 const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
 {
-    const auto* uses = clipping::usesOf(*display_.algorithm, display_.form);
-    return uses ? *uses : display_.algorithm->corrected;
+    return *clipping::usesOf(*display_.algorithm, display_.usedForm());
 }
 
 void Session::select(std::set<std::size_t> shapes)

@@ -22,6 +22,12 @@ struct Display {
     Unit unit = Unit::Mm;      ///< of rulers, labels and fields; a drawing that is opened brings its own
     bool regions = false;      ///< the nine outcodes over the drawing
     bool asPrinted = false;    ///< dark theme: the true page and inks
+
+    /// The form that clips: an algorithm without a published one is corrected in any case.
+    clipping::Form usedForm() const
+    {
+        return clipping::usesOf(*algorithm, form) ? form : clipping::Form::Corrected;
+    }
     friend bool operator==(const Display&, const Display&) = default;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_list.h"
 
+#include "ui/algorithm_digit.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
@@ -46,8 +47,7 @@ public:
             QFontMetrics(captionFont(option.font)).horizontalAdvance(QStringLiteral("0000")) + 2;
         const int abbreviation = metrics.horizontalAdvance(QStringLiteral("Skala")) + 12;
         int x = r.left();
-        if (index.row() < 9)
-            text(x, 12, look.muted, captionFont(option.font), QString::number(index.row() + 1));
+        text(x, 12, look.muted, captionFont(option.font), digitOf(row));
         x += 17;
         const auto form = usesOf(row, session_.display().form) ? session_.display().form
                                                                : clipping::Form::Corrected;

@@ -26,9 +26,6 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     auto* label = new QLabel(tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
     corrected_->setToolTip(tr("With its published defects mended"));
-    published_->setToolTip(tr("As its authors printed it, faults included"));
-    corrected_->setAccessibleName(tr("Form: corrected"));
-    published_->setAccessibleName(tr("Form: as published"));
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop);
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing()); // or it would jump
@@ -78,7 +75,7 @@ void AlgorithmPanel::compare()
     idle_.stop();
     const auto& display = session_.display();
     differences_ = app::differences(session_.scene.segments(), session_.sheet().window,
-                                    *display.algorithm, display.form);
+                                    *display.algorithm, display.usedForm());
     verdict_->setText(app::sentence(differences_));
     verdict_->show();
     tick_->show();
@@ -101,9 +98,13 @@ void AlgorithmPanel::outdate()
 void AlgorithmPanel::follow()
 {
     const auto& display = session_.display();
-    published_->setEnabled(display.algorithm->published);
-    const bool published = display.form == clipping::Form::Published;
-    (published && display.algorithm->published ? published_ : corrected_)->setChecked(true);
+    const bool both = display.algorithm->published;
+    published_->setEnabled(both);
+    published_->setText(both ? tr("as published") : tr("as published: none"));
+    published_->setToolTip(both ? tr("As its authors printed it, faults included")
+                                : tr("%1 has no published form: it is always the corrected one")
+                                      .arg(QLatin1StringView(display.algorithm->name)));
+    (display.usedForm() == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
 }
 

@@ -2,6 +2,7 @@
 #include "app/commands/set_window.h"
 #include "app/view/picking.h"
 #include "ui/actions.h"
+#include "ui/algorithm_digit.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -22,11 +23,10 @@ void change(MainWindow& window, const std::function<void(app::Display&)>& edit)
     window.session().setDisplay(display);
 }
 
-/// The algorithms, the first nine by digit while the canvas has the focus.
+/// The algorithms, by digit while the canvas has the focus.
 void addAlgorithms(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
-    int number = 0;
     for (const clipping::Algorithm& row : clipping::algorithms()) {
         auto* action = menu.addAction(
             QString::fromUtf8(row.name.data(), qsizetype(row.name.size())), &window,
@@ -35,8 +35,8 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
             });
         action->setCheckable(true);
         group->addAction(action);
-        if (++number <= 9) {
-            action->setShortcut(QKeySequence(QString::number(number)));
+        if (const QString digit = digitOf(row); !digit.isEmpty()) {
+            action->setShortcut(QKeySequence(digit));
             action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
             window.canvas().addAction(action);
         }

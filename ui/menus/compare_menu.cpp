@@ -64,7 +64,7 @@ MenuInfo compareMenu()
                  [](MainWindow& w) { choose(w, clipping::Form::Corrected); },
                  nullptr,
                  [](const MainWindow& w) {
-                     return w.session().display().form == clipping::Form::Corrected;
+                     return w.session().display().usedForm() == clipping::Form::Corrected;
                  },
                  "form"},
                 {"form-published",
@@ -77,7 +77,7 @@ MenuInfo compareMenu()
                      return w.session().display().algorithm->published != nullptr;
                  },
                  [](const MainWindow& w) {
-                     return w.session().display().form == clipping::Form::Published;
+                     return w.session().display().usedForm() == clipping::Form::Published;
                  },
                  "form"},
                 {},

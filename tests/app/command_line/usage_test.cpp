@@ -80,6 +80,7 @@ private slots:
         row(clip + QStringList{"-a", "nobody"}, "There is no algorithm “nobody”");
         row(clip + QStringList{"-a", "md,md"}, "name one with -a");
         row(clip + QStringList{"--form", "new"}, "--form new: give corrected or published");
+        row(clip + QStringList{"--form", "published"}, "“Exact” has no published form");
         row(clip + QStringList{"--keep", "both"}, "--keep both: give inside or outside");
         row(clip + QStringList{"--tolerance", "0"}, "--tolerance must be greater than 0");
         row(clip + QStringList{"--tolerance", "x"}, "--tolerance x: give a length");

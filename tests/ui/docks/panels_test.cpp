@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/usual_algorithm.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/layer_model.h"
 #include "ui/docks/line_panel.h"
@@ -96,9 +97,31 @@ private slots:
         TestWindow t;
         t.window->files().open(t.twoLines());
         t.show();
+        QTest::keyClick(t.drawingArea(), Qt::Key_1);
         const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
         QTest::mouseClick(radios[1], Qt::LeftButton, {}, QPoint(8, radios[1]->height() / 2));
         QCOMPARE(t.window->session().display().form, clipping::Form::Published);
+    }
+    void whatWasNeverPublishedSaysSo()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        const auto choose = [&](const clipping::Algorithm& algorithm) {
+            session.setDisplay({.algorithm = &algorithm, .form = clipping::Form::Published});
+        };
+        const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
+        choose(clipping::algorithms().front());
+        QVERIFY(radios[1]->isEnabled() && radios[1]->isChecked());
+        QCOMPARE(radios[1]->text(), "as published");
+        choose(app::usualAlgorithm());
+        QVERIFY(!radios[1]->isEnabled() && radios[0]->isChecked());
+        QCOMPARE(radios[1]->text(), "as published: none");
+        QCOMPARE(radios[1]->toolTip(),
+                 "Exact has no published form: it is always the corrected one");
+        QVERIFY(t.action("form-corrected")->isChecked());
+        QVERIFY(!t.action("form-published")->isEnabled());
     }
     void theInspectorTellsTheSteps()
     {

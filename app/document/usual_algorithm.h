@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+namespace app {
+
+/// What clips unless somebody asks for another: the row that is never wrong.
+inline const clipping::Algorithm& usualAlgorithm() { return *clipping::findAlgorithm("exact"); }
+
+} // namespace app
