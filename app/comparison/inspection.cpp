@@ -23,16 +23,6 @@ QLatin1StringView latin(std::string_view text)
     return QLatin1StringView(text.data(), qsizetype(text.size()));
 }
 
-LineClass classOf(const Inspection& line)
-{
-    if (line.from.inside() && line.to.inside())
-        return LineClass::Inside;
-    const auto same = [](int a, int b) { return a != 0 && a == b; };
-    if (same(line.from.column, line.to.column) || same(line.from.row, line.to.row))
-        return LineClass::Rejected;
-    return line.visible ? LineClass::Cut : LineClass::Missed;
-}
-
 /// The edge as it appears on the screen.
 QString edgeName(Edge edge)
 {
@@ -127,21 +117,6 @@ Region regionOf(const Point& point, const clipping::Window& window)
     return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
 }
 
-QString words(LineClass lineClass)
-{
-    switch (lineClass) {
-    case LineClass::Inside:
-        return tr("wholly inside");
-    case LineClass::Rejected:
-        return tr("rejected at once");
-    case LineClass::Cut:
-        return tr("cut");
-    case LineClass::Missed:
-        return tr("misses the window");
-    }
-    return {};
-}
-
 Inspection inspect(const Session& session, std::size_t segment)
 {
     const clipping::Window& window = session.sheet().window;
@@ -152,7 +127,7 @@ Inspection inspect(const Session& session, std::size_t segment)
     line.from = regionOf(line.segment.a, window);
     line.to = regionOf(line.segment.b, window);
     line.visible = uses.clip(line.segment, window);
-    line.lineClass = classOf(line);
+    line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
     line.cost = uses.count({&line.segment, 1}, window);
     line.trace = uses.trace(line.segment, window);
     if (line.visible) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/comparison/line_class.h"
 #include "app/document/session.h"
 
 #include <QString>
@@ -19,10 +20,6 @@ struct Region {
     QString words() const;
 };
 Region regionOf(const Point& point, const clipping::Window& window);
-
-/// What can be said of a line before any arithmetic, and what came of it.
-enum class LineClass : std::uint8_t { Inside, Rejected, Cut, Missed };
-QString words(LineClass lineClass);
 
 /// One line under the magnifying glass: the window and the algorithm that are chosen.
 struct Inspection {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/geometry.h"
+#include "app/experiment/dice.h"
 
-#include <random>
 #include <span>
 
 namespace app {
@@ -13,16 +12,20 @@ constexpr clipping::Window paperSpace{{-960, -720}, {960, 720}};
 constexpr clipping::Window paperWindow{{-100, -75}, {100, 75}};
 
 /// The paper's random lines, both ends anywhere in the space: an endless sequence that depends on
-/// the seed alone, the same on every machine (std::uniform_real_distribution is not).
+/// the seed and the space alone, the same on every machine.
 class PaperScene {
 public:
-    explicit PaperScene(std::uint64_t seed) : random_(seed) {}
+    explicit PaperScene(std::uint64_t seed, const clipping::Window& space = paperSpace)
+        : dice_(seed), space_(space)
+    {
+    }
 
     /// The next lines of the sequence.
     void fill(std::span<clipping::Segment> lines);
 
 private:
-    std::mt19937_64 random_;
+    Dice dice_;
+    clipping::Window space_;
 };
 
 } // namespace app

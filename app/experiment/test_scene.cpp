@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/test_scene.h"
+
+#include "app/comparison/line_class.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace app {
+namespace {
+
+using clipping::Segment;
+using clipping::Window;
+
+struct Scenes {
+    Q_DECLARE_TR_FUNCTIONS(Scenes)
+};
+
+glm::dvec2 direction(Dice& dice)
+{
+    const double angle = dice.between(0, 2 * std::numbers::pi);
+    return {std::cos(angle), std::sin(angle)};
+}
+
+glm::dvec2 sizeOf(const Window& window) { return window.max - window.min; }
+
+Segment inside(Dice& dice, const Field& field)
+{
+    const glm::dvec2 a = dice.in(field.window);
+    return {a, dice.in(field.window)};
+}
+
+/// Both ends beyond the same side.
+Segment rejected(Dice& dice, const Field& field)
+{
+    Window beyond = field.space;
+    const bool low = dice.heads(), vertical = dice.heads();
+    auto& near = low ? beyond.max : beyond.min;
+    const auto& edge = low ? field.window.min : field.window.max;
+    (vertical ? near.x : near.y) = vertical ? edge.x : edge.y;
+    const glm::dvec2 a = dice.in(beyond);
+    return {a, dice.in(beyond)};
+}
+
+/// From one end in the space through a point of the window as far again as chance will have it.
+Segment crossing(Dice& dice, const Field& field)
+{
+    const glm::dvec2 a = dice.in(field.space);
+    const glm::dvec2 b = a + (dice.in(field.window) - a) * dice.between(1, 3);
+    return {a, glm::clamp(b, field.space.min, field.space.max)};
+}
+
+/// Past a corner at a distance of a tenth of the window down to a billionth of it.
+Segment nearMiss(Dice& dice, const Field& field)
+{
+    const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
+    const glm::dvec2 outward{side, up}, size = sizeOf(field.window);
+    const glm::dvec2 corner = glm::mix(field.window.min, field.window.max, 0.5 * (outward + 1.0));
+    const glm::dvec2 off = corner + outward * size * std::pow(10, dice.between(-9, -1));
+    glm::dvec2 a = dice.in(field.space);
+    a.y = off.y + up * std::abs(a.y - off.y);
+    return {a, off + (off - a) * dice.between(0, 3)};
+}
+
+/// A thousand times as long as the space is wide, through the neighbourhood of the window.
+Segment longLine(Dice& dice, const Field& field)
+{
+    const glm::dvec2 size = sizeOf(field.window), around = dice.in({-size, size});
+    const glm::dvec2 middle = 0.5 * (field.window.min + field.window.max) + around;
+    const glm::dvec2 whole = 1000 * sizeOf(field.space).x * direction(dice);
+    const double at = dice.between(0, 1);
+    return {middle - whole * at, middle + whole * (1 - at)};
+}
+
+bool is(const Segment& line, const Field& field, LineClass lineClass)
+{
+    return lineClassOf(line, field.window) == lineClass;
+}
+bool isWithin(const Segment& line, const Field& field)
+{
+    const auto within = [&](const glm::dvec2& p) {
+        return glm::clamp(p, field.space.min, field.space.max) == p;
+    };
+    return within(line.a) && within(line.b);
+}
+
+bool isInside(const Segment& s, const Field& f) { return is(s, f, LineClass::Inside); }
+bool isRejected(const Segment& s, const Field& f) { return is(s, f, LineClass::Rejected); }
+bool isCrossing(const Segment& s, const Field& f)
+{
+    const auto outside = [&](const glm::dvec2& p) {
+        return glm::clamp(p, f.window.min, f.window.max) != p;
+    };
+    return outside(s.a) && outside(s.b) && is(s, f, LineClass::Cut);
+}
+bool isMissing(const Segment& s, const Field& f)
+{
+    return isWithin(s, f) && is(s, f, LineClass::Missed);
+}
+bool isAnything(const Segment&, const Field&) { return true; }
+
+/// Lines as `line` makes them, without those that are not `wanted` (rounding alone can spoil one).
+template <auto line, auto wanted>
+LineSource begin(const Field& field, std::uint64_t seed)
+{
+    assert(hasRoom(field));
+    return [field, dice = Dice(seed)](std::span<Segment> lines) mutable {
+        for (Segment& one : lines)
+            do
+                one = line(dice, field);
+            while (!wanted(one, field));
+    };
+}
+
+LineSource beginPaper(const Field& field, std::uint64_t seed)
+{
+    return [scene = PaperScene(seed, field.space)](std::span<Segment> lines) mutable {
+        scene.fill(lines);
+    };
+}
+
+} // namespace
+
+bool hasRoom(const Field& field)
+{
+    const auto& [space, window] = field;
+    return space.min.x < window.min.x && window.min.x < window.max.x && window.max.x < space.max.x
+           && space.min.y < window.min.y && window.min.y < window.max.y
+           && window.max.y < space.max.y;
+}
+
+// THE CATALOGUE. To add a scene: write how a line of it is made, and a row here.
+std::vector<TestScene> testScenes()
+{
+    return {
+        {"paper", Scenes::tr("The paper's"),
+         Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper},
+        {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends in the window."),
+         begin<inside, isInside>},
+        {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
+         begin<rejected, isRejected>},
+        {"crossing", Scenes::tr("Crossing"),
+         Scenes::tr("Both ends outside, and a part between them visible."),
+         begin<crossing, isCrossing>},
+        {"near-miss", Scenes::tr("Near miss"),
+         Scenes::tr("Past a corner of the window, a billionth to a tenth of its size away."),
+         begin<nearMiss, isMissing>},
+        {"long", Scenes::tr("Long"),
+         Scenes::tr("Through or past the window, a thousand times as long as the space is wide."),
+         begin<longLine, isAnything>},
+    };
+}
+
+std::optional<TestScene> findTestScene(QStringView key)
+{
+    for (TestScene& scene : testScenes())
+        if (scene.key == key)
+            return std::move(scene);
+    return std::nullopt;
+}
+
+TestScene drawingScene(const QString& name, std::vector<clipping::Segment> lines)
+{
+    assert(!lines.empty());
+    const auto all = std::make_shared<const std::vector<Segment>>(std::move(lines));
+    const auto begin = [all](const Field&, std::uint64_t) -> LineSource {
+        return [all, next = std::size_t(0)](std::span<Segment> some) mutable {
+            for (Segment& line : some) {
+                line = (*all)[next];
+                next = (next + 1) % all->size();
+            }
+        };
+    };
+    return {"drawing", name, Scenes::tr("The lines of a drawing, in its order."), begin,
+            all->size()};
+}
+
+} // namespace app
