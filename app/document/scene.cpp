@@ -9,6 +9,12 @@
 
 namespace app {
 
+static bool clipsExactly(const clipping::Uses<clipping::Segment, clipping::Window>& algorithm)
+{
+    static const auto* const exact = clipping::findAlgorithm("exact");
+    return algorithm.clipAll == exact->corrected.clipAll;
+}
+
 Scene::Scene(const Drawing& drawing, QObject* parent) : QObject(parent), drawing_(drawing)
 {
     connect(&drawing, &Drawing::changed, this, &Scene::update);
@@ -25,7 +31,9 @@ Frame Scene::clip(const clipping::Uses<clipping::Segment, clipping::Window>& alg
 {
     inside_.resize(segments_.size());
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t count = algorithm.clipAll(segments_, window, inside_);
+    const std::size_t count = clipsExactly(algorithm)
+                                  ? chunks_.clipAll(segments_, window, inside_)
+                                  : algorithm.clipAll(segments_, window, inside_);
     const auto time = std::chrono::steady_clock::now() - start;
     Frame frame{std::span(inside_).first(count),
                 {},
@@ -79,6 +87,7 @@ void Scene::update(const Change& change)
     first_.insert(at(first_, from), first.begin(), first.end());
     segments_.erase(at(segments_, firstOld), at(segments_, endOld));
     segments_.insert(at(segments_, firstOld), segments.begin(), segments.end());
+    chunks_.update(segments_, firstOld, firstOld + segments.size());
     emit outdated();
 }
 

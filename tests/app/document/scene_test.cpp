@@ -3,6 +3,9 @@
 
 #include <QTest>
 
+#include <glm/common.hpp>
+
+#include <cstring>
 #include <random>
 
 namespace {
@@ -19,6 +22,57 @@ app::Shape randomShape(std::mt19937_64& random)
     return shape;
 }
 
+/// A pen line that wanders over a corner of the sheet.
+app::Shape stroke(std::mt19937_64& random)
+{
+    std::uniform_real_distribution<double> step(-0.2, 0.2), place(-10, 10);
+    app::Point at(place(random), place(random));
+    app::Path path{at, {}, false};
+    for (int i = 0; i < 100; ++i)
+        path.stretches.push_back({at += app::Point(step(random), step(random))});
+    app::Shape shape;
+    shape.paths.push_back(path);
+    return shape;
+}
+
+app::Shape moved(app::Shape shape)
+{
+    for (app::Path& path : shape.paths) {
+        path.start += 1.5;
+        for (app::Stretch& stretch : path.stretches)
+            stretch.to += 1.5;
+    }
+    return shape;
+}
+
+/// Exchanges some shapes for others.
+void editAtRandom(app::Drawing& drawing, std::mt19937_64& random)
+{
+    const std::size_t size = drawing.sheet().shapes.size();
+    const std::size_t first = random() % (size + 1);
+    const std::size_t count = random() % (size - first + 1);
+    std::vector<app::Shape> shapes;
+    for (auto n = random() % 4; n > 0; --n)
+        shapes.push_back(randomShape(random));
+    drawing.splice(first, count, std::move(shapes));
+}
+
+bool same(std::span<const clipping::Clipped> one, std::span<const clipping::Clipped> other)
+{
+    return one.size() == other.size()
+           && (one.empty() || std::memcmp(one.data(), other.data(), one.size_bytes()) == 0);
+}
+
+/// Whether a frame is, bit for bit, what the algorithm says of every segment.
+bool clipsAsAll(app::Scene& scene, const clipping::Algorithm& algorithm,
+                const clipping::Window& window)
+{
+    std::vector<clipping::Clipped> all(scene.segments().size());
+    all.resize(algorithm.corrected.clipAll(scene.segments(), window, all));
+    const auto frame = scene.clip(algorithm.corrected, window, app::Scene::Removed::Left);
+    return frame.total == scene.segments().size() && same(frame.inside, all);
+}
+
 } // namespace
 
 class SceneTest : public QObject {
@@ -31,19 +85,40 @@ private slots:
         app::Drawing drawing;
         const app::Scene spliced(drawing);
         for (int round = 0; round < 500; ++round) {
-            const std::size_t size = drawing.sheet().shapes.size();
-            const std::size_t first = random() % (size + 1);
-            const std::size_t count = random() % (size - first + 1);
-            std::vector<app::Shape> shapes;
-            for (auto n = random() % 4; n > 0; --n)
-                shapes.push_back(randomShape(random));
-            drawing.splice(first, count, std::move(shapes));
-
+            editAtRandom(drawing, random);
             const app::Scene fresh(drawing);
             QVERIFY(std::ranges::equal(fresh.segments(), spliced.segments()));
             for (std::size_t i = 0; i <= drawing.sheet().shapes.size(); ++i)
                 QCOMPARE(spliced.firstSegmentOf(i), fresh.firstSegmentOf(i));
         }
+    }
+
+    void framesAreWhatClippingEverythingGives()
+    {
+        std::mt19937_64 random(2);
+        std::uniform_real_distribution<double> number(-11, 11);
+        app::Drawing drawing;
+        app::Scene scene(drawing);
+        std::size_t seen = 0;
+        for (int round = 0; round < 500; ++round) {
+            const std::size_t size = drawing.sheet().shapes.size();
+            if (round % 10 == 0)
+                drawing.splice(random() % (size + 1), 0, {stroke(random), stroke(random)});
+            else if (round % 10 == 5) // as long as before: only boxes change
+                drawing.splice(size - 1, 1, {moved(drawing.sheet().shapes.back())});
+            else
+                drawing.splice(size, 0, {randomShape(random)});
+            if (round % 50 == 49)
+                drawing.setLayers({{.name = "layer", .visible = round % 100 == 99}});
+            if (round % 150 == 149)
+                editAtRandom(drawing, random);
+            const app::Point a(number(random), number(random)), b(number(random), number(random));
+            const clipping::Window window{glm::min(a, b), glm::max(a, b)};
+            for (const auto& algorithm : clipping::algorithms())
+                QVERIFY2(clipsAsAll(scene, algorithm, window), algorithm.key.data());
+            seen += scene.segments().size();
+        }
+        QVERIFY(seen > 100'000);
     }
 };
 
