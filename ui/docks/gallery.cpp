@@ -6,7 +6,6 @@
 #include "ui/widgets/sample_button.h"
 
 #include <QEvent>
-#include <QPointer>
 #include <QResizeEvent>
 #include <QThread>
 
@@ -25,8 +24,7 @@ QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
 
 } // namespace
 
-Gallery::Gallery(QWidget* parent)
-    : QWidget(parent), samples_(app::samples()), generation_(std::make_shared<std::atomic<int>>(0))
+Gallery::Gallery(QWidget* parent) : QWidget(parent), samples_(app::samples())
 {
     setAccessibleName(tr("Samples"));
     for (const app::Sample& sample : samples_) {
@@ -36,7 +34,12 @@ Gallery::Gallery(QWidget* parent)
     }
 }
 
-Gallery::~Gallery() { ++*generation_; }
+Gallery::~Gallery()
+{
+    ++generation_;
+    for (QThread* painter : findChildren<QThread*>()) // ends after the picture that it is at
+        painter->wait();
+}
 
 void Gallery::mark(const QString& key)
 {
@@ -47,7 +50,7 @@ void Gallery::mark(const QString& key)
 void Gallery::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (*generation_ == 0)
+    if (generation_ == 0)
         paintPictures();
 }
 
@@ -67,7 +70,7 @@ void Gallery::resizeEvent(QResizeEvent* event)
 void Gallery::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && *generation_ > 0)
+    if (event->type() == QEvent::PaletteChange && generation_ > 0)
         paintPictures();
 }
 
@@ -75,23 +78,23 @@ void Gallery::paintPictures()
 {
     if (buttons_.empty())
         return;
-    const int generation = ++*generation_;
+    const int generation = ++generation_;
     const Look& look = lookOf(palette());
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
-    // The thread knows nothing of this widget but a counter that outlives it.
-    auto* painter = QThread::create(
-        [samples = samples_, points = buttons_.front()->pictureSize(), colours, generation,
-         current = generation_, ratio = devicePixelRatioF(), gallery = QPointer<Gallery>(this)] {
-            for (std::size_t i = 0; i < samples.size() && *current == generation; ++i) {
+    // The thread touches nothing of this widget but the counter and its list of events.
+    auto* painter =
+        QThread::create([this, samples = samples_, points = buttons_.front()->pictureSize(),
+                         colours, generation, ratio = devicePixelRatioF()] {
+            for (std::size_t i = 0; i < samples.size() && generation_ == generation; ++i) {
                 const QImage image = pictureOf(samples[i], points, ratio, colours);
-                QMetaObject::invokeMethod(qApp, [gallery, current, generation, i, image] {
-                    if (gallery && *current == generation)
-                        gallery->buttons_[i]->setPicture(image);
+                QMetaObject::invokeMethod(this, [this, generation, i, image] {
+                    if (generation_ == generation)
+                        buttons_[i]->setPicture(image);
                 });
             }
         });
+    painter->setParent(this);
     connect(painter, &QThread::finished, painter, &QObject::deleteLater);
-    connect(qApp, &QCoreApplication::aboutToQuit, painter, [painter] { painter->wait(); });
     painter->start(QThread::LowPriority);
 }
 

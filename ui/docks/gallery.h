@@ -6,7 +6,6 @@
 #include <QWidget>
 
 #include <atomic>
-#include <memory>
 
 namespace ui {
 
@@ -37,7 +36,7 @@ private:
 
     std::vector<app::Sample> samples_;
     std::vector<SampleButton*> buttons_;
-    std::shared_ptr<std::atomic<int>> generation_; ///< pictures of an older one are dropped
+    std::atomic<int> generation_ = 0; ///< pictures of an older one are dropped
 };
 
 } // namespace ui
