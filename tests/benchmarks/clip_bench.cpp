@@ -1,199 +1,157 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast `exact` clips many segments, beside plain reading and copying of the same bytes and
-// beside other ways of clipping. Prints Markdown tables; README.md beside it keeps some.
-//   clip_bench [SCENE|all] [MILLIONS] [ROUNDS]
-#include "clipping/algorithm.h"
-#include "clipping/batch/kernels.h"
-#include "clipping/chunks.h"
-
+// How fast `exact` clips many segments, beside plain reading and copying of the same bytes, beside
+// the other rows and beside other libraries. Prints Markdown; README.md keeps what it printed.
+//   clip_bench                          everything, in about five minutes
+//   clip_bench SCENE MILLIONS [ROUNDS]  one scene (or "all")
+//   clip_bench check                    little data; fails where results differ
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <iterator>
 
-#include "tests/benchmarks/memory.h"
+#include "tests/benchmarks/clip/contenders.h"
+#include "tests/benchmarks/clip/machine.h"
+#include "tests/benchmarks/clip/report.h"
+#include "tests/benchmarks/clip/targets.h"
 #include "tests/benchmarks/scenes.h"
-#include "tests/benchmarks/timing.h"
-
-#ifdef WITH_THREADS
-#include "clipping/parallel/clip_all.h"
-#endif
-
-using namespace clipping;
 
 namespace {
 
-template <class T>
-BatchResult clipWith(const InstructionSet& set, const Batch<T>& batch)
-{
-    if constexpr (sizeof(T) == sizeof(double))
-        return set.clip(batch);
-    else
-        return set.clipSingle(batch);
-}
-
-template <class T>
-const Uses<BasicSegment<T>, BasicWindow<T>>* usesFor(const Algorithm& algorithm)
-{
-    if constexpr (sizeof(T) == sizeof(double))
-        return &algorithm.corrected;
-    else
-        return algorithm.single;
-}
-
-std::string processor()
-{
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name"))
-            return line.substr(line.find(": ") + 2);
-    return "unknown";
-}
-
-void printMachine()
-{
-    std::printf("Processor %s; instructions", processor().c_str());
-    for (const InstructionSet& set : instructionSets())
-        std::printf("%s %s%s", set.name == "portable" ? "" : ",", std::string(set.name).c_str(),
-                    set.available ? "" : " (not here)");
-    std::printf("; compiler %s\n", __VERSION__);
-}
-
-std::string nameOf(const InstructionSet& set) { return "exact, " + std::string(set.name); }
-const InstructionSet& fastestSet()
-{
-    const InstructionSet* fastest = nullptr;
-    for (const InstructionSet& set : instructionSets())
-        if (set.available)
-            fastest = &set;
-    return *fastest;
-}
-
-/// A scene, what it is clipped into (its pages touched), and the boxes of its chunks.
-template <class T>
-struct Data {
-    using S = BasicSegment<T>;
-    Scene<T> scene;
-    std::vector<BasicClipped<S>> out;
-    BasicChunks<T> chunks;
-
-    explicit Data(Scene<T> of) : scene(std::move(of)), out(scene.segments.size()), chunks(in())
-    {
-        std::memset(static_cast<void*>(out.data()), 1, out.size() * sizeof out[0]);
-    }
-    std::span<const S> in() const { return scene.segments; }
-    Batch<T> batch(std::size_t begin, std::size_t end)
-    {
-        return {scene.segments.data(), begin, end, scene.window, out.data()};
-    }
+/// Who takes part: with much data only those that need not allocate so much.
+struct Plan {
+    std::string scene;
+    std::size_t count;
+    int rounds;
+    std::size_t peerBytes; ///< for each of the peers
+    bool admits(const Peer& peer) const { return count * peer.bytes <= peerBytes; }
 };
 
-/// Clips 8192 at a time into the same small buffer: whoever consumes the pieces at once does so.
+/// The peers' data live as long as the race.
+struct PeerInRace {
+    const Peer* peer;
+    std::unique_ptr<PeerData> data;
+};
+using PeerField = std::vector<PeerInRace>;
+
 template <class T>
-std::uint64_t clipInBlocks(Data<T>& data)
+PeerField peersOf(const Data<T>& data, const Plan& plan)
 {
-    std::uint64_t pieces = 0;
-    const std::size_t count = data.in().size(), block = 8192;
-    for (std::size_t first = 0; first < count; first += block)
-        pieces += clipBatch(data.batch(first, std::min(first + block, count))).pieces;
-    return pieces;
+    PeerField field;
+    const auto segments = data.doubles();
+    for (const PeerLibrary& library : peerLibraries())
+        if (library.peers)
+            for (const Peer& peer : library.peers())
+                if (plan.admits(peer) && (sizeof(T) == sizeof(double) || peer.numbers != "double"))
+                    field.push_back({&peer, peer.prepare(segments, data.doubleWindow())});
+    return field;
+}
+
+void append(std::vector<Contender>& to, std::vector<Contender> more)
+{
+    std::ranges::move(more, std::back_inserter(to));
 }
 
 template <class T>
-std::vector<Contender> contendersFor(Data<T>& data)
+Race raced(Data<T>& data, const Plan& plan)
 {
-    std::vector<Contender> all;
-    const auto add = [&](std::string name, std::function<std::uint64_t()> run) {
-        all.push_back({std::move(name), std::move(run)});
-    };
-    add("plain read", [&] { return plainRead(data.in().data(), data.in().size_bytes()); });
-    add("memcpy", [&] {
-        std::memcpy(static_cast<void*>(data.out.data()), data.in().data(), data.in().size_bytes());
-        return std::uint64_t(data.out[data.out.size() / 2].source);
-    });
-    for (const char* key : {"matthes-drakopoulos", "liang-barsky"})
-        if (const Algorithm* row = findAlgorithm(key); row && usesFor<T>(*row))
-            add(std::string(row->name), [&data, uses = usesFor<T>(*row)] {
-                return std::uint64_t(uses->clipAll(data.in(), data.scene.window, data.out));
-            });
-    for (const InstructionSet& set : instructionSets())
-        if (set.available)
-            add(nameOf(set), [&] {
-                return std::uint64_t(clipWith(set, data.batch(0, data.in().size())).pieces);
-            });
-    add("exact, 8192 at a time", [&] { return clipInBlocks(data); });
-    add("exact, chunk boxes",
-        [&] { return std::uint64_t(data.chunks.clipAll(data.in(), data.scene.window, data.out)); });
+    const auto counts = clipWith(fastestSet(), data.batch(0, data.in().size()));
+    Race result{data.scene.name, numbers<T>, data.in().size(), counts.pieces, counts.unsettled};
+    const PeerField peers = peersOf(data, plan);
+    auto& all = result.contenders;
+    append(all, memoryContenders(data));
+    append(all, exactContenders(data));
+    append(all, scalarContenders(data));
+    for (const auto& [peer, theirs] : peers) {
+        constexpr std::size_t enough = 1'000'000;
+        const std::string name(peer->name);
+        result.agreements.push_back(
+            {name, agreementOf(*theirs, data.doubleWindow(), enough), peer->endsWithin});
+        all.push_back({name, [p = theirs.get()] { return p->clipAll(); }});
+    }
 #ifdef WITH_THREADS
-    add("plain read, all threads", [&] { return readOnAllThreads(data.in()); });
-    add("exact, all threads", [&] {
-        return std::uint64_t(clipAllInParallel<T>(data.in(), data.scene.window, data.out));
-    });
+    append(all, threadContenders(data));
 #endif
-    return all;
-}
-
-const Contender* find(const std::vector<Contender>& all, std::string_view name)
-{
-    const auto found = std::ranges::find(all, name, &Contender::name);
-    return found == all.end() ? nullptr : &*found;
-}
-
-void printTable(const std::vector<Contender>& all, std::size_t count)
-{
-    const Contender* read = find(all, "plain read");
-    const Contender* scalar = find(all, "Matthes-Drakopoulos");
-    std::printf("| | ns a segment | speed of plain read (middle half of the rounds) | times scalar "
-                "Matthes-Drakopoulos |\n|---|---|---|---|\n");
-    for (const Contender& who : all) {
-        const Ratio r = ratio(*read, who);
-        std::printf("| %s | %.2f | %.3f (%.3f-%.3f) |", who.name.c_str(),
-                    median(who.seconds) * 1e9 / double(count), r.middle, r.low, r.high);
-        scalar ? std::printf(" %.1f |\n", ratio(*scalar, who).middle) : std::printf(" |\n");
-    }
-    if (const Contender* threads = find(all, "exact, all threads")) {
-        const double reading = ratio(*read, *find(all, "plain read, all threads")).middle;
-        const double clipping = ratio(*find(all, nameOf(fastestSet())), *threads).middle;
-        std::printf("\nAll threads: reading gains %.2f, clipping %.2f, which is %.2f of it.\n",
-                    reading, clipping, clipping / reading);
-    }
+    race(all, plan.rounds);
+    for (Contender& who : all)
+        who.run = {}; // its data go now
+    return result;
 }
 
 template <class T>
-void bench(const SceneMaker<T>& maker, std::size_t count, int rounds)
+std::vector<Race> racesOf(const Plan& plan)
 {
-    Data<T> data(maker.make(count));
-    auto all = contendersFor(data);
-    race(all, rounds);
-    const BatchResult result = clipWith(fastestSet(), data.batch(0, count));
-    for (const Contender& who : all)
-        if (who.name.starts_with("exact") && who.answer != result.pieces)
-            std::printf("WRONG: %s\n", who.name.c_str());
-    std::printf("\n### %s, %zu segments, %s\n%.2f %% visible; %.5f %% left to the scalar "
-                "algorithm\n\n",
-                maker.name, count, sizeof(T) == sizeof(double) ? "double" : "float",
-                100.0 * double(result.pieces) / double(count),
-                100.0 * double(result.unsettled) / double(count));
-    printTable(all, count);
-    std::fflush(stdout);
-}
-
-template <class T>
-void benchAll(const std::string& scene, std::size_t count, int rounds)
-{
+    std::vector<Race> races;
     for (const auto& maker : benchmarkScenes<T>)
-        if (scene == "all" || scene == maker.name)
-            bench(maker, count, rounds);
+        if (plan.scene == "all" || plan.scene == maker.name) {
+            Data<T> data(maker.make(plan.count));
+            if (!data.in().empty())
+                races.push_back(raced(data, plan));
+        }
+    return races;
+}
+
+/// Prints all tables but the targets, which need more than one plan.
+std::vector<Race> printed(std::vector<Race> races)
+{
+    if (races.empty())
+        return races;
+    std::printf("\n## %zu segments, %s\n", races[0].count, races[0].numbers.c_str());
+    printTimes(races);
+    printFallbacks(races);
+    printAgreements(races);
+    std::fflush(stdout);
+    return races;
+}
+
+/// Names whoever claims to be `exact` and counts otherwise, and peers that are off too far.
+bool agrees(std::span<const Race> races)
+{
+    std::vector<std::string> wrong;
+    for (const Race& race : races) {
+        const std::string where = ", " + race.scene + ", " + race.numbers;
+        for (const Contender& who : race.contenders)
+            if (who.name.starts_with("exact") && who.answer != race.visible)
+                wrong.push_back(who.name + where);
+        for (const NamedAgreement& peer : race.agreements)
+            if (!peer.plausible())
+                wrong.push_back(peer.name + where);
+    }
+    for (const std::string& who : wrong)
+        std::printf("\nDISAGREES: %s\n", who.c_str());
+    return wrong.empty();
+}
+
+bool run(std::span<const Plan> plans)
+{
+    std::vector<Race> all;
+    for (const Plan& plan : plans) {
+        for (auto& races : {printed(racesOf<double>(plan)), printed(racesOf<float>(plan))})
+            all.insert(all.end(), races.begin(), races.end());
+    }
+    std::printf("\n## Targets\n");
+    printTargets(all);
+    printScalars(all);
+    return agrees(all);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    const std::string scene = argc > 1 ? argv[1] : "all";
-    const auto count = static_cast<std::size_t>((argc > 2 ? std::atof(argv[2]) : 1) * 1e6);
-    const int rounds = argc > 3 ? std::atoi(argv[3]) : 9;
     printMachine();
-    benchAll<double>(scene, count, rounds);
-    benchAll<float>(scene, count, rounds);
+    std::printf("- map: %s\n", realMap().source.c_str());
+    constexpr std::size_t gigabyte = 1'000'000'000;
+    const std::string scene = argc > 1 ? argv[1] : "";
+    if (scene == "check")
+        return run(std::vector<Plan>{{"all", 20'000, 1, gigabyte}}) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!scene.empty()) {
+        const double millions = argc > 2 ? std::atof(argv[2]) : 1;
+        const int rounds = argc > 3 ? std::atoi(argv[3]) : 9;
+        const auto count = static_cast<std::size_t>(millions * 1e6);
+        return run(std::vector<Plan>{{scene, count, rounds, gigabyte}}) ? EXIT_SUCCESS
+                                                                        : EXIT_FAILURE;
+    }
+    const std::vector<Plan> everything{{"all", 1'000'000, 7, gigabyte},
+                                       {"all", 10'000'000, 5, gigabyte}};
+    return run(everything) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -29,13 +29,21 @@ inline double median(std::vector<double> values)
 struct Ratio {
     double middle, low, high;
 };
-inline Ratio ratio(const Contender& slow, const Contender& fast)
+inline Ratio spread(std::vector<double> all)
+{
+    std::ranges::sort(all);
+    return {all[all.size() / 2], all[all.size() / 4], all[all.size() * 3 / 4]};
+}
+inline std::vector<double> quotients(const Contender& slow, const Contender& fast)
 {
     std::vector<double> all;
     for (std::size_t i = 0; i < slow.seconds.size(); ++i)
         all.push_back(slow.seconds[i] / fast.seconds[i]);
-    std::ranges::sort(all);
-    return {median(all), all[all.size() / 4], all[all.size() * 3 / 4]};
+    return all;
+}
+inline Ratio ratio(const Contender& slow, const Contender& fast)
+{
+    return spread(quotients(slow, fast));
 }
 
 /// Lets everybody run once a round, beginning with another one each round, caches cold. The first
