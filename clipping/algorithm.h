@@ -39,6 +39,25 @@ struct Uses {
     Trace (*trace)(const S& segment, const W& window);
 };
 
+/// k of the contract against convex polygons, for every row that has them (README.md, "Polygons").
+/// With M the largest |coordinate| of segment and polygon, and "moved" meaning each edge's line, by
+/// k ulps of M on each axis:
+/// 1. For finite input it returns the part of the segment inside the closed polygon, from a's side
+/// to
+///    b's side. A single common point is a zero-length segment. What geometry.h says of a polygon
+///    decides what that is; non-finite numbers anywhere: nothing.
+/// 2. It always ends; never NaN, never infinite, never a point outside the polygon's bounding box
+///    (bitwise), so never one beyond an edge that is horizontal or vertical. An end that was inside
+///    comes back bit for bit. A point on a slanted edge is mostly not representable: a new end is
+///    within k ulps of M, on each axis, of a point of the segment, and inside the polygon after all
+///    its edges have moved out.
+/// 3. What is inside the polygon after all its edges have moved in is returned, but for k ulps of M
+/// at
+///    its ends. `cyrus-beck` may decide wrongly about visibility only where moving the edges, out
+///    or in, changes it; `skala` never.
+/// Polygons are looked at once a call (O(corners), the only allocation), so prefer clipAll.
+inline constexpr double polygonUlps = 32;
+
 /// The two forms of an algorithm: with its published defects mended, and as its authors printed it.
 enum class Form : std::uint8_t { Corrected, Published };
 
@@ -53,7 +72,8 @@ struct Algorithm {
     Uses<Segment, Window> corrected;
     const Uses<Segment, Window>* published;
     const Uses<BasicSegment<float>, BasicWindow<float>>* single;
-    const Uses<Segment, ConvexPolygon>* polygon;
+    const Uses<Segment, ConvexPolygon>* polygon;         ///< a window that is a convex polygon
+    const Uses<Segment, ConvexPolygon>* searchedPolygon; ///< the same bits, in O(log corners)
     const Uses<BasicSegment<double, 3>, BasicWindow<double, 3>>* box;
 };
 

@@ -229,6 +229,24 @@ constexpr const Uses<BasicSegment<float>, BasicWindow<float>>* singleUses()
         return nullptr;
 }
 
+/// The forms for convex polygons (polygon/uses.h), where the row names them.
+template <class Method>
+constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
+{
+    if constexpr (requires { Method::polygon; })
+        return Method::polygon;
+    else
+        return nullptr;
+}
+template <class Method>
+constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
+{
+    if constexpr (requires { Method::searchedPolygon; })
+        return Method::searchedPolygon;
+    else
+        return nullptr;
+}
+
 template <class Method>
 Algorithm describe()
 {
@@ -242,7 +260,8 @@ Algorithm describe()
             uses<Method, Form::Corrected>,
             publishedUses<Method>(),
             singleUses<Method>(),
-            nullptr,
+            polygonOf<Method>(),
+            searchedPolygonOf<Method>(),
             nullptr};
 }
 

@@ -27,7 +27,11 @@ struct BasicWindow {
 using Segment = BasicSegment<double>;
 using Window = BasicWindow<double>;
 
-/// A closed convex window: its corners, counter-clockwise where y points up.
+/// A closed convex window: its corners, counter-clockwise where y points up. Edge i runs from
+/// corner i to the next, the last one to the first. A corner may be there twice, or lie between two
+/// others on a line. Corners that all lie in one line are the segment between the outermost of
+/// them, one corner is a point. No corner, a clockwise order, a turn to the right, more than one
+/// round, a number that is not finite: such a polygon contains nothing.
 struct ConvexPolygon {
     std::vector<glm::dvec2> corners;
 };
@@ -53,6 +57,21 @@ constexpr std::uint32_t cutAt(Edge a, Edge b)
 constexpr Edge cutEdgeOfA(std::uint32_t cut) { return static_cast<Edge>(cut & 0xff); }
 /// The edge on which a piece ends anew; Edge::None if its b is an end of the input.
 constexpr Edge cutEdgeOfB(std::uint32_t cut) { return static_cast<Edge>(cut >> 8 & 0xff); }
+
+/// Against a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else
+/// 1 + the index of the edge, and 65535 for edge 65534 and all that follow. Where several edges lie
+/// in one line it is the number of the first of them; at a corner, of one of the two that meet
+/// there.
+constexpr std::uint32_t edgeNumber(std::size_t index)
+{
+    return index < 0xfffe ? static_cast<std::uint32_t>(index + 1) : 0xffff;
+}
+constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numberOfB)
+{
+    return numberOfA | numberOfB << 16;
+}
+constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) { return cut & 0xffff; }
+constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) { return cut >> 16; }
 
 static_assert(sizeof(Segment) == 32 && std::is_trivially_copyable_v<Segment>);
 static_assert(sizeof(Clipped) == 40 && std::is_trivially_copyable_v<Clipped>);

@@ -11,6 +11,7 @@
 
 #include "clipping/along.h"
 #include "clipping/describe.h"
+#include "clipping/polygon/uses.h"
 
 #include <array>
 
@@ -27,6 +28,7 @@ struct CyrusBeck {
             "last entry and the first exit bound what is visible.",
         .ulps = 24, // README.md, "How far off"
     };
+    static constexpr const auto* polygon = &cyrusBeckPolygon;
     static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
     template <class T>

@@ -13,6 +13,7 @@
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/outcode.h"
+#include "clipping/polygon/uses.h"
 
 #include <array>
 
@@ -29,6 +30,9 @@ struct Skala {
             "two edges that the line crosses.",
         .ulps = 24, // README.md, "How far off"
     };
+
+    static constexpr const auto* polygon = &skalaPolygon;
+    static constexpr const auto* searchedPolygon = &skalaSearchedPolygon;
 
     /// The edges e0 to e3, counter-clockwise; edge k joins corner k to the next.
     static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};

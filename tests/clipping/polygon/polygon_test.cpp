@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What clipping/algorithm.h promises about convex polygons (polygonUlps), for every form of the
+// catalogue, against whole numbers.
+#include "clipping/algorithm.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/clipping/contract.h"
+#include "tests/clipping/polygon/oracle.h"
+#include "tests/clipping/polygon/shapes.h"
+
+using namespace clipping;
+
+namespace {
+
+using Small = polygon_oracle::Truth<long long>;
+using Any =
+    polygon_oracle::Truth<boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                                        boost::multiprecision::et_off>>;
+
+constexpr int k = int(polygonUlps);
+
+std::vector<glm::dvec2> gridPoints(int low, int high)
+{
+    std::vector<glm::dvec2> all;
+    for (int x = low; x <= high; ++x)
+        for (int y = low; y <= high; ++y)
+            all.push_back({x, y});
+    return all;
+}
+
+std::vector<Segment> gridSegments(int low, int high)
+{
+    std::vector<Segment> all;
+    for (const auto& a : gridPoints(low, high))
+        for (const auto& b : gridPoints(low, high))
+            all.push_back({a, b});
+    return all;
+}
+
+/// Whether small whole numbers are a polygon that contains something: by the angles it turns.
+bool isPolygon(const ConvexPolygon& polygon)
+{
+    std::vector<glm::dvec2> directions;
+    const auto& c = polygon.corners;
+    bool flat = true;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        const auto d = c[(i + 1) % c.size()] - c[i];
+        if (d != glm::dvec2(0, 0))
+            directions.push_back(d);
+        for (const auto& p : c)
+            flat = flat && d.x * (p.y - c[i].y) == d.y * (p.x - c[i].x);
+    }
+    double round = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const auto &d = directions[i], &e = directions[(i + 1) % directions.size()];
+        const double turn = std::atan2(d.x * e.y - d.y * e.x, d.x * e.x + d.y * e.y);
+        if (!flat && (turn < 0 || turn > 3.1415))
+            return false;
+        round += turn;
+    }
+    return flat ? !c.empty() : round > 6 && round < 7;
+}
+
+std::optional<Clipped> clipOne(const PolygonUses& uses, const Segment& s, const ConvexPolygon& p)
+{
+    std::array<Clipped, 1> out;
+    return uses.clipAll({&s, 1}, p, out) == 1 ? std::optional(out[0]) : std::nullopt;
+}
+
+/// On small whole numbers everything is certain: what is seen, and where its ends are.
+std::string gridFault(const Clipped* found, const Segment& s, const ConvexPolygon& polygon,
+                      bool legal)
+{
+    const auto part = legal ? Small(s, polygon).inside(0) : std::nullopt;
+    if (part.has_value() != (found != nullptr))
+        return part ? "lost" : "seen where there is nothing";
+    if (!part)
+        return {};
+    const auto off = [&](const auto& t, const glm::dvec2& p) {
+        const double share = double((long long)t.over) / double((long long)t.under);
+        const glm::dvec2 d = p - (s.a + share * (s.b - s.a));
+        return std::max(std::abs(d.x), std::abs(d.y));
+    };
+    const auto& [a, b] = found->segment;
+    if (off(part->from, a) > 4e-15 || off(part->to, b) > 4e-15)
+        return "not the right ends";
+    if (!(part->from < part->to) && a != b)
+        return "a contact that is no point";
+    if ((polygonEdgeOfA(found->cut) != 0) != (a != s.a)
+        || (polygonEdgeOfB(found->cut) != 0) != (b != s.b))
+        return "not said to be cut, or said to be";
+    return {};
+}
+
+void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
+               const std::vector<Segment>& segments)
+{
+    if (QTest::currentTestFailed())
+        return;
+    std::vector<Clipped> out(segments.size());
+    out.resize(uses.clipAll(segments, polygon, out));
+    const bool legal = isPolygon(polygon);
+    auto next = out.begin();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const bool seen = next != out.end() && next->source == i;
+        const auto wrong = gridFault(seen ? &*next : nullptr, segments[i], polygon, legal);
+        QVERIFY2(wrong.empty(), (wrong + " for " + exactly(segments[i], polygon)).c_str());
+        next += seen;
+    }
+}
+
+/// Whether p is, by k ulps, on the line of the edge with that number.
+bool isOnEdge(const glm::dvec2& p, std::uint32_t number, const Segment& s,
+              const ConvexPolygon& polygon)
+{
+    const auto& c = polygon.corners;
+    const auto &from = c[number - 1], &to = c[number % c.size()];
+    long double largest = 0;
+    for (const auto& q : c)
+        largest = std::max({largest, (long double)std::abs(q.x), (long double)std::abs(q.y)});
+    for (const auto& q : {s.a, s.b})
+        largest = std::max({largest, (long double)std::abs(q.x), (long double)std::abs(q.y)});
+    const long double ex = (long double)to.x - from.x, ey = (long double)to.y - from.y;
+    const long double depth = ex * ((long double)p.y - from.y) - ey * ((long double)p.x - from.x);
+    const long double ulp = std::max(largest * 0x1p-52L, 0x1p-1074L);
+    return std::abs(depth) <= ulp * k * (std::abs(ex) + std::abs(ey));
+}
+
+/// How a result breaks the promise; empty if it keeps it.
+std::string fault(const std::optional<Clipped>& found, const Segment& s,
+                  const ConvexPolygon& polygon, bool decidesExactly)
+{
+    const Any truth(s, polygon);
+    const auto part = truth.inside(0), least = truth.inside(-k);
+    if (!found)
+        return part && (decidesExactly || least) ? "lost" : "";
+    const auto& [a, b] = found->segment;
+    if (!part && (decidesExactly || !truth.inside(k)))
+        return "seen where there is nothing";
+    for (const auto& p : {a, b}) {
+        const auto [lowX, highX] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::x);
+        const auto [lowY, highY] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::y);
+        if (!(p.x >= lowX.x && p.x <= highX.x && p.y >= lowY.y && p.y <= highY.y))
+            return "outside the box";
+        if (!truth.has(p, k))
+            return "outside the polygon";
+        if (!truth.isNear(p, k))
+            return "off the segment";
+    }
+    if ((truth.has(s.a) && !sameBits(a, s.a)) || (truth.has(s.b) && !sameBits(b, s.b)))
+        return "an inner end has moved";
+    if (least && (truth.isAfter(least->from, a, k) || truth.isBefore(least->to, b, k)))
+        return "a part is missing";
+    const auto edgeA = polygonEdgeOfA(found->cut), edgeB = polygonEdgeOfB(found->cut);
+    if ((edgeA == 0 && a != s.a) || (edgeB == 0 && b != s.b))
+        return "not said to be cut";
+    if ((edgeA != 0 && !isOnEdge(a, edgeA, s, polygon))
+        || (edgeB != 0 && !isOnEdge(b, edgeB, s, polygon)))
+        return "not on the edge that is said to have cut it";
+    return {};
+}
+
+/// A segment that has to do with the polygon: through it, by a corner, along an edge, to a corner.
+Segment someSegment(Dice& dice, const ConvexPolygon& polygon, double size)
+{
+    const auto& c = polygon.corners;
+    const auto index = std::size_t(dice.integer(0, int(c.size()) - 1));
+    const auto &corner = c[index], &next = c[(index + 1) % c.size()];
+    const auto anywhere = [&](double far) {
+        const double x = dice.uniform(-far, far);
+        return glm::dvec2{x * size, dice.uniform(-far, far) * size};
+    };
+    const auto nudged = [&](glm::dvec2 p) {
+        for (double* x : {&p.x, &p.y})
+            for (int i = dice.integer(-2, 2); i != 0; i += i < 0 ? 1 : -1)
+                *x = std::nextafter(*x, i < 0 ? -INFINITY : INFINITY);
+        return p;
+    };
+    const auto between = [&](double t) { return corner + t * (next - corner); };
+    const auto d = anywhere(1);
+    switch (dice.integer(0, 7)) {
+    case 0:
+        return {nudged(corner - dice.uniform(0, 4) * d), nudged(corner + dice.uniform(0, 4) * d)};
+    case 1:
+        return {nudged(between(dice.uniform(-2, 2))), nudged(between(dice.uniform(-2, 2)))};
+    case 2:
+        return {anywhere(2), nudged(corner)};
+    case 3:
+        return {nudged(between(dice.uniform(0, 1))), anywhere(2)};
+    case 4:
+        return {corner - std::exp2(dice.uniform(0, 40)) * d,
+                corner + std::exp2(dice.uniform(0, 40)) * d};
+    case 5: {
+        const auto p = nudged(between(dice.uniform(-1, 2)));
+        return {p, dice.integer(0, 1) ? p : nudged(p)};
+    }
+    case 6:
+        return {corner, c[std::size_t(dice.integer(0, int(c.size()) - 1))]};
+    default:
+        return {anywhere(2), anywhere(2)};
+    }
+}
+
+void checkRandom(const PolygonUses& uses, bool decidesExactly, int polygons, int segments,
+                 int corners, double size, std::uint64_t seed)
+{
+    Dice dice(seed);
+    for (int i = 0; i < polygons && !QTest::currentTestFailed(); ++i) {
+        const auto polygon = somePolygon(dice, dice.integer(1, corners), size);
+        for (int j = 0; j < segments; ++j) {
+            const Segment s = someSegment(dice, polygon, size);
+            const auto wrong = fault(clipOne(uses, s, polygon), s, polygon, decidesExactly);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+        }
+    }
+}
+
+} // namespace
+
+class PolygonTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void trianglesOfTheGrid_data() { everyPolygonForm(); }
+    void trianglesOfTheGrid()
+    {
+        QFETCH(const PolygonUses*, uses);
+        const auto points = gridPoints(0, 3); // from left to right
+        const auto segments = gridSegments(-1, 4);
+        for (std::size_t p = 0; p < points.size(); ++p)
+            for (std::size_t q = p; q < points.size(); ++q)
+                for (std::size_t r = p; r < points.size(); ++r)
+                    checkGrid(*uses, {{points[p], points[q], points[r]}}, segments);
+    }
+
+    // Repeated corners, corners in one line, clockwise and crossed ones are among them.
+    void fourCornersOfTheGrid_data() { everyPolygonForm(); }
+    void fourCornersOfTheGrid()
+    {
+        QFETCH(const PolygonUses*, uses);
+        const auto points = gridPoints(0, 2);
+        const auto segments = gridSegments(-1, 3);
+        for (const auto& p : points)
+            for (const auto& q : points)
+                for (const auto& r : points)
+                    for (const auto& t : points)
+                        checkGrid(*uses, {{p, q, r, t}}, segments);
+    }
+
+    void oneAndTwoCornersOfTheGrid_data() { everyPolygonForm(); }
+    void oneAndTwoCornersOfTheGrid()
+    {
+        QFETCH(const PolygonUses*, uses);
+        const auto segments = gridSegments(-1, 4);
+        checkGrid(*uses, {}, segments);
+        for (const auto& p : gridPoints(0, 3)) {
+            checkGrid(*uses, {{p}}, segments);
+            for (const auto& q : gridPoints(0, 3))
+                checkGrid(*uses, {{p, q}}, segments);
+        }
+    }
+
+    void manyCornersOfTheGrid_data() { everyPolygonForm(); }
+    void manyCornersOfTheGrid()
+    {
+        QFETCH(const PolygonUses*, uses);
+        const auto segments = gridSegments(-1, 7);
+        checkGrid(*uses, {{{2, 0}, {4, 0}, {6, 2}, {6, 4}, {4, 6}, {2, 6}, {0, 4}, {0, 2}}},
+                  segments);
+        checkGrid(*uses, {{{6, 4}, {5, 5}, {4, 6}, {2, 6}, {0, 4}, {0, 3}, {0, 2}, {2, 0}, {2, 0}}},
+                  segments);
+        checkGrid(*uses, {{{3, 0}, {6, 1}, {5, 4}, {2, 6}, {0, 4}, {0, 3}, {1, 1}}}, segments);
+        checkGrid(*uses, {{{3, 0}, {6, 6}, {0, 3}, {6, 1}, {2, 6}}},
+                  segments); // a star: two rounds
+    }
+
+    void polygonsOfAllKinds_data() { everyPolygonForm(); }
+    void polygonsOfAllKinds()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        checkRandom(*uses, decidesExactly, 1'500, 20, 12, 1, 1);
+        checkRandom(*uses, decidesExactly, 15, 100, 1'000, 100, 2);
+    }
+
+    void hugeAndTinyPolygons_data() { everyPolygonForm(); }
+    void hugeAndTinyPolygons()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        for (const double size :
+             {0x1p-1070, 0x1p-1022, 0x1p-800, 0x1p-300, 0x1p300, 0x1p800, 0x1p980})
+            checkRandom(*uses, decidesExactly, 200, 10, 12, size, 3);
+    }
+
+    void mixedNumbers_data() { everyPolygonForm(); }
+    void mixedNumbers()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        Dice dice(4);
+        const auto number = [&dice] {
+            return dice.integer(0, 2) == 0 ? dice.anyFinite<double>() : double(dice.integer(-4, 4));
+        };
+        const auto point = [&] {
+            const double x = number();
+            return glm::dvec2{x, number()};
+        };
+        for (int i = 0; i < 5'000; ++i) {
+            std::vector<glm::dvec2> points;
+            for (int j = dice.integer(1, 6); j > 0; --j)
+                points.push_back(point());
+            const auto polygon = hullOf(points);
+            const Segment s{point(), dice.integer(0, 2) ? point() : points[0]};
+            const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+        }
+    }
+
+    // A window is a polygon of four corners, or of fewer: the same hard inputs, another oracle.
+    void windows_data() { everyPolygonForm(); }
+    void windows()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        for (const Family& family : families()) {
+            const auto inputs = family.inputs();
+            for (std::size_t i = 0; i < inputs.size(); i += 5) {
+                const auto& [s, w] = inputs[i];
+                const ConvexPolygon polygon{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
+                const auto result = uses->clip(s, polygon);
+                const auto truth = truthOf(inputs[i]);
+                const auto wrong = decidesExactly && result.has_value() != truth.has_value()
+                                       ? "seen, or not, wrongly"
+                                   : decidesExactly && truth
+                                       ? std::string()
+                                       : ::fault(result, inputs[i], truth, polygonUlps);
+                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
+            }
+        }
+    }
+
+    void seesNothingWithoutNumbers_data() { everyPolygonForm(); }
+    void seesNothingWithoutNumbers()
+    {
+        QFETCH(const PolygonUses*, uses);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        for (const double by : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
+            for (int index = 0; index < 10; ++index) {
+                Segment s{{-1, 0.5}, {3, 0.5}};
+                ConvexPolygon p{{{0, 0}, {2, 0}, {1, 2}}};
+                QVERIFY(uses->clip(s, p));
+                *std::array{&s.a.x,          &s.a.y,          &s.b.x,          &s.b.y,
+                            &p.corners[0].x, &p.corners[0].y, &p.corners[1].x, &p.corners[1].y,
+                            &p.corners[2].x, &p.corners[2].y}[std::size_t(index)] = by;
+                QVERIFY(!uses->clip(s, p) && !clipOne(*uses, s, p));
+                QVERIFY(uses->trace(s, p).outcome == Outcome::Invisible);
+                QVERIFY(uses->count({&s, 1}, p) == OperationCounts{});
+            }
+    }
+
+    void clipAndTraceAndCountAreOne_data() { everyPolygonForm(); }
+    void clipAndTraceAndCountAreOne()
+    {
+        QFETCH(const PolygonUses*, uses);
+        Dice dice(5);
+        for (int i = 0; i < 2'000; ++i) {
+            const double size = i % 5 == 0 ? 0x1p900 : 1;
+            const auto polygon = somePolygon(dice, dice.integer(1, 20), size);
+            const Segment s = someSegment(dice, polygon, size);
+            const auto text = exactly(s, polygon);
+            const auto piece = uses->clip(s, polygon);
+            const auto one = clipOne(*uses, s, polygon);
+            const Trace trace = uses->trace(s, polygon);
+            QVERIFY2(piece.has_value() == one.has_value(), text.c_str());
+            QVERIFY2(piece.has_value() == (trace.outcome == Outcome::Visible), text.c_str());
+            if (piece)
+                QVERIFY2(sameBits(*piece, one->segment) && sameBits(*piece, trace.visible),
+                         text.c_str());
+            QVERIFY2(!trace.steps.empty(), text.c_str());
+            const auto cost = uses->count({&s, 1}, polygon);
+            QVERIFY2(cost.comparisons >= trace.steps.back().cost.comparisons, text.c_str());
+            QVERIFY2(cost.comparisons > 0, text.c_str());
+        }
+    }
+
+    void searchedIsOneByOne()
+    {
+        const Algorithm* skala = findAlgorithm("skala");
+        Dice dice(6);
+        for (int i = 0; i < 3'000; ++i) {
+            const double size = i % 10 == 0 ? 0x1p-600 : 1;
+            const auto polygon =
+                somePolygon(dice, dice.integer(1, i % 100 == 0 ? 1'000 : 12), size);
+            std::vector<Segment> segments;
+            for (int j = 0; j < 100; ++j)
+                segments.push_back(someSegment(dice, polygon, size));
+            std::vector<Clipped> one(segments.size()), two(segments.size());
+            one.resize(skala->polygon->clipAll(segments, polygon, one));
+            two.resize(skala->searchedPolygon->clipAll(segments, polygon, two));
+            QCOMPARE(one.size(), two.size());
+            for (std::size_t j = 0; j < one.size(); ++j)
+                QVERIFY2(one[j].source == two[j].source && one[j].cut == two[j].cut
+                             && sameBits(one[j].segment, two[j].segment),
+                         exactly(segments[one[j].source], polygon).c_str());
+        }
+    }
+
+    // 16 times the corners: 16 times the work one by one, and a few questions more when searched.
+    void searchingTakesFewQuestions()
+    {
+        const Algorithm* skala = findAlgorithm("skala");
+        const auto comparisons = [&](const PolygonUses& uses, int corners) {
+            ConvexPolygon polygon;
+            for (int i = 0; i < corners; ++i) // the same shape: a parabola
+                polygon.corners.push_back(
+                    {i * 4096.0 / corners, i * 4096.0 / corners * i / corners});
+            const Segment s{{-100, 1'000}, {5'000, 1'500}};
+            return uses.count({&s, 1}, polygon).comparisons;
+        };
+        QVERIFY(comparisons(*skala->polygon, 4'096) > 15 * comparisons(*skala->polygon, 256));
+        QVERIFY(comparisons(*skala->searchedPolygon, 4'096)
+                < 1.5 * double(comparisons(*skala->searchedPolygon, 256)));
+        QVERIFY(comparisons(*skala->searchedPolygon, 4'096)
+                < comparisons(*skala->polygon, 4'096) / 20);
+    }
+
+    void numbersManyEdges_data() { everyPolygonForm(); }
+    void numbersManyEdges()
+    {
+        QFETCH(const PolygonUses*, uses);
+        ConvexPolygon polygon; // on a parabola, whole numbers
+        for (int i = 0; i < 70'000; ++i)
+            polygon.corners.push_back({double(i), double(i) * i});
+        for (const double x : {0.5, 1.5, 40'000.5, 65'533.5, 65'534.5, 69'000.5}) {
+            const Segment s{{x, -1}, {x, 1e10}};
+            const auto found = clipOne(*uses, s, polygon);
+            QVERIFY(found);
+            QCOMPARE(polygonEdgeOfA(found->cut), std::min(std::uint32_t(x) + 1, 0xffffU));
+            QCOMPARE(polygonEdgeOfB(found->cut), 0xffffU);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(PolygonTest)
+#include "polygon_test.moc"
