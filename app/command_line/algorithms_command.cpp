@@ -9,13 +9,13 @@ namespace {
 
 void list(const Given& given)
 {
-    Table table{{"key", "abbreviation", "name", "year", "idea"}, {}};
+    Table table{{"key", "abbreviation", "name", "year", "idea"}};
     for (const auto& algorithm : clipping::algorithms())
         table.rows.push_back({QLatin1StringView(algorithm.key),
                               QLatin1StringView(algorithm.abbreviation),
                               QLatin1StringView(algorithm.name), QString::number(algorithm.year),
                               QString::fromUtf8(algorithm.idea)});
-    print(tableText(table, given));
+    print(tableFormat(given).text({&table, 1}));
 }
 
 } // namespace

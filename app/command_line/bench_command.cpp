@@ -1,67 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/bench_options.h"
+#include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
-#include "app/experiment/experiment.h"
+#include "app/experiment/record.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace app {
 namespace {
 
-constexpr quint64 mostLines = 4'000'000'000, mostRuns = 10'000;
-
-Table tableOf(const std::vector<Timing>& timings, const ExperimentOptions& options)
+Record measured(ExperimentOptions options, const std::vector<Contestant>& contestants,
+                const std::vector<Measure>& wanted)
 {
-    Table table{{"algorithm", "form", "median_ns", "spread_ns", "visible", "lines", "runs", "seed"},
-                {}};
-    for (const Timing& timing : timings) {
-        const bool corrected = timing.contestant.form == clipping::Form::Corrected;
-        table.rows.push_back({QLatin1StringView(timing.contestant.algorithm->key),
-                              corrected ? QStringLiteral("corrected") : QStringLiteral("published"),
-                              QString::number(timing.median(), 'f', 2),
-                              QString::number(timing.spread(), 'f', 2),
-                              QString::number(timing.visible), QString::number(options.lines),
-                              QString::number(options.runs), QString::number(options.seed)});
-    }
-    return table;
+    if (std::ranges::any_of(wanted, &Measure::draws))
+        options.easel = rasterEasel;
+    ProgressLine line;
+    return *recorded(options, contestants,
+                     {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
 void bench(const Given& given)
 {
-    ExperimentOptions options;
-    options.lines = given.count(QStringLiteral("lines"), 1, mostLines).value_or(options.lines);
-    options.runs = given.count(QStringLiteral("runs"), 1, mostRuns).value_or(options.runs);
-    options.seed = given.count(QStringLiteral("seed"), 0, std::numeric_limits<quint64>::max())
-                       .value_or(options.seed);
-    auto algorithms = given.algorithms(QStringLiteral("algorithms"));
-    if (algorithms.empty())
-        for (const auto& algorithm : clipping::algorithms())
-            algorithms.push_back(&algorithm);
-    tableText({}, given); // a wrong --format is said before the work
-    print(tableText(tableOf(experiment(options, contestants(algorithms)), options), given));
+    const auto format = tableFormat(given);
+    const auto wanted = measuresGiven(given, QStringLiteral("clip"));
+    const auto contestants = contestantsGiven(given);
+    if (contestants.empty())
+        throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
+    const Record record = measured(experimentGiven(given), contestants, wanted);
+    std::vector<Table> tables;
+    for (const Measure& measure : wanted)
+        tables.push_back(timesTable(record, measure));
+    print(format.text(tables));
 }
 
 } // namespace
 
 Command benchCommand()
 {
+    auto options = experimentOptions();
+    options.push_back(tableOption());
     return {
         "bench",
         "[OPTIONS]",
         Commands::tr("Repeats the paper's experiment: random lines in (-960,-720)–(960,720) "
-                     "clipped at (-100,-75)–(100,75). Says for each algorithm the median of the "
-                     "nanoseconds a line over all runs, their spread between the quartiles, and "
-                     "how many lines are visible."),
-        {{{"n", "lines"}, "N", Commands::tr("Lines in a run (1000000).")},
-         {{"r", "runs"}, "N", Commands::tr("Runs (10).")},
-         {{"s", "seed"}, "N", Commands::tr("Which random lines (1).")},
-         {{"a", "algorithms"},
-          "LIST",
-          Commands::tr("Keys or abbreviations with commas between them (all).")},
-         tableOption()},
+                     "clipped at (-100,-75)–(100,75), or other scenes. Says for each algorithm "
+                     "the nanoseconds a line (median, spread between the quartiles, mean and its "
+                     "confidence interval over all runs), its rank where there is one, and how "
+                     "many lines are visible and how many it loses."),
+        options,
         {"clearcut bench --lines 10000000 --runs 10 --format csv > times.csv",
-         "clearcut bench -a cs,lb,md"},
+         "clearcut bench -a cs,lb,md --measure clip,draw,total",
+         "clearcut bench --quick --scene near-miss --order sorted"},
         0,
         bench};
 }

@@ -17,8 +17,7 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
     const auto named = given.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
         throw WrongUsage{Commands::tr("A drawing is cut with one algorithm; name one with -a.")};
-    const auto& algorithm =
-        named.empty() ? usualAlgorithm() : *named.front();
+    const auto& algorithm = named.empty() ? usualAlgorithm() : *named.front();
     const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
                                                              : clipping::Form::Corrected);

@@ -2,19 +2,14 @@
 #pragma once
 
 #include "app/command_line/given.h"
+#include "app/tables/table.h"
 
 namespace app {
 
-/// A table as data: a row of names and rows of fields, as many as there are names.
-struct Table {
-    QStringList names;
-    std::vector<QStringList> rows;
-};
-
-/// The option --format text|csv.
+/// The option --format, with what tables can be printed as.
 Option tableOption();
 
-/// The table as --format wants it: for people, numbers to the right, or as CSV.
-QString tableText(const Table& table, const Given& given);
+/// The one that --format names.
+TableFormat tableFormat(const Given& given);
 
 } // namespace app

@@ -1,99 +1,247 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/experiment.h"
 
-#include "app/experiment/paper_scene.h"
+#include "app/comparison/line_class.h"
+#include "app/experiment/checksum.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cmath>
+#include <ctime>
 
 namespace app {
 namespace {
+
+using clipping::Clipped;
+using clipping::Segment;
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
 
 constexpr std::uint64_t blockSize = 1'000'000;
 
 /// The lines that are clipped, and where what is visible goes.
 struct Block {
-    std::vector<clipping::Segment> lines;
-    std::vector<clipping::Clipped> visible;
+    std::uint64_t first = 0; ///< the number of its first line in the scene
+    std::vector<Segment> lines;
+    std::vector<Clipped> visible;
+    std::vector<Clipped> truth; ///< what is truly visible, while findings are made
 };
 
-/// What a contestant found in one run.
-struct Turn {
-    double nanoseconds = 0;
-    std::uint64_t visible = 0;
+/// Tells a follower how far it is.
+class Pace {
+public:
+    Pace(const Follower& follower, double turns)
+        : follower_(follower), start_(clock_.nanoseconds()), turns_(turns)
+    {
+    }
+    void turnDone()
+    {
+        const double share = ++done_ / turns_;
+        if (follower_.progress)
+            follower_.progress({share, (clock_.nanoseconds() - start_) * (1 / share - 1) * 1e-9});
+    }
+    bool stopped() const { return follower_.stop.stop_requested(); }
+
+private:
+    const Follower& follower_;
+    Clock clock_ = wallClock();
+    double start_, turns_, done_ = 0;
 };
 
-void clip(const Contestant& contestant, std::span<const clipping::Segment> lines, Block& block,
-          Turn& turn)
+/// The experiment while it goes on.
+class Bench {
+public:
+    Bench(const ExperimentOptions& options, std::span<const Contestant> contestants,
+          const Follower& follower);
+    /// Run number `r`, the warm-ups before the first that counts. False if it was stopped.
+    bool run(std::size_t r);
+    std::vector<Timing> take() { return std::move(timings_); }
+
+private:
+    void begin();
+    void fill(const LineSource& source, std::uint64_t first);
+    void tellTruth();
+    void turn(Timing& timing);
+    void find(Timing& timing, std::size_t visible);
+    void divide(std::size_t r);
+
+    const ExperimentOptions& options_;
+    Pace pace_;
+    Block block_;
+    std::unique_ptr<Easel> easel_;
+    std::vector<Timing> timings_;
+    bool finding_ = false;
+};
+
+std::uint64_t blocksOf(std::uint64_t lines) { return (lines + blockSize - 1) / blockSize; }
+
+Bench::Bench(const ExperimentOptions& options, std::span<const Contestant> contestants,
+             const Follower& follower)
+    : options_(options), pace_(follower, double((options.warmUps + options.runs)
+                                                * blocksOf(options.lines) * contestants.size())),
+      easel_(options.easel ? options.easel(options.field) : nullptr)
 {
-    const auto& uses = *clipping::usesOf(*contestant.algorithm, contestant.form);
-    const auto start = std::chrono::steady_clock::now();
-    turn.visible += uses.clipAll(lines, paperWindow, block.visible);
-    turn.nanoseconds +=
-        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    for (const Contestant& contestant : contestants)
+        timings_.push_back({.contestant = contestant, .generate = {}, .clip = {}, .draw = {}});
 }
 
-std::vector<Turn> run(std::uint64_t lines, std::uint64_t seed, std::size_t first, Block& block,
-                      std::span<const Contestant> contestants)
+bool Bench::run(std::size_t r)
 {
-    std::vector<Turn> turns(contestants.size());
-    PaperScene scene(seed);
-    for (std::uint64_t done = 0; done < lines; done += blockSize) {
-        const auto some = std::span(block.lines).first(std::min(blockSize, lines - done));
-        scene.fill(some);
-        for (std::size_t i = 0; i < turns.size(); ++i) {
-            const std::size_t who = (first + i) % turns.size();
-            clip(contestants[who], some, block, turns[who]);
+    finding_ = r == 0;
+    begin();
+    const LineSource source = options_.scene.begin(options_.field, options_.seed);
+    for (std::uint64_t first = 0; first < options_.lines; first += blockSize) {
+        fill(source, first);
+        for (std::size_t i = 0; i < timings_.size(); ++i) {
+            if (pace_.stopped())
+                return false;
+            turn(timings_[(r + first / blockSize + i) % timings_.size()]);
+            pace_.turnDone();
         }
     }
-    return turns;
+    divide(r);
+    return true;
 }
 
-// Between the sorted numbers, as spreadsheets do it.
-double quantile(std::vector<double> numbers, double share)
+void Bench::begin()
 {
-    std::ranges::sort(numbers);
-    const double position = share * double(numbers.size() - 1);
-    const auto below = std::size_t(position);
-    const std::size_t above = std::min(below + 1, numbers.size() - 1);
-    return std::lerp(numbers[below], numbers[above], position - double(below));
+    for (Timing& timing : timings_)
+        for (auto* times : {&timing.generate, &timing.clip, &timing.draw})
+            times->push_back(0);
+}
+
+void Bench::fill(const LineSource& source, std::uint64_t first)
+{
+    block_.first = first;
+    block_.lines.resize(std::min(blockSize, options_.lines - first));
+    block_.visible.resize(block_.lines.size());
+    const double start = options_.clock.nanoseconds();
+    source(block_.lines);
+    const double took = options_.clock.nanoseconds() - start;
+    for (Timing& timing : timings_)
+        timing.generate.back() += took;
+    if (options_.order == Order::ByClass)
+        std::ranges::stable_sort(block_.lines, {}, [&](const Segment& line) {
+            return lineClassOf(line, options_.field.window);
+        });
+    if (finding_)
+        tellTruth();
+}
+
+void Bench::tellTruth()
+{
+    block_.truth.resize(block_.lines.size());
+    block_.truth.resize(clipping::findAlgorithm("exact")->corrected.clipAll(
+        block_.lines, options_.field.window, block_.truth));
+}
+
+void Bench::turn(Timing& timing)
+{
+    const auto& uses = *clipping::usesOf(*timing.contestant.algorithm, timing.contestant.form);
+    const double start = options_.clock.nanoseconds();
+    const std::size_t visible = uses.clipAll(block_.lines, options_.field.window, block_.visible);
+    timing.clip.back() += options_.clock.nanoseconds() - start;
+    if (easel_) {
+        easel_->wipe();
+        const double before = options_.clock.nanoseconds();
+        easel_->draw(std::span(block_.visible).first(visible));
+        timing.draw.back() += options_.clock.nanoseconds() - before;
+    }
+    if (finding_)
+        find(timing, visible);
+}
+
+void Bench::find(Timing& timing, std::size_t visible)
+{
+    timing.found = added(timing.found, std::span(block_.visible).first(visible), block_.truth,
+                         options_.field.window, block_.first);
+    if (easel_)
+        timing.pixels = mixed(timing.pixels ^ easel_->checksum());
+}
+
+void Bench::divide(std::size_t r)
+{
+    for (Timing& timing : timings_)
+        for (auto* times : {&timing.generate, &timing.clip, &timing.draw}) {
+            times->back() /= double(options_.lines);
+            if (r < options_.warmUps)
+                times->pop_back();
+        }
+    block_.truth = {};
 }
 
 } // namespace
 
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms)
+std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms,
+                                    clipping::Form form)
 {
     std::vector<Contestant> all;
-    for (const auto form : {clipping::Form::Corrected, clipping::Form::Published})
-        for (const auto* algorithm : algorithms)
-            if (clipping::usesOf(*algorithm, form))
-                all.push_back({algorithm, form});
+    for (const auto* algorithm : algorithms)
+        if (clipping::usesOf(*algorithm, form))
+            all.push_back({algorithm, form});
     return all;
 }
 
-double Timing::median() const { return quantile(nanoseconds, 0.5); }
-double Timing::spread() const { return quantile(nanoseconds, 0.75) - quantile(nanoseconds, 0.25); }
-
-std::vector<Timing> experiment(const ExperimentOptions& options,
-                               std::span<const Contestant> contestants)
+std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms)
 {
-    assert(options.lines > 0 && options.runs > 0);
-    std::vector<Timing> timings;
-    for (const Contestant& contestant : contestants)
-        timings.push_back({contestant, {}, 0});
-    const std::uint64_t most = std::min(blockSize, options.lines);
-    Block block{std::vector<clipping::Segment>(most), std::vector<clipping::Clipped>(most)};
-    run(most, options.seed, 0, block, contestants);
-    for (std::size_t r = 0; r < options.runs; ++r) {
-        const auto turns = run(options.lines, options.seed, r, block, contestants);
-        for (std::size_t i = 0; i < turns.size(); ++i) {
-            timings[i].nanoseconds.push_back(turns[i].nanoseconds / double(options.lines));
-            timings[i].visible = turns[i].visible;
-        }
-    }
-    return timings;
+    auto all = contestants(algorithms, clipping::Form::Corrected);
+    const auto published = contestants(algorithms, clipping::Form::Published);
+    all.insert(all.end(), published.begin(), published.end());
+    return all;
+}
+
+Clock wallClock()
+{
+    return {QStringLiteral("wall"), [] {
+                const auto now = std::chrono::steady_clock::now().time_since_epoch();
+                return std::chrono::duration<double, std::nano>(now).count();
+            }};
+}
+
+Clock processorClock()
+{
+    return {QStringLiteral("processor time of the thread"), [] {
+                timespec now{};
+                ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+                return double(now.tv_sec) * 1e9 + double(now.tv_nsec);
+            }};
+}
+
+std::vector<Measure> measures()
+{
+    return {
+        {"clip", Experiments::tr("Clipping only"),
+         Experiments::tr("The time of the algorithm itself."),
+         [](const Timing& timing) { return timing.clip; }, false},
+        {"draw", Experiments::tr("Drawing only"),
+         Experiments::tr("The time of drawing what the algorithm left."),
+         [](const Timing& timing) { return timing.draw; }, true},
+        {"total", Experiments::tr("Total"),
+         Experiments::tr("Making the lines, clipping and drawing together, as the paper timed it."),
+         [](const Timing& timing) {
+             std::vector<double> times = timing.generate;
+             for (std::size_t i = 0; i < times.size(); ++i)
+                 times[i] += timing.clip[i] + timing.draw[i];
+             return times;
+         },
+         true},
+    };
+}
+
+std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
+                                              std::span<const Contestant> contestants,
+                                              const Follower& follower)
+{
+    assert(options.lines > 0 && options.runs > 0 && options.warmUps > 0);
+    Bench bench(options, contestants, follower);
+    for (std::size_t r = 0; r < options.warmUps + options.runs; ++r)
+        if (!bench.run(r))
+            return std::nullopt;
+    return bench.take();
 }
 
 } // namespace app

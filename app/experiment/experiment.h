@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/experiment/easel.h"
+#include "app/experiment/findings.h"
+#include "app/experiment/statistics.h"
 #include "clipping/algorithm.h"
 
-#include <vector>
+#include <stop_token>
 
 namespace app {
 
@@ -16,27 +19,78 @@ struct Contestant {
 /// Every form that these algorithms have, the corrected ones first.
 std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms);
 
+/// Every one of them in one form, without those that do not have it.
+std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms,
+                                    clipping::Form form);
+
+/// The order of the lines: as they come, or those of one class (line_class.h) together, block by
+/// block, which spares the processor from guessing.
+enum class Order : std::uint8_t { AsTheyCome, ByClass };
+
+/// What times are taken with.
+struct Clock {
+    QString name;                        ///< for the record
+    std::function<double()> nanoseconds; ///< since some moment; never goes back
+};
+Clock wallClock();
+/// The processor time of the thread that asks: what other programs take does not count, so it is
+/// the fairer one, but what threads and graphics cards do for the thread does not count either.
+Clock processorClock();
+
 struct ExperimentOptions {
+    TestScene scene = testScenes().front();
+    Field field{};
     std::uint64_t lines = 1'000'000; ///< at least one
     std::size_t runs = 10;           ///< at least one
+    std::size_t warmUps = 1;         ///< whole runs that do not count, at least one
     std::uint64_t seed = 1;
+    Order order = Order::AsTheyCome;
+    EaselMaker easel = nullptr; ///< rasterEasel or another; null: nothing is drawn
+    Clock clock = processorClock();
 };
 
-/// What one contestant needed and found.
+/// What one contestant needed and found. Times are nanoseconds a line, one number a run.
 struct Timing {
     Contestant contestant;
-    std::vector<double> nanoseconds; ///< a line, one number a run
-    std::uint64_t visible = 0;       ///< lines
-
-    double median() const;
-    double spread() const; ///< between the quartiles
+    std::vector<double> generate; ///< the same for all contestants: the lines are made once for all
+    std::vector<double> clip;
+    std::vector<double> draw; ///< zeros where nothing is drawn
+    Findings found{};
+    std::uint64_t pixels = 0; ///< checksum of all that was drawn; 0 where nothing is
 };
 
-/// The paper's experiment: its random lines, all clipped at its window by every contestant in every
-/// run. Only the clipping is timed. The lines come in blocks of a million, so that memory stays
-/// under 100 MB; the contestants take turns block by block, and who begins changes from run to run,
-/// after a first turn that does not count.
-std::vector<Timing> experiment(const ExperimentOptions& options,
-                               std::span<const Contestant> contestants);
+/// One row of the catalogue of what can be told of a timing.
+struct Measure {
+    QString key;     ///< "clip"
+    QString name;    ///< "Clipping only", translated
+    QString meaning; ///< one sentence
+    std::vector<double> (*times)(const Timing& timing);
+    bool draws; ///< whether it tells nothing without an easel
+};
+
+/// Clipping, drawing, and their sum with the making of the lines, which is what the paper timed.
+std::vector<Measure> measures();
+
+/// How far an experiment has come.
+struct Progress {
+    double share;       ///< 0 to 1
+    double secondsLeft; ///< as things went so far
+};
+
+/// Who follows an experiment from the outside; both may be left out. `progress` is called after
+/// each contestant's turn (some hundredths of a second) by the thread that measures.
+struct Follower {
+    std::stop_token stop{};
+    std::function<void(const Progress&)> progress{};
+};
+
+/// The paper's experiment, made fair: the lines of a scene, all clipped at its window by every
+/// contestant in every run, and drawn if there is an easel. The lines come in blocks of a million,
+/// so that memory stays under 200 MB. The contestants take turns block by block, and who begins
+/// changes from block to block and from run to run. The first warm-up tells what they find.
+/// Nothing if it was stopped.
+std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
+                                              std::span<const Contestant> contestants,
+                                              const Follower& follower = {});
 
 } // namespace app

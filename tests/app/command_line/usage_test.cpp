@@ -99,7 +99,13 @@ private slots:
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
         row({"bench", "-a", "md,,cs"}, "There is no algorithm “”");
-        row({"bench", "--format", "json"}, "--format json: give text or csv");
+        row({"bench", "--format", "xml"}, "--format xml: give text or csv");
+        row({"bench", "--scene", "moon"}, "--scene moon: give paper or inside or");
+        row({"bench", "--scene", "file:"}, "--scene file:: give paper or");
+        row({"bench", "--space", "0,0,5cm,5"}, "--space 0,0,5cm,5: give four numbers without");
+        row({"bench", "--window=-960,-75,100,75"}, "the space must be larger on all four sides");
+        row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
+        row({"bench", "--form", "published", "-a", "exact"}, "None of these algorithms");
     }
     void wrongUsageIsTwo()
     {
@@ -249,13 +255,45 @@ private slots:
         const auto run = clearcut(usual);
         QCOMPARE(run.code, 0);
         const auto lines = run.out.trimmed().split('\n');
-        QCOMPARE(lines[0], "algorithm,form,median_ns,spread_ns,visible,lines,runs,seed");
+        QVERIFY(
+            lines[0].startsWith("algorithm,form,rank,median_ns,spread_ns,mean_ns,low_ns,high_ns,"
+                                "visible,lost,shown,checksum,scene,order,lines,runs,"));
         QCOMPARE(lines.size(), 5); // two forms, twice
-        const auto visible = [](const QByteArray& line) { return line.split(',').value(4); };
-        QVERIFY(visible(lines[1]).toInt() > 3000 && visible(lines[1]).toInt() < 3500); // 16.4 %
-        QCOMPARE(visible(clearcut(usual).out.split('\n')[1]), visible(lines[1]));
-        QVERIFY(visible(clearcut(usual + QStringList{"--seed", "2"}).out.split('\n')[1])
-                != visible(lines[1]));
+        const auto columns = lines[0].split(',');
+        const auto field = [&](const QByteArray& line, const char* name) {
+            return line.split(',').value(columns.indexOf(name));
+        };
+        const int visible = field(lines[1], "visible").toInt();
+        QVERIFY(visible > 3000 && visible < 3500); // 16.4 %
+        QCOMPARE(field(lines[1], "lines"), "20000");
+        QCOMPARE(field(lines[1], "runs"), "2");
+        QCOMPARE(field(lines[1], "seed"), "1");
+        const auto checksum = [&](const QStringList& arguments) {
+            return field(clearcut(arguments).out.split('\n').value(1), "checksum");
+        };
+        QCOMPARE(checksum(usual).size(), 16);
+        QCOMPARE(checksum(usual), field(lines[1], "checksum"));
+        QVERIFY(checksum(usual + QStringList{"--seed", "2"}) != field(lines[1], "checksum"));
+    }
+
+    void benchTakesADrawing()
+    {
+        writeText(path("three.csv"), "0,0,9,9\n1,2,3,4\n-5,-5,-6,-6\n");
+        const auto run = clearcut({"bench", "-a", "exact", "--runs", "1", "--window", "0,0,5,5",
+                                   "--scene", "file:" + path("three.csv")});
+        QCOMPARE(run.err, "");
+        QVERIFY2(run.out.contains("lines:      3\n"), run.out.constData());
+        const auto row = run.out.split('\n').value(3).simplified().split(' ');
+        QCOMPARE(row.value(0), "exact");
+        QVERIFY2(row.contains("2"), run.out.constData()); // visible
+    }
+
+    void tenMillionLinesTakeLittleMemory()
+    {
+        const auto run = inShell("ulimit -v 1000000; $clearcut bench -n 10000000 -r 1 -a exact "
+                                 "--measure clip,draw -f csv");
+        QCOMPARE(run.err, "");
+        QCOMPARE(run.code, 0);
     }
 
     void infoSaysWhatThereIs()

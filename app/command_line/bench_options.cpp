@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/bench_options.h"
+
+#include "app/command_line/refusal.h"
+#include "app/document/scene.h"
+#include "app/formats/format.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <limits>
+
+namespace app {
+namespace {
+
+constexpr quint64 mostLines = 4'000'000'000, mostRuns = 10'000;
+
+template <class Row>
+QStringList keysOf(const std::vector<Row>& rows)
+{
+    QStringList keys;
+    for (const Row& row : rows)
+        keys << row.key;
+    return keys;
+}
+
+/// In the scene's own numbers.
+std::optional<clipping::Window> plainRectangle(const Given& given, const QString& option)
+{
+    const auto lengths = given.rectangle(option);
+    if (!lengths)
+        return std::nullopt;
+    for (const Length& length : *lengths)
+        if (length.unit != Unit::User)
+            throw WrongUsage{Commands::tr("--%1 %2: give four numbers without units.")
+                                 .arg(option, *given.text(option))};
+    const auto& l = *lengths;
+    return clipping::Window{{l[0].value, l[1].value}, {l[2].value, l[3].value}};
+}
+
+/// The lines that a drawing shows, and its window.
+void takeDrawing(const QString& path, ExperimentOptions& options)
+{
+    const auto imported = readFile(path);
+    if (!imported)
+        throw Failure{imported.error};
+    const Drawing drawing(imported.value->sheet);
+    const Scene scene(drawing);
+    const auto lines = scene.segments();
+    if (lines.empty())
+        throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
+    options.scene = drawingScene(QFileInfo(path).fileName(), {lines.begin(), lines.end()});
+    options.field = {drawing.sheet().page.rectangle(), drawing.sheet().window};
+    options.lines = lines.size();
+}
+
+void takeScene(const Given& given, ExperimentOptions& options)
+{
+    const QString scene = given.text(QStringLiteral("scene")).value_or(QString());
+    constexpr QStringView file = u"file:";
+    if (scene.startsWith(file) && scene.size() > file.size())
+        return takeDrawing(scene.mid(file.size()), options);
+    const auto rows = testScenes();
+    options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows))];
+}
+
+void takeField(const Given& given, ExperimentOptions& options)
+{
+    if (const auto space = plainRectangle(given, QStringLiteral("space")))
+        options.field.space = *space;
+    if (const auto window = plainRectangle(given, QStringLiteral("window")))
+        options.field.window = *window;
+    if (options.scene.lines == 0 && !hasRoom(options.field))
+        throw WrongUsage{Commands::tr("The window must have an area, and the space must be larger "
+                                      "on all four sides: see --space and --window.")};
+}
+
+} // namespace
+
+std::vector<Option> experimentOptions()
+{
+    return {
+        {{"n", "lines"}, "N", Commands::tr("Lines in a run (1000000; a drawing's own).")},
+        {{"r", "runs"}, "N", Commands::tr("Runs (10).")},
+        {{"warmup"}, "N", Commands::tr("Runs before, which do not count (1).")},
+        {{"quick"}, {}, Commands::tr("100000 lines, 3 runs.")},
+        {{"s", "seed"}, "N", Commands::tr("Which random lines (1).")},
+        {{"scene"},
+         "SCENE",
+         Commands::tr("%1, or file:PATH for the lines of a drawing (paper).")
+             .arg(keysOf(testScenes()).join(QStringLiteral(", ")))},
+        {{"order"},
+         "shuffled|sorted",
+         Commands::tr("Lines as they come, or those inside, rejected, cut and missed together "
+                      "(shuffled).")},
+        {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("Where the lines are (the paper's).")},
+        {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},
+        {{"a", "algorithms"},
+         "LIST",
+         Commands::tr("Keys or abbreviations with commas between them (all).")},
+        {{"form"},
+         "both|corrected|published",
+         Commands::tr("Algorithms without their published faults, or with them (both).")},
+        {{"measure"},
+         "LIST",
+         Commands::tr("What to tell, with commas between: %1 (clip).")
+             .arg(keysOf(measures()).join(QStringLiteral(", ")))},
+    };
+}
+
+ExperimentOptions experimentGiven(const Given& given)
+{
+    ExperimentOptions options;
+    takeScene(given, options);
+    takeField(given, options);
+    if (given.has(QStringLiteral("quick"))) {
+        options.lines = 100'000;
+        options.runs = 3;
+    }
+    const auto take = [&](const char* option, quint64 least, quint64 most, auto& to) {
+        if (const auto count = given.count(QLatin1StringView(option), least, most))
+            to = *count;
+    };
+    take("lines", 1, mostLines, options.lines);
+    take("runs", 1, mostRuns, options.runs);
+    take("warmup", 1, mostRuns, options.warmUps);
+    take("seed", 0, std::numeric_limits<quint64>::max(), options.seed);
+    if (given.choice(QStringLiteral("order"), {"shuffled", "sorted"}) == 1)
+        options.order = Order::ByClass;
+    return options;
+}
+
+std::vector<Contestant> contestantsGiven(const Given& given)
+{
+    auto algorithms = given.algorithms(QStringLiteral("algorithms"));
+    if (algorithms.empty())
+        for (const auto& algorithm : clipping::algorithms())
+            algorithms.push_back(&algorithm);
+    switch (given.choice(QStringLiteral("form"), {"both", "corrected", "published"})) {
+    case 1:
+        return contestants(algorithms, clipping::Form::Corrected);
+    case 2:
+        return contestants(algorithms, clipping::Form::Published);
+    default:
+        return contestants(algorithms);
+    }
+}
+
+std::vector<Measure> measuresGiven(const Given& given, const QString& otherwise)
+{
+    const auto text = given.text(QStringLiteral("measure"));
+    const QStringList wanted = text.value_or(otherwise).toLower().split(u',');
+    std::vector<Measure> found;
+    const auto rows = measures();
+    for (const QString& key : wanted) {
+        const auto row = std::ranges::find(rows, key, &Measure::key);
+        if (row == rows.end())
+            throw WrongUsage{Commands::tr("--measure %1: give %2.")
+                                 .arg(*text, keysOf(rows).join(QStringLiteral(", ")))};
+        found.push_back(*row);
+    }
+    return found;
+}
+
+} // namespace app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace app {
+
+/// The mixing of splitmix64: each bit of the result hangs on each bit of the number.
+constexpr std::uint64_t mixed(std::uint64_t x)
+{
+    x += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+}
+inline std::uint64_t mixed(double x) { return mixed(std::bit_cast<std::uint64_t>(x)); }
+
+} // namespace app

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/record.h"
+
+#include "app/experiment/circumstances.h"
+#include "app/formats/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+QString numbersOf(const clipping::Window& window)
+{
+    std::string text;
+    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y}) {
+        if (!text.empty())
+            text += ',';
+        appendNumber(text, number);
+    }
+    return QString::fromStdString(text);
+}
+
+QString inNanoseconds(double time) { return QString::number(time, 'f', 2); }
+
+/// No time is below 0; one run says nothing of where the middle lies.
+QString bound(double time)
+{
+    return std::isfinite(time) ? inNanoseconds(std::max(time, 0.0)) : QString();
+}
+
+QString hexadecimal(std::uint64_t checksum)
+{
+    return QStringLiteral("%1").arg(checksum, 16, 16, QLatin1Char('0'));
+}
+
+/// "2", "tie a".
+QString placeText(const Standing& standing)
+{
+    return standing.rank ? QString::number(*standing.rank)
+                         : Experiments::tr("tie %1").arg(QChar(u'a' + *standing.tie % 26));
+}
+
+bool hasTies(const std::vector<Standing>& all)
+{
+    return std::ranges::any_of(all, [](const Standing& standing) { return !standing.rank; });
+}
+
+QStringList rowOf(const Timing& timing, const Summary& times, const Standing& standing)
+{
+    return {QString::fromUtf8(timing.contestant.algorithm->key),
+            wordOf(timing.contestant.form),
+            placeText(standing),
+            inNanoseconds(times.median),
+            inNanoseconds(times.spread),
+            inNanoseconds(times.mean),
+            bound(times.confidence.low),
+            bound(times.confidence.high),
+            QString::number(timing.found.visible),
+            QString::number(timing.found.lost),
+            QString::number(timing.found.shown),
+            hexadecimal(timing.found.checksum)};
+}
+
+} // namespace
+
+std::optional<Record> recorded(const ExperimentOptions& options,
+                               std::span<const Contestant> contestants, const Follower& follower)
+{
+    auto timings = experiment(options, contestants, follower);
+    if (!timings)
+        return std::nullopt;
+    return Record{options, options.easel ? options.easel(options.field)->name() : QString(),
+                  circumstances(), std::move(*timings)};
+}
+
+std::vector<Summary> summaries(const Record& record, const Measure& measure)
+{
+    std::vector<Summary> all;
+    for (const Timing& timing : record.timings)
+        all.push_back(summaryOf(measure.times(timing)));
+    return all;
+}
+
+QString wordOf(clipping::Form form)
+{
+    return form == clipping::Form::Corrected ? QStringLiteral("corrected")
+                                             : QStringLiteral("published");
+}
+
+std::vector<std::pair<QString, QString>> factsOf(const Record& record)
+{
+    const ExperimentOptions& options = record.options;
+    std::vector<std::pair<QString, QString>> facts{
+        {"scene", options.scene.key},
+        {"order", options.order == Order::ByClass ? QStringLiteral("by class")
+                                                  : QStringLiteral("as they come")},
+        {"lines", QString::number(options.lines)},
+        {"runs", QString::number(options.runs)},
+        {"warmup", QString::number(options.warmUps)},
+        {"seed", QString::number(options.seed)},
+        {"clock", options.clock.name},
+        {"space", numbersOf(options.field.space)},
+        {"window", numbersOf(options.field.window)},
+    };
+    if (!record.easel.isEmpty())
+        facts.emplace_back("drawn", record.easel);
+    facts.insert(facts.end(), record.circumstances.begin(), record.circumstances.end());
+    return facts;
+}
+
+Table timesTable(const Record& record, const Measure& measure)
+{
+    Table table{.names = {"algorithm", "form", "rank", "median_ns", "spread_ns", "mean_ns",
+                          "low_ns", "high_ns", "visible", "lost", "shown", "checksum"},
+                .title = Experiments::tr("%1: nanoseconds a line").arg(measure.name),
+                .key = measure.key,
+                .facts = factsOf(record),
+                .notes = {measure.meaning}};
+    const auto times = summaries(record, measure);
+    const auto places = standings(times);
+    for (std::size_t i = 0; i < times.size(); ++i)
+        table.rows.push_back(rowOf(record.timings[i], times[i], places[i]));
+    table.notes << Experiments::tr(
+        "From low_ns to high_ns: where the middle lies with 95 % confidence. Lost: lines that are "
+        "visible and that it drops; shown: lines that are not and that it keeps.");
+    if (hasTies(places))
+        table.notes << Experiments::tr(
+            "Ties with the same letter are too close to call: their intervals overlap.");
+    return table;
+}
+
+} // namespace app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/experiment.h"
+#include "app/tables/table.h"
+
+namespace app {
+
+/// What was measured, how, and on what: all that tables, charts and reports show.
+struct Record {
+    ExperimentOptions options;
+    QString easel; ///< what drew; empty where nothing was drawn
+    std::vector<std::pair<QString, QString>> circumstances;
+    std::vector<Timing> timings;
+};
+
+/// Nothing if it was stopped.
+std::optional<Record> recorded(const ExperimentOptions& options,
+                               std::span<const Contestant> contestants,
+                               const Follower& follower = {});
+
+/// One summary a timing, in their order.
+std::vector<Summary> summaries(const Record& record, const Measure& measure);
+
+/// "corrected", "published".
+QString wordOf(clipping::Form form);
+
+/// What is true of all numbers of the record: scene, lines, runs, seed, window, machine ...
+std::vector<std::pair<QString, QString>> factsOf(const Record& record);
+
+/// One row a contestant: what it needed, its place among the others, and what it found.
+Table timesTable(const Record& record, const Measure& measure);
+
+} // namespace app

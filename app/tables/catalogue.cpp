@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tables/table.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+// Each is defined in the file of its format.
+QString plainText(std::span<const Table> tables);
+QString csvText(std::span<const Table> tables);
+
+// THE CATALOGUE. To add a format: write its file in app/tables/, and name it above and below.
+std::vector<TableFormat> tableFormats()
+{
+    struct Tables {
+        Q_DECLARE_TR_FUNCTIONS(Tables)
+    };
+    return {
+        {"text", Tables::tr("Text"), plainText},
+        {"csv", Tables::tr("CSV"), csvText},
+    };
+}
+
+bool isNumber(const QString& field)
+{
+    bool is = false;
+    field.toDouble(&is);
+    return is;
+}
+
+std::vector<bool> numericColumns(const Table& table)
+{
+    std::vector<bool> numeric;
+    for (qsizetype i = 0; i < table.names.size(); ++i)
+        numeric.push_back(std::ranges::all_of(table.rows, [&](const QStringList& row) {
+            return row[i].isEmpty() || isNumber(row[i]);
+        }));
+    return numeric;
+}
+
+} // namespace app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/// A table as data: a row of names and rows of fields, as many as there are names. What may be
+/// empty is left out where it is.
+struct Table {
+    QStringList names;
+    std::vector<QStringList> rows{};
+    QString title{};
+    QString key{}; ///< in files: a word
+    /// What is true of all rows: names (words) and what they stand for.
+    std::vector<std::pair<QString, QString>> facts{};
+    QStringList notes{}; ///< sentences
+};
+
+/// One row of the catalogue of what tables can be printed as.
+struct TableFormat {
+    QString key;  ///< "csv": a file's ending and --format
+    QString name; ///< translated
+    QString (*text)(std::span<const Table> tables);
+};
+
+/// Every format; the first one is for people.
+std::vector<TableFormat> tableFormats();
+
+/// Whether a field is a number; a column of numbers (some may be empty) stands to the right.
+bool isNumber(const QString& field);
+std::vector<bool> numericColumns(const Table& table);
+
+} // namespace app

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/experiment.h"
+
+#include <QTest>
+
+#include <random>
+
+// The same function under two names must come out equal, and a slower one must not. The clock is
+// the test's: each call takes what the test says, with noise, with a machine that gets slower and
+// slower, and with a cold start for whoever goes first.
+
+namespace {
+
+double now = 0;             // nanoseconds
+std::mt19937_64 noise;      // NOLINT: the seed is set by each test
+int calls = 0;              // of all functions
+constexpr int perRound = 3; // contestants
+
+double slowness()
+{
+    std::lognormal_distribution<double> skewed(0, 0.05);
+    const double cold = calls % perRound == 0 ? 1.1 : 1;
+    return skewed(noise) * cold * (1 + 0.002 * calls++);
+}
+
+template <int nanosecondsALine>
+std::size_t clipAll(std::span<const clipping::Segment> in, const clipping::Window&,
+                    std::span<clipping::Clipped>)
+{
+    now += nanosecondsALine * double(in.size()) * slowness();
+    return 0;
+}
+
+template <int nanosecondsALine>
+clipping::Algorithm named(std::string_view key)
+{
+    clipping::Algorithm row = *clipping::findAlgorithm("cs");
+    row.key = key;
+    row.corrected.clipAll = clipAll<nanosecondsALine>;
+    return row;
+}
+
+std::vector<app::Standing> race(const std::vector<clipping::Algorithm>& rows, std::uint64_t seed)
+{
+    noise.seed(seed);
+    now = calls = 0;
+    app::ExperimentOptions options;
+    options.lines = 100;
+    options.clock = {"the test's", [] { return now; }};
+    std::vector<app::Contestant> contestants;
+    for (const auto& row : rows)
+        contestants.push_back({&row, clipping::Form::Corrected});
+    const auto timings = *app::experiment(options, contestants);
+    std::vector<app::Summary> summaries;
+    for (const app::Timing& timing : timings)
+        summaries.push_back(app::summaryOf(timing.clip));
+    return app::standings(summaries);
+}
+
+} // namespace
+
+class FairnessTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theSameFunctionUnderTwoNamesTies()
+    {
+        const std::vector rows{named<50>("one"), named<50>("other"), named<80>("slower")};
+        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+            const auto places = race(rows, seed);
+            QVERIFY2(places[0].tie && places[0].tie == places[1].tie,
+                     qPrintable(QString::number(seed)));
+            QCOMPARE(places[2].rank, std::optional(3));
+        }
+    }
+
+    void nobodyIsAlwaysFirst()
+    {
+        static std::vector<int> order;
+        const auto remember = []<int who>(std::integral_constant<int, who>) {
+            clipping::Algorithm row = *clipping::findAlgorithm("cs");
+            row.corrected.clipAll = [](std::span<const clipping::Segment>, const clipping::Window&,
+                                       std::span<clipping::Clipped>) {
+                order.push_back(who);
+                return std::size_t(0);
+            };
+            return row;
+        };
+        race({remember(std::integral_constant<int, 0>()),
+              remember(std::integral_constant<int, 1>()),
+              remember(std::integral_constant<int, 2>())},
+             1);
+        QCOMPARE(order.size(), 33u); // one run to warm up, ten that count
+        std::array<int, 3> first{};
+        for (std::size_t run = 1; run <= 10; ++run)
+            ++first[std::size_t(order[3 * run])];
+        for (const int times : first)
+            QVERIFY(times == 3 || times == 4);
+    }
+
+    void theWarmUpDoesNotCount()
+    {
+        noise.seed(1);
+        now = 0;
+        static int turns = 0;
+        clipping::Algorithm row = *clipping::findAlgorithm("cs");
+        row.corrected.clipAll = [](std::span<const clipping::Segment> in, const clipping::Window&,
+                                   std::span<clipping::Clipped>) {
+            now += double(in.size()) * (++turns <= 2 ? 1000 : 7);
+            return std::size_t(0);
+        };
+        app::ExperimentOptions options;
+        options.lines = 10;
+        options.warmUps = 2;
+        options.clock = {"the test's", [] { return now; }};
+        const std::vector<app::Contestant> one{{&row, clipping::Form::Corrected}};
+        QCOMPARE(app::experiment(options, one)->front().clip, std::vector<double>(10, 7));
+    }
+
+    /// With the real clock, too: in one of five tries at least, for the machine may be busy.
+    void aRealFunctionTiesWithItself()
+    {
+        clipping::Algorithm copy = *clipping::findAlgorithm("md");
+        copy.key = "copy";
+        const std::vector<app::Contestant> two{
+            {clipping::findAlgorithm("md"), clipping::Form::Corrected},
+            {&copy, clipping::Form::Corrected}};
+        app::ExperimentOptions options;
+        options.lines = 200'000;
+        int ties = 0;
+        for (int i = 0; i < 5 && ties == 0; ++i) {
+            const auto timings = *app::experiment(options, two);
+            ties += app::summaryOf(timings[0].clip)
+                        .confidence.overlaps(app::summaryOf(timings[1].clip).confidence);
+        }
+        QCOMPARE(ties, 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(FairnessTest)
+#include "fairness_test.moc"
