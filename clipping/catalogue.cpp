@@ -21,6 +21,7 @@ using Catalogue = List<
     struct Skala,
     struct KodituwakkuWijeweeraChamikara,
     struct MatthesDrakopoulos,
+    struct SobkowPospisilYang,
     struct Exact
 >;
 // clang-format on
