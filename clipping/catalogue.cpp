@@ -22,6 +22,7 @@ using Catalogue = List<
     struct KodituwakkuWijeweeraChamikara,
     struct MatthesDrakopoulos,
     struct SobkowPospisilYang,
+    struct SlaterBarsky,
     struct Exact
 >;
 // clang-format on
