@@ -54,6 +54,9 @@ inline constexpr LossKind styleRule{
     QT_TRANSLATE_NOOP("svg", "style rules that are not understood")};
 inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
                                     QT_TRANSLATE_NOOP("svg", "references to other files")};
+inline constexpr LossKind notice{
+    QT_TRANSLATE_NOOP("svg", "notice of author, licence or title"),
+    QT_TRANSLATE_NOOP("svg", "notices of author, licence or title")};
 inline constexpr LossKind layers{
     QT_TRANSLATE_NOOP("svg", "drawing with too many layers (the upper ones became one)"),
     QT_TRANSLATE_NOOP("svg", "drawings with too many layers (the upper ones became one)")};

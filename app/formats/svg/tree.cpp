@@ -22,6 +22,8 @@ constexpr std::array namespaces{
     Namespace{QLatin1StringView("http://www.w3.org/1999/xlink"), "xlink:"},
     Namespace{QLatin1StringView("http://www.inkscape.org/namespaces/inkscape"), "inkscape:"},
     Namespace{QLatin1StringView("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"), "sodipodi:"},
+    Namespace{QLatin1StringView("http://www.w3.org/1999/02/22-rdf-syntax-ns#"), "rdf:"},
+    Namespace{QLatin1StringView("http://purl.org/dc/elements/1.1/"), "dc:"},
     Namespace{QLatin1StringView("urn:clearcut:1"), "clearcut:"},
 };
 
@@ -91,6 +93,9 @@ private:
             close();
         else if (token == QXmlStreamReader::Characters && inStyle_)
             append(tree_.styleSheet_, xml_.text());
+        else if (token == QXmlStreamReader::Characters && metadataDepth_ > 0
+                 && !xml_.isWhitespace())
+            tree_.hasNotice_ |= nameOf(open_.back()) != "dc:format";
     }
 
     void open()
@@ -114,7 +119,21 @@ private:
         for (const QXmlStreamAttribute& attribute : xml_.attributes())
             addAttribute(attribute);
         inStyle_ = tree_.names_[name] == "style";
+        if (metadataDepth_ > 0 || tree_.names_[name] == "metadata")
+            openMetadata();
     }
+
+    // A resource is a text by another name. Every editor writes that the file is a still image.
+    void openMetadata()
+    {
+        ++metadataDepth_;
+        const Node node = open_.back();
+        for (auto i = tree_.elements_[node].attributes; i < tree_.attributes_.size(); ++i)
+            tree_.hasNotice_ |= tree_.names_[tree_.attributes_[i].name] == "rdf:resource"
+                                && tree_.attributes_[i].length > 0 && nameOf(node) != "dc:type";
+    }
+
+    const std::string& nameOf(Node node) const { return tree_.names_[tree_.elements_[node].name]; }
 
     void addAttribute(const QXmlStreamAttribute& attribute)
     {
@@ -134,6 +153,7 @@ private:
         if (inStyle_)
             tree_.styleSheet_ += '\n';
         inStyle_ = false;
+        metadataDepth_ -= metadataDepth_ > 0;
     }
 
     std::uint32_t nameIndex(QStringView uri, QStringView local)
@@ -169,6 +189,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
     std::string key_;
     bool inStyle_ = false;
+    int metadataDepth_ = 0; ///< of the element that is open, <metadata> being 1
 };
 
 Tree Tree::read(QIODevice& in)

@@ -17,7 +17,7 @@ constexpr Node noNode = ~Node(0);
 
 /// The elements of a file and their attributes, as compact as they can be: 100,000 lines take
 /// about as much memory as their file. Names are those of SVG's own namespace; those of Inkscape,
-/// Sodipodi, XLink and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
+/// Sodipodi, XLink, RDF, Dublin Core and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
 class Tree {
 public:
     /// Throws Refused for what is not well-formed, not SVG or beyond the limits. External entities
@@ -52,6 +52,9 @@ public:
     /// The text of all <style> elements.
     const std::string& styleSheet() const { return styleSheet_; }
 
+    /// Whether <metadata> says more than the kind of the file: an author, a licence, a title …
+    bool hasNotice() const { return hasNotice_; }
+
     /// The first element of that id, or noNode.
     Node find(std::string_view id) const;
     /// What "url(#id)", "#id" or "url('#id')" refers to.
@@ -71,6 +74,7 @@ private:
     std::vector<std::string> names_;
     std::string text_, styleSheet_;
     std::unordered_map<std::string_view, Node> ids_;
+    bool hasNotice_ = false;
 };
 
 /// "href", or the older "xlink:href".

@@ -77,6 +77,7 @@ void Walk::drawAll(const Matrix& rootMatrix, const Point& viewport)
     drawChildren(0, inside(0, place));
     layers_.finish();
     report_.add(losses::styleRule, styles_.ignoredRules());
+    report_.add(losses::notice, tree_.hasNotice() ? 1 : 0);
     report_.add(losses::layers, layers_.merged() ? 1 : 0);
 }
 

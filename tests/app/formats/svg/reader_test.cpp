@@ -273,6 +273,41 @@ private slots:
         QCOMPARE(reportOf("<g xmlns='http://other.example'><text/></g>"), "");
     }
 
+    void noticesAreReported_data()
+    {
+        QTest::addColumn<QByteArray>("work");
+        QTest::addColumn<QString>("report");
+        const QString lost = "1 notice of author, licence or title";
+        const QByteArray usual = "<dc:format>image/svg+xml</dc:format><dc:type rdf:resource="
+                                 "'http://purl.org/dc/dcmitype/StillImage'/>";
+        QTest::newRow("what editors write by themselves")
+            << usual + "<dc:title></dc:title> <dc:title/>" << QString();
+        QTest::newRow("author") << usual
+                                       + "<dc:creator><cc:Agent><dc:title>A. Drawer</dc:title>"
+                                         "</cc:Agent></dc:creator>"
+                                << lost;
+        QTest::newRow("licence") << QByteArray(
+            "<cc:license rdf:resource='http://cc.example/by-sa/4.0/'/>")
+                                 << lost;
+        QTest::newRow("no licence") << QByteArray("<cc:license rdf:resource=''/>") << QString();
+        QTest::newRow("more than one")
+            << QByteArray("<dc:title>A</dc:title><dc:rights>B</dc:rights>") << lost;
+    }
+    void noticesAreReported()
+    {
+        QFETCH(QByteArray, work);
+        QFETCH(QString, report);
+        const QByteArray metadata =
+            "<metadata><r:RDF xmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
+            "xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
+            "xmlns:cc='http://creativecommons.org/ns#' "
+            "xmlns:dc='http://purl.org/dc/elements/1.1/'><cc:Work r:about=''>"
+            + work + "</cc:Work></r:RDF></metadata>";
+        QCOMPARE(reportOf(metadata), report);
+        QCOMPARE(reportOf("<text/>" + metadata),
+                 report.isEmpty() ? QString("1 text") : "1 text; " + report);
+    }
+
     void idsAndNames()
     {
         QCOMPARE(shapeOf("<path id='a&amp;\xc3\xa9' d='M0 0h1'/>").id,
