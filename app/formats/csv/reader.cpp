@@ -43,6 +43,15 @@ std::optional<double> coordinate(std::string_view field)
     return number && std::abs(*number) <= largest ? number : std::nullopt;
 }
 
+/// A number, but beyond what can be calculated with: its form is not to blame.
+bool tooLarge(std::string_view field)
+{
+    long double value = 0; // goes on where double ends
+    const char* const last = field.data() + field.size();
+    const auto [end, error] = std::from_chars(field.data(), last, value);
+    return error == std::errc{} && end == last && std::isfinite(value) && std::abs(value) > largest;
+}
+
 // #rrggbb or #rrggbbaa.
 std::optional<Colour> colour(std::string_view text)
 {
@@ -78,7 +87,7 @@ private:
     // A header, unless the first field is a number.
     bool readHeader(const Record& record)
     {
-        if (coordinate(record.fields.front())) {
+        if (coordinate(record.fields.front()) || tooLarge(trimmed(record.fields.front()))) {
             std::iota(positions_.begin(), positions_.end(), 0);
             return false;
         }
@@ -146,6 +155,10 @@ private:
         const auto text = field(record, column);
         if (const auto value = coordinate(text))
             return *value;
+        if (tooLarge(text))
+            throw Refused{
+                record.line,
+                tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(text))};
         throw Refused{record.line, tr("has %1 where a number is needed.").arg(shown(text))};
     }
 

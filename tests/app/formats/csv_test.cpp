@@ -85,8 +85,14 @@ private slots:
             "line 3 has 3 columns; x1, y1, x2 and y2 are needed.");
         row("NaN", "1,2,3,4\n1,nan,3,4\n", "line 2 has “nan” where a number is needed.");
         row("infinite", "1,2,3,4\n\n1,2,inf,4\n", "line 3 has “inf” where a number is needed.");
-        row("1e400", "1,2,3,1e400", "line 1 has “1e400” where a number is needed.");
-        row("near overflow", "1,2,3,1e301", "line 1 has “1e301” where a number is needed.");
+        row("1e400", "1,2,3,1e400",
+            "line 1 has “1e400”, which is too large; numbers go up to 1e300.");
+        row("near overflow", "1,2,3,-1e301",
+            "line 1 has “-1e301”, which is too large; numbers go up to 1e300.");
+        row("the first is too large", "1e308,2,3,4",
+            "line 1 has “1e308”, which is too large; numbers go up to 1e300.");
+        row("infinite", "1,2,3,-inf", "line 1 has “-inf” where a number is needed.");
+        row("letters", "1,2,3,1e308x", "line 1 has “1e308x” where a number is needed.");
         row("empty", "x1,y1,x2,y2\n1,2,,4\n", "line 2 has “” where a number is needed.");
         row("long", "1,2,3,4,a,#000000,1,0,extra", "line 1 has 9 columns; there are at most 8.");
         row("longer than header", "x1,y1,x2,y2\n1,2,3,4,5",
