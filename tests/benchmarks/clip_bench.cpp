@@ -11,9 +11,9 @@
 
 #include "tests/benchmarks/clip/contenders.h"
 #include "tests/benchmarks/clip/machine.h"
+#include "tests/benchmarks/clip/map_scene.h"
 #include "tests/benchmarks/clip/report.h"
 #include "tests/benchmarks/clip/targets.h"
-#include "tests/benchmarks/scenes.h"
 
 namespace {
 
@@ -81,7 +81,7 @@ template <class T>
 std::vector<Race> racesOf(const Plan& plan)
 {
     std::vector<Race> races;
-    for (const auto& maker : benchmarkScenes<T>)
+    for (const auto& maker : scenesWithMap<T>())
         if (plan.scene == "all" || plan.scene == maker.name) {
             Data<T> data(maker.make(plan.count));
             if (!data.in().empty())

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/benchmarks/clip/map.h"
 #include "tests/clipping/scenes.h"
 
 /// A scene by name; made anew for each number of segments, since ten million take 320 MB.
@@ -102,31 +101,6 @@ Scene<T> strokes(std::size_t count)
     });
 }
 
-/// The real map side by side on a square of sheets, as many as are needed; the window shows the
-/// middle ninth of all. Without the map: no segments.
-template <class T>
-Scene<T> mapSheets(std::size_t count)
-{
-    Scene<T> result{"map", paperWindow<T>(), {}};
-    const Map& map = realMap();
-    if (map.segments.empty())
-        return result;
-    const auto side =
-        static_cast<std::size_t>(std::ceil(std::sqrt(double(count) / double(map.segments.size()))));
-    const glm::dvec2 size = map.around.max - map.around.min, sheets = size * double(side);
-    const double scale = 600 / sheets.x;
-    for (std::size_t i = 0; i < side * side; ++i) {
-        const glm::dvec2 corner(double(i % side) * size.x, double(i / side) * size.y);
-        const auto placed = [&](const glm::dvec2& p) {
-            return glm::vec<2, T>((p - map.around.min + corner - sheets / 2.0) * scale);
-        };
-        for (const auto& [a, b] : map.segments)
-            if (result.segments.size() < count)
-                result.segments.push_back({placed(a), placed(b)});
-    }
-    return result;
-}
-
 template <class T>
 const std::vector<SceneMaker<T>> benchmarkScenes{
     {"paper", paperScene<T>},
@@ -135,5 +109,4 @@ const std::vector<SceneMaker<T>> benchmarkScenes{
     {"all outside", allOutside<T>},
     {"long lines", longLines<T>},
     {"editor strokes", strokes<T>},
-    {"map", mapSheets<T>},
 };
