@@ -202,6 +202,7 @@ struct Floats {
         {
             return {_mm256_xor_ps(a.lanes, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
         }
+        LANE bool any(Mask a) { return _mm256_movemask_ps(a.lanes) != 0; }
     };
     __m256 v;
 
@@ -215,6 +216,8 @@ struct Floats {
     LANE Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
     LANE Mask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
     LANE Mask operator>(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask operator<=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
+    LANE Mask operator>=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)}; }
 
     CLIPPING_INLINE static Ends<Floats> load(const BasicSegment<float>* s)
     {

@@ -24,6 +24,7 @@ struct Mask16 {
     LANE Mask16 operator&(Mask16 a, Mask16 b) { return {_kand_mask16(a.lanes, b.lanes)}; }
     LANE Mask16 operator|(Mask16 a, Mask16 b) { return {_kor_mask16(a.lanes, b.lanes)}; }
     LANE Mask16 operator~(Mask16 a) { return {_knot_mask16(a.lanes)}; }
+    LANE bool any(Mask16 a) { return !_kortestz_mask16_u8(a.lanes, a.lanes); }
 };
 
 /// Eight doubles.
@@ -215,6 +216,8 @@ struct Floats {
     LANE Floats max(Floats a, Floats b) { return {_mm512_maskz_max_ps(0xffff, a.v, b.v)}; }
     LANE Mask operator<(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
     LANE Mask operator>(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask operator<=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
+    LANE Mask operator>=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GE_OQ)}; }
 
     CLIPPING_INLINE static Ends<Floats> load(const BasicSegment<float>* s)
     {

@@ -37,7 +37,12 @@ struct Numbers {
                 result |= static_cast<unsigned>(a.lanes[lane] & 1) << lane;
             return result;
         }
-        LANE bool any(Mask a) { return bits(a) != 0; }
+        LANE bool any(Mask a)
+        {
+            std::uint64_t halves[2];
+            __builtin_memcpy(halves, &a.lanes, sizeof halves);
+            return (halves[0] | halves[1]) != 0;
+        }
     };
 
     Vector v;
@@ -58,8 +63,8 @@ struct Numbers {
     LANE Numbers fnma(Numbers a, Numbers b, Numbers c) { return c - a * b; }
     LANE Numbers abs(Numbers a) { return ofLanes(a.asBits() & ~of(T(-0.0)).asBits()); }
     LANE Numbers signOf(Numbers a) { return ofLanes(a.asBits() & of(T(-0.0)).asBits()); }
-    LANE Numbers min(Numbers a, Numbers b) { return select(a < b, a, b); }
-    LANE Numbers max(Numbers a, Numbers b) { return select(a > b, a, b); }
+    LANE Numbers min(Numbers a, Numbers b) { return {a.v < b.v ? a.v : b.v}; }
+    LANE Numbers max(Numbers a, Numbers b) { return {a.v > b.v ? a.v : b.v}; }
     LANE Mask operator<(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v < b.v)}; }
     LANE Mask operator>(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v > b.v)}; }
     LANE Mask operator<=(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v <= b.v)}; }

@@ -32,16 +32,18 @@ constexpr double parameterBound = 0x1p-48;
 ///   rest / Dh, |rest| at most 7e |ph|      off by 28 e^2 |q|     (Dh for D, quotient)
 /// together less than 54 e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds
 /// e^2 |s| + 8 e^2 |q| where t is rounded, and the same again where the error is added to t. All
-/// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is 128 e^2 (|q| + |s|). Rounding is monotone,
-/// so the truth rounds to what s + (t - bound) and s + (t + bound) both round to.
+/// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is quotientBound |q| + sumBound |s|, 128 e^2
+/// of each. Rounding is monotone, so the truth rounds to what s + (t - bound) and s + (t + bound)
+/// both round to.
+constexpr double quotientBound = 0x1p-99;
 template <class T>
-inline constexpr double crossingBound = 0x1p-99;
+inline constexpr double sumBound = 0x1p-99;
 
 /// For float that sum is rounded to double before it is rounded to float. The bound is larger by
-/// two roundings to double, so that the truth stays between the two after the first rounding.
-/// (t is at most 8e (|q| + |s|), so |s| stands for the sum.)
+/// two roundings to double, so that the truth stays between the two after the first rounding: 2e of
+/// the sum, which is |s| and at most 8e (|q| + |s|) more; that is below 2.1 e |s| + 16 e^2 |q|.
 template <>
-inline constexpr double crossingBound<float> = 0x1p-51;
+inline constexpr double sumBound<float> = 0x1p-51;
 
 /// Floats leave so much room in double that mostly no pairs are needed: Mh Uh / Dh is off by less
 /// than 7e of itself (three differences, product, quotient, squares), ay + q by e more, and the

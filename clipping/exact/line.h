@@ -82,7 +82,7 @@ N crossing(N ax, N ay, N bx, N by, N x)
     const N rest = (((p.high - back.high) - back.low) + low) - q * d.low;
     const auto s = twoDifference(ay, -q);
     const N t = s.low + rest / d.high;
-    const N error = N(crossingBound<T>) * (magnitude(q) + magnitude(s.high));
+    const N error = N(quotientBound) * magnitude(q) + N(sumBound<T>) * magnitude(s.high);
     const auto below = static_cast<T>(plain(s.high + (t - error)));
     const auto above = static_cast<T>(plain(s.high + (t + error)));
     const double product = plain(magnitude(p.high)), quotient = plain(magnitude(q));

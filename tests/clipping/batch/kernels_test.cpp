@@ -120,6 +120,24 @@ void compareSets()
     }
 }
 
+/// Blocks that lie wholly inside but for one number that is none.
+template <class T>
+void spoilOneNumber()
+{
+    auto scene = paperScene<T>(1536);
+    scene.window = {{-960, -720}, {960, 720}};
+    for (const std::size_t at : {0, 700, 1535})
+        for (const T bad : {T(NAN), T(INFINITY), -T(INFINITY)})
+            for (int number = 0; number < 4; ++number) {
+                auto some = scene;
+                auto& [a, b] = some.segments[at];
+                (number < 2 ? a : b)[number % 2] = bad;
+                for (const InstructionSet& set : instructionSets())
+                    if (set.available)
+                        QVERIFY(sameSegments(clipped(set, some, 0, 1536), oneByOne(some)));
+            }
+}
+
 template <class T>
 void comparePartsOfTheWhole()
 {
@@ -152,6 +170,8 @@ private slots:
 
     void givesTheSameBitsInAllInstructions() { compareSets<double>(); }
     void givesTheSameBitsInAllInstructionsInFloat() { compareSets<float>(); }
+    void findsOneNumberThatIsNone() { spoilOneNumber<double>(); }
+    void findsOneNumberThatIsNoneInFloat() { spoilOneNumber<float>(); }
     void clipsAnyPartAndWritesNoFurther() { comparePartsOfTheWhole<double>(); }
     void clipsAnyPartAndWritesNoFurtherInFloat() { comparePartsOfTheWhole<float>(); }
 
@@ -164,6 +184,19 @@ private slots:
                 const auto result = set.clip(
                     {scene.segments.data(), 0, scene.segments.size(), scene.window, out.data()});
                 QVERIFY(result.pieces > 10000 && result.unsettled <= 10); // 0.01 %
+            }
+    }
+
+    void settlesLongFloatsInVectors()
+    {
+        std::vector<BasicClipped<BasicSegment<float>>> out(20011);
+        const auto scene = hardScenes<float>(out.size())[5]; // up to 2^40 long
+        QCOMPARE(scene.name, std::string("long lines"));
+        for (const InstructionSet& set : instructionSets())
+            if (set.available) {
+                const auto result = set.clipSingle(
+                    {scene.segments.data(), 0, out.size(), scene.window, out.data()});
+                QVERIFY2(result.unsettled <= 20, set.name.data()); // 0.1 %
             }
     }
 
