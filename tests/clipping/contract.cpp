@@ -5,65 +5,99 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 
-using clipping::Segment;
-using clipping::Window;
+using clipping::BasicSegment;
+using clipping::BasicWindow;
 
 namespace {
 
-oracle::Line line(const Segment& s) { return {{s.a.x, s.a.y}, {s.b.x, s.b.y}}; }
-oracle::Box box(const Window& w) { return {{w.min.x, w.min.y}, {w.max.x, w.max.y}}; }
+oracle::Point point(const glm::dvec2& p) { return {p.x, p.y}; }
+oracle::Point3 point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+glm::dvec2 point(const oracle::Point& p) { return {p.x, p.y}; }
+glm::dvec3 point(const oracle::Point3& p) { return {p.x, p.y, p.z}; }
 
-std::string text(const Segment& s)
+template <glm::length_t N>
+auto line(const BasicSegment<double, N>& s)
 {
-    char buffer[200];
-    std::snprintf(buffer, sizeof buffer, "Segment{{%a, %a}, {%a, %a}}", s.a.x, s.a.y, s.b.x, s.b.y);
-    return buffer;
+    return oracle::BasicLine{point(s.a), point(s.b)};
+}
+template <glm::length_t N>
+auto box(const BasicWindow<double, N>& w)
+{
+    return oracle::BasicBox{point(w.min), point(w.max)};
 }
 
-bool within(const glm::dvec2& p, const Window& w) // false for a number that is none
+template <glm::length_t N>
+std::string text(const glm::vec<N, double>& p, const glm::vec<N, double>& q)
 {
-    return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
+    std::string all;
+    for (const auto* r : {&p, &q})
+        for (glm::length_t k = 0; k < N; ++k) {
+            char buffer[40];
+            std::snprintf(buffer, sizeof buffer, "%s%a", k == 0 ? "" : ", ", (*r)[k]);
+            all += (k == 0 ? r == &p ? "{{" : "}, {" : "") + std::string(buffer);
+        }
+    return all + "}}";
+}
+template <glm::length_t N>
+std::string text(const BasicSegment<double, N>& s)
+{
+    return "Segment" + text(s.a, s.b);
 }
 
-bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
+template <glm::length_t N>
+bool within(const glm::vec<N, double>& p, const BasicWindow<double, N>& w)
+{
+    for (glm::length_t k = 0; k < N; ++k)
+        if (!(p[k] >= w.min[k] && p[k] <= w.max[k])) // also a number that is none
+            return false;
+    return true;
+}
+
+template <glm::length_t N>
+bool sameBits(const glm::vec<N, double>& p, const glm::vec<N, double>& q)
 {
     return std::memcmp(&p, &q, sizeof p) == 0;
 }
 
 } // namespace
 
-bool sameBits(const Segment& s, const Segment& t) { return std::memcmp(&s, &t, sizeof s) == 0; }
-
-std::string exactly(const Input& input)
+template <glm::length_t N>
+bool sameBits(const BasicSegment<double, N>& s, const BasicSegment<double, N>& t)
 {
-    const Window& w = input.window;
-    char buffer[200];
-    std::snprintf(buffer, sizeof buffer, ", Window{{%a, %a}, {%a, %a}}", w.min.x, w.min.y, w.max.x,
-                  w.max.y);
-    return text(input.segment) + buffer;
+    return std::memcmp(&s, &t, sizeof s) == 0;
 }
 
-std::optional<oracle::Part> truthOf(const Input& input)
+template <glm::length_t N>
+std::string exactly(const BasicInput<N>& input)
+{
+    return text(input.segment) + ", Window" + text(input.window.min, input.window.max);
+}
+
+template <glm::length_t N>
+Truth<N> truthOf(const BasicInput<N>& input)
 {
     return oracle::inside(line(input.segment), box(input.window));
 }
 
-double ulpsOff(const std::optional<Segment>& result, const Input& input,
-               const std::optional<oracle::Part>& truth)
+template <glm::length_t N>
+double ulpsOff(const std::optional<BasicSegment<double, N>>& result, const BasicInput<N>& input,
+               const Truth<N>& truth)
 {
     if (!result || !truth)
         return 0;
     const long double ulp = oracle::ulp(line(input.segment), box(input.window));
-    const auto off = [&](double x, double y) { return std::abs((long double)x - y) / ulp; };
-    const auto& [a, b] = truth->line;
-    return double(std::max({off(result->a.x, a.x), off(result->a.y, a.y), off(result->b.x, b.x),
-                            off(result->b.y, b.y)}));
+    const BasicSegment<double, N> is{point(truth->line.a), point(truth->line.b)};
+    long double most = 0;
+    for (const auto end : {&BasicSegment<double, N>::a, &BasicSegment<double, N>::b})
+        for (glm::length_t k = 0; k < N; ++k)
+            most = std::max(most, std::abs((long double)((*result).*end)[k] - (is.*end)[k]) / ulp);
+    return double(most);
 }
 
-std::string fault(const std::optional<Segment>& result, const Input& input,
-                  const std::optional<oracle::Part>& truth, double k)
+template <glm::length_t N>
+std::string fault(const std::optional<BasicSegment<double, N>>& result, const BasicInput<N>& input,
+                  const Truth<N>& truth, double k)
 {
     const auto& [s, w] = input;
     const auto ulps = static_cast<int>(k);
@@ -83,3 +117,14 @@ std::string fault(const std::optional<Segment>& result, const Input& input,
                + " ulps: " + text(*result);
     return {};
 }
+
+#define FOR_DIMENSIONS(N)                                                                          \
+    template bool sameBits(const BasicSegment<double, N>&, const BasicSegment<double, N>&);        \
+    template std::string exactly(const BasicInput<N>&);                                            \
+    template Truth<N> truthOf(const BasicInput<N>&);                                               \
+    template double ulpsOff(const std::optional<BasicSegment<double, N>>&, const BasicInput<N>&,   \
+                            const Truth<N>&);                                                      \
+    template std::string fault(const std::optional<BasicSegment<double, N>>&,                      \
+                               const BasicInput<N>&, const Truth<N>&, double)
+FOR_DIMENSIONS(2);
+FOR_DIMENSIONS(3);

@@ -4,23 +4,36 @@
 #include "clipping/algorithm.h"
 
 #include <string>
+#include <type_traits>
 
 #include "tests/clipping/inputs.h"
 #include "tests/clipping/oracle.h"
 
+/// All of these for two and for three dimensions.
+template <glm::length_t N>
+using Truth =
+    std::optional<oracle::BasicPart<std::conditional_t<N == 2, oracle::Point, oracle::Point3>>>;
+
 /// The input in C++ source and hexadecimal floating point, exactly.
-std::string exactly(const Input& input);
+template <glm::length_t N>
+std::string exactly(const BasicInput<N>& input);
+inline std::string exactly(const Input& input) { return exactly<2>(input); }
 
 /// The truth about an input that is finite and whose window is in order.
-std::optional<oracle::Part> truthOf(const Input& input);
+template <glm::length_t N>
+Truth<N> truthOf(const BasicInput<N>& input);
 
 /// How a result breaks the contract of clipping/algorithm.h with this k; empty if it keeps it.
-std::string fault(const std::optional<clipping::Segment>& result, const Input& input,
-                  const std::optional<oracle::Part>& truth, double k);
+template <glm::length_t N>
+std::string fault(const std::optional<clipping::BasicSegment<double, N>>& result,
+                  const BasicInput<N>& input, const Truth<N>& truth, double k);
 
 /// Whether two numbers are the same bits.
-bool sameBits(const clipping::Segment& s, const clipping::Segment& t);
+template <glm::length_t N>
+bool sameBits(const clipping::BasicSegment<double, N>& s,
+              const clipping::BasicSegment<double, N>& t);
 
 /// How far a result is off the truth, in ulps of the largest |coordinate|; 0 unless both are seen.
-double ulpsOff(const std::optional<clipping::Segment>& result, const Input& input,
-               const std::optional<oracle::Part>& truth);
+template <glm::length_t N>
+double ulpsOff(const std::optional<clipping::BasicSegment<double, N>>& result,
+               const BasicInput<N>& input, const Truth<N>& truth);

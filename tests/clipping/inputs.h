@@ -8,15 +8,18 @@
 
 /// What the algorithms are tried on: families of segments with their windows, the same at every
 /// run.
-struct Input {
-    clipping::Segment segment;
-    clipping::Window window;
+template <glm::length_t N>
+struct BasicInput {
+    clipping::BasicSegment<double, N> segment;
+    clipping::BasicWindow<double, N> window;
 };
-
-struct Family {
+template <glm::length_t N>
+struct BasicFamily {
     const char* name;
-    std::vector<Input> (*inputs)();
+    std::vector<BasicInput<N>> (*inputs)();
 };
+using Input = BasicInput<2>;
+using Family = BasicFamily<2>;
 
 std::span<const Family> families();
 

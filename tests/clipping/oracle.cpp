@@ -30,24 +30,65 @@ struct Ratio {
     }
 };
 
-/// The eight numbers in units of 2^exponent.
+template <int n>
+using Coordinates = std::array<double, n>;
+
+Coordinates<2> coordinates(const Point& p) { return {p.x, p.y}; }
+Coordinates<3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+Point point(const Coordinates<2>& c) { return {c[0], c[1]}; }
+Point3 point(const Coordinates<3>& c) { return {c[0], c[1], c[2]}; }
+
+/// A line and a box.
+template <int n>
+struct Given {
+    Coordinates<n> a, b, min, max;
+
+    double ulp() const
+    {
+        double largest = 0;
+        for (const auto* p : {&a, &b, &min, &max})
+            for (const double x : *p)
+                largest = std::max(largest, std::abs(x));
+        return std::ldexp(1.0, lastPlace(largest));
+    }
+    bool isBeyondASide() const
+    {
+        for (int k = 0; k < n; ++k)
+            if ((a[k] < min[k] && b[k] < min[k]) || (a[k] > max[k] && b[k] > max[k]))
+                return true;
+        return false;
+    }
+};
+Given<2> given(const Line& l, const Box& b)
+{
+    return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
+}
+Given<3> given(const Line3& l, const Box3& b)
+{
+    return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
+}
+
+/// Its numbers in units of 2^exponent.
+template <int n>
 struct Whole {
     int exponent;
-    Int a[2], d[2], low[2], high[2];
+    Int a[n], d[n], low[n], high[n];
 
-    Whole(const Line& l, const Box& b, int ulps)
+    Whole(const Given<n>& all, int ulps)
     {
-        const std::array all{l.a.x, l.a.y, l.b.x, l.b.y, b.min.x, b.min.y, b.max.x, b.max.y};
-        const int unit = std::ilogb(ulp(l, b));
+        const int unit = std::ilogb(all.ulp());
         exponent = unit;
-        for (const double x : all)
-            if (x != 0)
-                exponent = std::min(exponent, lastPlace(x));
-        a[0] = whole(l.a.x), a[1] = whole(l.a.y);
-        d[0] = whole(l.b.x) - a[0], d[1] = whole(l.b.y) - a[1];
+        for (const auto* p : {&all.a, &all.b, &all.min, &all.max})
+            for (const double x : *p)
+                if (x != 0)
+                    exponent = std::min(exponent, lastPlace(x));
         const Int margin = (Int(std::abs(ulps)) << unsigned(unit - exponent)) * (ulps < 0 ? -1 : 1);
-        low[0] = whole(b.min.x) - margin, low[1] = whole(b.min.y) - margin;
-        high[0] = whole(b.max.x) + margin, high[1] = whole(b.max.y) + margin;
+        for (int k = 0; k < n; ++k) {
+            a[k] = whole(all.a[k]);
+            d[k] = whole(all.b[k]) - a[k];
+            low[k] = whole(all.min[k]) - margin;
+            high[k] = whole(all.max[k]) + margin;
+        }
     }
 
     Int whole(double x) const
@@ -65,7 +106,7 @@ struct Whole {
     std::optional<Interval> interval() const
     {
         Interval found{{0, 1}, {1, 1}};
-        for (int k = 0; k < 2; ++k) {
+        for (int k = 0; k < n; ++k) {
             if (low[k] > high[k])
                 return std::nullopt;
             if (d[k] == 0) {
@@ -107,35 +148,48 @@ struct Whole {
         const auto bits = static_cast<long double>(static_cast<unsigned long long>(quotient));
         return static_cast<double>(std::ldexp(negative ? -bits : bits, exponent + 1 - shift));
     }
-    Point at(const Ratio& t) const { return {at(t, 0), at(t, 1)}; }
+    Coordinates<n> at(const Ratio& t) const
+    {
+        Coordinates<n> point;
+        for (int k = 0; k < n; ++k)
+            point[k] = at(t, k);
+        return point;
+    }
 };
 
-} // namespace
-
-double ulp(const Line& l, const Box& b)
+template <class P>
+std::optional<BasicPart<P>> insideOf(const BasicLine<P>& l, const BasicBox<P>& box)
 {
-    const double largest =
-        std::max({std::abs(l.a.x), std::abs(l.a.y), std::abs(l.b.x), std::abs(l.b.y),
-                  std::abs(b.min.x), std::abs(b.min.y), std::abs(b.max.x), std::abs(b.max.y)});
-    return std::ldexp(1.0, lastPlace(largest));
-}
-
-std::optional<Part> inside(const Line& l, const Box& b)
-{
-    if ((l.a.x < b.min.x && l.b.x < b.min.x) || (l.a.x > b.max.x && l.b.x > b.max.x)
-        || (l.a.y < b.min.y && l.b.y < b.min.y) || (l.a.y > b.max.y && l.b.y > b.max.y))
+    const auto all = given(l, box);
+    if (all.isBeyondASide())
         return std::nullopt;
-    const Whole whole(l, b, 0);
+    const Whole whole(all, 0);
     const auto found = whole.interval();
     if (!found)
         return std::nullopt;
     const bool newA = found->from.over != 0, newB = found->to.over != found->to.under;
-    return Part{{newA ? whole.at(found->from) : l.a, newB ? whole.at(found->to) : l.b}, newA, newB};
+    return BasicPart<P>{
+        {newA ? point(whole.at(found->from)) : l.a, newB ? point(whole.at(found->to)) : l.b},
+        newA,
+        newB,
+        !(found->from < found->to) || all.a == all.b};
 }
+
+} // namespace
+
+double ulp(const Line& l, const Box& b) { return given(l, b).ulp(); }
+double ulp(const Line3& l, const Box3& b) { return given(l, b).ulp(); }
+
+std::optional<Part> inside(const Line& l, const Box& b) { return insideOf(l, b); }
+std::optional<Part3> inside(const Line3& l, const Box3& b) { return insideOf(l, b); }
 
 bool meets(const Line& l, const Box& b, int ulps)
 {
-    return Whole(l, b, ulps).interval().has_value();
+    return Whole(given(l, b), ulps).interval().has_value();
+}
+bool meets(const Line3& l, const Box3& b, int ulps)
+{
+    return Whole(given(l, b), ulps).interval().has_value();
 }
 
 } // namespace oracle

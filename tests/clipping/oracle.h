@@ -11,28 +11,43 @@ namespace oracle {
 struct Point {
     double x, y;
 };
-struct Line {
-    Point a, b;
+struct Point3 {
+    double x, y, z;
 };
-struct Box {
-    Point min, max;
+template <class P>
+struct BasicLine {
+    P a, b;
 };
-
+template <class P>
+struct BasicBox {
+    P min, max;
+};
 /// The part of a line inside a closed box. Each end is the true one, rounded; an end that is an end
 /// of the line comes as it is.
-struct Part {
-    Line line;
+template <class P>
+struct BasicPart {
+    BasicLine<P> line;
     bool newA, newB;
+    bool contact = false; ///< the ends are truly one point
 };
+using Line = BasicLine<Point>;
+using Box = BasicBox<Point>;
+using Part = BasicPart<Point>;
+using Line3 = BasicLine<Point3>;
+using Box3 = BasicBox<Point3>;
+using Part3 = BasicPart<Point3>;
 
 /// Nothing if line and box have no common point. All numbers are finite.
 std::optional<Part> inside(const Line& line, const Box& box);
+std::optional<Part3> inside(const Line3& line, const Box3& box);
 
 /// Whether they have one after every side of the box has moved out by `ulps` of the largest
 /// |coordinate| (in, if negative; a box that is turned inside out has none).
 bool meets(const Line& line, const Box& box, int ulps);
+bool meets(const Line3& line, const Box3& box, int ulps);
 
 /// One unit in the last place of the largest |coordinate|.
 double ulp(const Line& line, const Box& box);
+double ulp(const Line3& line, const Box3& box);
 
 } // namespace oracle
