@@ -36,7 +36,7 @@ struct Uses {
     OperationCounts (*count)(std::span<const S> in, const W& window);
 
     /// How one segment is clipped, step by step.
-    Trace (*trace)(const S& segment, const W& window);
+    BasicTrace<decltype(S::a)::length()> (*trace)(const S& segment, const W& window);
 };
 
 /// k of the contract against convex polygons, for every row that has them (README.md, "Polygons").
@@ -58,6 +58,10 @@ struct Uses {
 /// Polygons are looked at once a call (O(corners), the only allocation), so prefer clipAll.
 inline constexpr double polygonUlps = 32;
 
+/// k of the contract for the forms in three dimensions, of every row that has one (README.md,
+/// "Boxes").
+inline constexpr double boxUlps = 48;
+
 /// The two forms of an algorithm: with its published defects mended, and as its authors printed it.
 enum class Form : std::uint8_t { Corrected, Published };
 
@@ -74,7 +78,7 @@ struct Algorithm {
     const Uses<BasicSegment<float>, BasicWindow<float>>* single;
     const Uses<Segment, ConvexPolygon>* polygon;         ///< a window that is a convex polygon
     const Uses<Segment, ConvexPolygon>* searchedPolygon; ///< the same bits, in O(log corners)
-    const Uses<BasicSegment<double, 3>, BasicWindow<double, 3>>* box;
+    const Uses<Segment3, Window3>* box; ///< in three dimensions; keeps the contract with `boxUlps`
 };
 
 /// What a row does in one form; null if there is no such form.

@@ -6,18 +6,19 @@
 
 namespace clipping {
 
-/// The point of a segment at t (0 at a, 1 at b), where it meets `edge`; (dx, dy) is b - a.
-/// Corrected: one coordinate is the edge's own, the other is held inside the window.
-template <Form form, class T>
-constexpr glm::vec<2, T> along(const BasicSegment<T>& s, T dx, T dy, T t, Edge edge,
-                               const BasicWindow<T>& w)
+/// The point of a segment at t (0 at a, 1 at b), where it meets `edge`; d is b - a.
+/// Corrected: one coordinate is the edge's own, the others are held inside the window.
+template <Form form, class T, glm::length_t N>
+constexpr glm::vec<N, T> along(const BasicSegment<T, N>& s, const glm::vec<N, T>& d, T t, Edge edge,
+                               const BasicWindow<T, N>& w)
 {
-    if constexpr (form == Form::Published)
-        return {s.a.x + t * dx, s.a.y + t * dy};
-    else if (edge == Edge::Left || edge == Edge::Right)
-        return clampedAlong(edge, {edge == Edge::Left ? w.min.x : w.max.x, s.a.y + t * dy}, w);
+    glm::vec<N, T> p = s.a;
+    for (glm::length_t k = 0; k < N; ++k)
+        p[k] = form == Form::Corrected && k == axisOf(edge) ? levelOf(edge, w) : p[k] + t * d[k];
+    if constexpr (form == Form::Corrected)
+        return clampedAlong(edge, p, w);
     else
-        return clampedAlong(edge, {s.a.x + t * dx, edge == Edge::Bottom ? w.min.y : w.max.y}, w);
+        return p;
 }
 
 } // namespace clipping

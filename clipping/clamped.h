@@ -13,21 +13,23 @@ constexpr T clamped(T v, T low, T high)
 }
 
 /// The point of the window that is nearest to p: p itself, bit for bit, if it is inside.
-template <class T>
-constexpr glm::vec<2, T> clamped(const glm::vec<2, T>& p, const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr glm::vec<N, T> clamped(glm::vec<N, T> p, const BasicWindow<T, N>& w)
 {
-    return {clamped(p.x, w.min.x, w.max.x), clamped(p.y, w.min.y, w.max.y)};
+    for (glm::length_t k = 0; k < N; ++k)
+        p[k] = clamped(p[k], w.min[k], w.max[k]);
+    return p;
 }
 
 /// The same for a p that has the coordinate of `edge`, which needs no comparison; with Edge::None
 /// p itself.
-template <class T>
-constexpr glm::vec<2, T> clampedAlong(Edge edge, const glm::vec<2, T>& p, const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr glm::vec<N, T> clampedAlong(Edge edge, glm::vec<N, T> p, const BasicWindow<T, N>& w)
 {
-    if (edge == Edge::Left || edge == Edge::Right)
-        return {p.x, clamped(p.y, w.min.y, w.max.y)};
-    if (edge == Edge::Bottom || edge == Edge::Top)
-        return {clamped(p.x, w.min.x, w.max.x), p.y};
+    if (edge != Edge::None)
+        for (glm::length_t k = 0; k < N; ++k)
+            if (k != axisOf(edge))
+                p[k] = clamped(p[k], w.min[k], w.max[k]);
     return p;
 }
 

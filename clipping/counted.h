@@ -72,26 +72,42 @@ constexpr double plain(Counted<T> x)
 }
 constexpr double plain(unsigned x) { return x; }
 
-template <class T>
-constexpr BasicSegment<Counted<T>> counted(const BasicSegment<T>& s)
+template <class T, glm::length_t N>
+constexpr glm::vec<N, Counted<T>> counted(const glm::vec<N, T>& p)
 {
-    return {{Counted(s.a.x), Counted(s.a.y)}, {Counted(s.b.x), Counted(s.b.y)}};
+    glm::vec<N, Counted<T>> q;
+    for (glm::length_t k = 0; k < N; ++k)
+        q[k] = Counted(p[k]);
+    return q;
 }
-template <class T>
-constexpr BasicWindow<Counted<T>> counted(const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr BasicSegment<Counted<T>, N> counted(const BasicSegment<T, N>& s)
 {
-    return {{Counted(w.min.x), Counted(w.min.y)}, {Counted(w.max.x), Counted(w.max.y)}};
+    return {counted(s.a), counted(s.b)};
 }
-template <class T>
-constexpr BasicSegment<T> plain(const BasicSegment<Counted<T>>& s)
+template <class T, glm::length_t N>
+constexpr BasicWindow<Counted<T>, N> counted(const BasicWindow<T, N>& w)
 {
-    return {{s.a.x.value(), s.a.y.value()}, {s.b.x.value(), s.b.y.value()}};
+    return {counted(w.min), counted(w.max)};
+}
+template <class T, glm::length_t N>
+constexpr glm::vec<N, T> values(const glm::vec<N, Counted<T>>& p)
+{
+    glm::vec<N, T> q;
+    for (glm::length_t k = 0; k < N; ++k)
+        q[k] = p[k].value();
+    return q;
+}
+template <class T, glm::length_t N>
+constexpr BasicSegment<T, N> plain(const BasicSegment<Counted<T>, N>& s)
+{
+    return {values(s.a), values(s.b)};
 }
 /// Every float is a double.
-template <class T>
-constexpr Segment inDouble(const BasicSegment<T>& s)
+template <class T, glm::length_t N>
+constexpr BasicSegment<double, N> inDouble(const BasicSegment<T, N>& s)
 {
-    return {glm::dvec2(s.a), glm::dvec2(s.b)};
+    return {glm::vec<N, double>(s.a), glm::vec<N, double>(s.b)};
 }
 
 } // namespace clipping

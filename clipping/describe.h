@@ -22,27 +22,26 @@ struct About {
 };
 
 /// Whether the contract promises anything for this input: all finite, and min <= max.
-template <class T>
-constexpr bool withinContract(const BasicSegment<T>& s, const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {
     return legal(s) && legal(w);
 }
 
 /// The edge of the window on which a new end lies.
-template <class T>
-constexpr Edge edgeAt(const glm::vec<2, T>& p, const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
 {
-    return p.x == w.min.x   ? Edge::Left
-           : p.x == w.max.x ? Edge::Right
-           : p.y == w.min.y ? Edge::Bottom
-           : p.y == w.max.y ? Edge::Top
-                            : Edge::None;
+    for (glm::length_t k = 0; k < N; ++k)
+        if (p[k] == w.min[k] || p[k] == w.max[k])
+            return p[k] == w.min[k] ? lowerEdge(k) : upperEdge(k);
+    return Edge::None;
 }
 
 /// Which ends of `piece` are not those of `whole`, and on which edges they lie.
-template <class T>
-constexpr std::uint32_t cutOf(const BasicSegment<T>& whole, const BasicSegment<T>& piece,
-                              const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegment<T, N>& piece,
+                              const BasicWindow<T, N>& w)
 {
     return cutAt(piece.a == whole.a ? Edge::None : edgeAt(piece.a, w),
                  piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
@@ -57,34 +56,38 @@ constexpr bool framed()
 }
 
 /// What an algorithm is given for a segment and a window, and the frame if that is not they.
-template <class T>
+template <class T, glm::length_t N>
 struct Given {
-    BasicSegment<T> segment;
-    BasicWindow<T> window;
-    std::optional<Frame> frame;
+    BasicSegment<T, N> segment;
+    BasicWindow<T, N> window;
+    std::optional<Frame<N>> frame;
 };
-template <class Method, Form form, class T>
-std::optional<Given<T>> givenFor(const BasicSegment<T>& s, const BasicWindow<T>& w)
+template <class Method, Form form, class T, glm::length_t N>
+std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {
     if (form == Form::Corrected && !withinContract(s, w))
         return std::nullopt;
     if constexpr (framed<Method, form, T>())
-        if (const Frame frame(s); !ordinary(s) || !ordinary(w))
-            return Given<T>{frame.into(s), frame.into(w), frame};
-    return Given<T>{s, w, std::nullopt};
+        if (const Frame<N> frame(s); !ordinary(s) || !ordinary(w))
+            return Given<T, N>{frame.into(s), frame.into(w), frame};
+    return Given<T, N>{s, w, std::nullopt};
 }
 
 /// Whether a segment meets a window in one point at most: it runs across one that has no height, or
-/// no width.
-constexpr bool meetsInAPoint(const Segment& s, const Window& w)
+/// no width, or no depth.
+template <glm::length_t N>
+constexpr bool meetsInAPoint(const BasicSegment<double, N>& s, const BasicWindow<double, N>& w)
 {
-    return (w.min.x == w.max.x && s.a.x != s.b.x) || (w.min.y == w.max.y && s.a.y != s.b.y);
+    for (glm::length_t k = 0; k < N; ++k)
+        if (w.min[k] == w.max[k] && s.a[k] != s.b[k])
+            return true;
+    return false;
 }
 
 /// What an algorithm found for what it was given, as the answer about `segment` and `window`.
-template <class Method, Form form, class T>
-BasicSegment<T> answer(BasicSegment<T> found, const Given<T>& given, const BasicSegment<T>& segment,
-                       const BasicWindow<T>& window)
+template <class Method, Form form, class T, glm::length_t N>
+BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
+                          const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
 {
     if constexpr (framed<Method, form, T>()) {
         if (given.frame)
@@ -96,9 +99,9 @@ BasicSegment<T> answer(BasicSegment<T> found, const Given<T>& given, const Basic
     return found;
 }
 
-template <class Method, Form form, class T>
-[[gnu::noinline]] std::optional<BasicSegment<T>> clipGiven(const BasicSegment<T>& segment,
-                                                           const BasicWindow<T>& window)
+template <class Method, Form form, class T, glm::length_t N>
+[[gnu::noinline]] std::optional<BasicSegment<T, N>> clipGiven(const BasicSegment<T, N>& segment,
+                                                              const BasicWindow<T, N>& window)
 {
     const auto given = givenFor<Method, form>(segment, window);
     if (!given)
@@ -110,12 +113,12 @@ template <class Method, Form form, class T>
 }
 
 /// One form of an algorithm at one window: what is asked of the window is asked once.
-template <class Method, Form form, class T>
+template <class Method, Form form, class T, glm::length_t N>
 class At {
 public:
-    explicit At(const BasicWindow<T>& window) : window_(window), easy_(easy(window)) {}
+    explicit At(const BasicWindow<T, N>& window) : window_(window), easy_(easy(window)) {}
 
-    std::optional<BasicSegment<T>> clip(const BasicSegment<T>& segment) const
+    std::optional<BasicSegment<T, N>> clip(const BasicSegment<T, N>& segment) const
     {
         if (easy_ && easy(segment)) [[likely]]
             return Method::template clip<form>(segment, window_, Unwatched{});
@@ -123,38 +126,46 @@ public:
     }
 
 private:
-    static bool easy(const BasicWindow<T>& w)
+    static bool hasExtent(const BasicWindow<T, N>& w)
+    {
+        for (glm::length_t k = 0; k < N; ++k)
+            if (!(w.min[k] < w.max[k]))
+                return false;
+        return true;
+    }
+    static bool easy(const BasicWindow<T, N>& w)
     {
         if constexpr (framed<Method, form, T>())
-            return ordinary(w) && w.min.x < w.max.x && w.min.y < w.max.y;
+            return ordinary(w) && hasExtent(w);
         else
             return form == Form::Published;
     }
-    static bool easy(const BasicSegment<T>& s)
+    static bool easy(const BasicSegment<T, N>& s)
     {
         if constexpr (framed<Method, form, T>())
             return ordinary(s);
         else
             return form == Form::Published;
     }
-    const BasicWindow<T>& window_;
+    const BasicWindow<T, N>& window_;
     bool easy_;
 };
 
-template <class Method, Form form, class T>
-std::optional<BasicSegment<T>> clipOne(const BasicSegment<T>& segment, const BasicWindow<T>& window)
+template <class Method, Form form, class T, glm::length_t N>
+std::optional<BasicSegment<T, N>> clipOne(const BasicSegment<T, N>& segment,
+                                          const BasicWindow<T, N>& window)
 {
-    return At<Method, form, T>(window).clip(segment);
+    return At<Method, form, T, N>(window).clip(segment);
 }
 
-template <class Method, Form form, class T>
+template <class Method, Form form, class T, glm::length_t N>
 [[gnu::flatten]] // the loop must contain the algorithm, not call it
 std::size_t
-clipMany(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
-         std::span<BasicClipped<BasicSegment<T>>> out)
+clipMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window,
+         std::span<BasicClipped<BasicSegment<T, N>>> out)
 {
     assert(out.size() >= in.size());
-    const At<Method, form, T> at(window);
+    const At<Method, form, T, N> at(window);
     std::size_t visible = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
         if (const auto piece = at.clip(in[i]))
@@ -162,52 +173,52 @@ clipMany(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
     return visible;
 }
 
-template <class Method, Form form, class T>
-OperationCounts countMany(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window)
+template <class Method, Form form, class T, glm::length_t N>
+OperationCounts countMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window)
 {
     operations = {};
-    for (const BasicSegment<T>& segment : in)
+    for (const BasicSegment<T, N>& segment : in)
         if (const auto given = givenFor<Method, form>(segment, window))
             Method::template clip<form>(counted(given->segment), counted(given->window),
                                         Unwatched{});
     return operations;
 }
 
-template <class Method, Form form, class T>
-Trace traceOne(const BasicSegment<T>& segment, const BasicWindow<T>& window)
+template <class Method, Form form, class T, glm::length_t N>
+BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
 {
     const auto given = givenFor<Method, form>(segment, window);
     if (!given)
         return {};
     operations = {};
-    Recorder recorder;
+    BasicRecorder<N> recorder;
     const auto piece =
         Method::template clip<form>(counted(given->segment), counted(given->window), recorder);
-    Trace trace = recorder.take();
+    BasicTrace<N> trace = recorder.take();
     if (piece && trace.outcome != Outcome::DidNotEnd) {
         trace.outcome = Outcome::Visible;
         trace.visible = inDouble(answer<Method, form>(plain(*piece), *given, segment, window));
     }
     if (given->frame)
-        for (Step& step : trace.steps)
+        for (BasicStep<N>& step : trace.steps)
             step.segment = given->frame->outOf(step.segment);
     return trace;
 }
 
 /// A row may bring its own way to clip many: `Method::many<T>`.
-template <class Method, Form form, class T>
+template <class Method, Form form, class T, glm::length_t N>
 constexpr auto manyOf()
 {
     if constexpr (requires { Method::template many<T>; })
         return Method::template many<T>;
     else
-        return clipMany<Method, form, T>;
+        return clipMany<Method, form, T, N>;
 }
 
-template <class Method, Form form, class T = double>
-constexpr Uses<BasicSegment<T>, BasicWindow<T>> uses{
-    clipOne<Method, form, T>, manyOf<Method, form, T>(), countMany<Method, form, T>,
-    traceOne<Method, form, T>};
+template <class Method, Form form, class T = double, glm::length_t N = 2>
+constexpr Uses<BasicSegment<T, N>, BasicWindow<T, N>> uses{
+    clipOne<Method, form, T, N>, manyOf<Method, form, T, N>(), countMany<Method, form, T, N>,
+    traceOne<Method, form, T, N>};
 
 /// The published form; none where the row says `ours`.
 template <class Method>
@@ -247,6 +258,16 @@ constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
         return nullptr;
 }
 
+/// The form in three dimensions; none unless the row names one (box/).
+template <class Method>
+constexpr const Uses<Segment3, Window3>* boxUses()
+{
+    if constexpr (requires { Method::box; })
+        return Method::box;
+    else
+        return nullptr;
+}
+
 template <class Method>
 Algorithm describe()
 {
@@ -262,7 +283,7 @@ Algorithm describe()
             singleUses<Method>(),
             polygonOf<Method>(),
             searchedPolygonOf<Method>(),
-            nullptr};
+            boxUses<Method>()};
 }
 
 } // namespace clipping

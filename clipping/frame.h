@@ -17,35 +17,50 @@ namespace clipping {
 inline constexpr double ordinaryMost = 0x1p250, ordinaryLeast = 0x1p-250;
 
 /// Finite, and min <= max: what a corrected form is given.
-template <class T>
-constexpr bool legal(const BasicWindow<T>& w)
+template <class T, glm::length_t N>
+constexpr bool legal(const BasicWindow<T, N>& w)
 {
-    const T zero =
-        (w.min.x - w.min.x) + (w.min.y - w.min.y) + (w.max.x - w.max.x) + (w.max.y - w.max.y);
-    return zero == T(0) && w.min.x <= w.max.x && w.min.y <= w.max.y;
+    T zero(0);
+    bool ordered = true;
+    for (glm::length_t k = 0; k < N; ++k) {
+        zero += (w.min[k] - w.min[k]) + (w.max[k] - w.max[k]);
+        ordered = ordered && w.min[k] <= w.max[k];
+    }
+    return zero == T(0) && ordered;
 }
-template <class T>
-constexpr bool legal(const BasicSegment<T>& s)
+template <class T, glm::length_t N>
+constexpr bool legal(const BasicSegment<T, N>& s)
 {
-    return (s.a.x - s.a.x) + (s.a.y - s.a.y) + (s.b.x - s.b.x) + (s.b.y - s.b.y) == T(0);
+    T zero(0);
+    for (glm::length_t k = 0; k < N; ++k)
+        zero += (s.a[k] - s.a[k]) + (s.b[k] - s.b[k]);
+    return zero == T(0);
 }
 
-inline bool ordinary(const Window& w)
+template <glm::length_t N>
+bool ordinary(const BasicWindow<double, N>& w)
 {
-    return (std::abs(w.min.x) <= ordinaryMost) & (std::abs(w.min.y) <= ordinaryMost)
-           & (std::abs(w.max.x) <= ordinaryMost) & (std::abs(w.max.y) <= ordinaryMost);
+    bool all = true;
+    for (glm::length_t k = 0; k < N; ++k)
+        all = all & (std::abs(w.min[k]) <= ordinaryMost) & (std::abs(w.max[k]) <= ordinaryMost);
+    return all;
 }
-inline bool ordinary(const Segment& s)
+template <glm::length_t N>
+bool ordinary(const BasicSegment<double, N>& s)
 {
-    const double dx = std::abs(s.b.x - s.a.x), dy = std::abs(s.b.y - s.a.y);
-    return (std::abs(s.a.x) <= ordinaryMost) & (std::abs(s.a.y) <= ordinaryMost)
-           & (std::abs(s.b.x) <= ordinaryMost) & (std::abs(s.b.y) <= ordinaryMost)
-           & ((dx >= ordinaryLeast) | (dx == 0)) & ((dy >= ordinaryLeast) | (dy == 0));
+    bool all = true;
+    for (glm::length_t k = 0; k < N; ++k) {
+        const double extent = std::abs(s.b[k] - s.a[k]);
+        all = all & (std::abs(s.a[k]) <= ordinaryMost) & (std::abs(s.b[k]) <= ordinaryMost)
+              & ((extent >= ordinaryLeast) | (extent == 0));
+    }
+    return all;
 }
 
 /// One axis of a frame: it divides by 2^exponent, so that the segment extends by 1 to 2.
 class FrameAxis {
 public:
+    FrameAxis() = default;
     FrameAxis(double a, double b) : exponent_(exponentOf(a, b)) {}
 
     double into(double x) const
@@ -73,34 +88,52 @@ private:
         const double extent = b - a;
         return std::isfinite(extent) ? std::ilogb(extent) : 1024;
     }
-    int exponent_;
+    int exponent_ = 0;
 };
 
 /// A frame in which a segment, which may have any finite coordinates, is ordinary.
-struct Frame {
-    FrameAxis x, y;
-    explicit Frame(const Segment& s) : x(s.a.x, s.b.x), y(s.a.y, s.b.y) {}
+template <glm::length_t N>
+class Frame {
+public:
+    using Point = glm::vec<N, double>;
+    using Segment = BasicSegment<double, N>;
+    using Window = BasicWindow<double, N>;
 
-    glm::dvec2 into(const glm::dvec2& p) const { return {x.into(p.x), y.into(p.y)}; }
+    explicit Frame(const Segment& s)
+    {
+        for (glm::length_t k = 0; k < N; ++k)
+            axes_[k] = FrameAxis(s.a[k], s.b[k]);
+    }
+    Point into(Point p) const
+    {
+        for (glm::length_t k = 0; k < N; ++k)
+            p[k] = axes_[k].into(p[k]);
+        return p;
+    }
     Segment into(const Segment& s) const { return {into(s.a), into(s.b)}; }
     Window into(const Window& w) const { return {into(w.min), into(w.max)}; }
-
-    Segment outOf(const Segment& s) const
-    {
-        return {{x.outOf(s.a.x), y.outOf(s.a.y)}, {x.outOf(s.b.x), y.outOf(s.b.y)}};
-    }
+    Segment outOf(const Segment& s) const { return {outOf(s.a), outOf(s.b)}; }
     Segment back(const Segment& piece, const Segment& whole, const Window& w) const
     {
         return {back(piece.a, whole.a, w), back(piece.b, whole.b, w)};
     }
 
 private:
-    glm::dvec2 back(const glm::dvec2& p, const glm::dvec2& whole, const Window& w) const
+    Point outOf(Point p) const
+    {
+        for (glm::length_t k = 0; k < N; ++k)
+            p[k] = axes_[k].outOf(p[k]);
+        return p;
+    }
+    Point back(Point p, const Point& whole, const Window& w) const
     {
         if (p == into(whole))
             return clamped(whole, w);
-        return {x.back(p.x, whole.x, w.min.x, w.max.x), y.back(p.y, whole.y, w.min.y, w.max.y)};
+        for (glm::length_t k = 0; k < N; ++k)
+            p[k] = axes_[k].back(p[k], whole[k], w.min[k], w.max[k]);
+        return p;
     }
+    FrameAxis axes_[N];
 };
 
 } // namespace clipping

@@ -26,6 +26,8 @@ struct BasicWindow {
 
 using Segment = BasicSegment<double>;
 using Window = BasicWindow<double>;
+using Segment3 = BasicSegment<double, 3>;
+using Window3 = BasicWindow<double, 3>;
 
 /// A closed convex window: its corners, counter-clockwise where y points up. Edge i runs from
 /// corner i to the next, the last one to the first. A corner may be there twice, or lie between two
@@ -36,8 +38,20 @@ struct ConvexPolygon {
     std::vector<glm::dvec2> corners;
 };
 
-/// The edges of a window. Top is max.y, as in the paper.
+/// The edges of a window, and the sides of a box. Top is max.y, as in the paper; Near is min.z, Far
+/// max.z.
 enum class Edge : std::uint8_t { None, Left, Right, Bottom, Top, Near, Far };
+
+/// The edge at the lower and at the upper end of an axis.
+constexpr Edge lowerEdge(glm::length_t axis) { return static_cast<Edge>(1 + 2 * axis); }
+constexpr Edge upperEdge(glm::length_t axis) { return static_cast<Edge>(2 + 2 * axis); }
+/// The axis across an edge, and the coordinate that its points have on it. Not for Edge::None.
+constexpr glm::length_t axisOf(Edge edge) { return (static_cast<int>(edge) - 1) / 2; }
+template <class T, glm::length_t N>
+constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w)
+{
+    return (edge == lowerEdge(axisOf(edge)) ? w.min : w.max)[axisOf(edge)];
+}
 
 /// One visible piece of one input segment.
 template <class S>

@@ -7,16 +7,17 @@ namespace clipping {
 
 /// The sides of the window that a point lies strictly beyond: a sum of these bits, 0 inside.
 namespace outcode {
-inline constexpr unsigned left = 1, right = 2, bottom = 4, top = 8;
+inline constexpr unsigned left = 1, right = 2, bottom = 4, top = 8; // 16 and 32 on the third axis
 } // namespace outcode
 
-/// At most four comparisons: a point beyond one side of an axis is not asked about the other.
-template <class T>
-constexpr unsigned outcodeOf(const glm::vec<2, T>& p, const BasicWindow<T>& w)
+/// At most two comparisons an axis: a point beyond one side is not asked about the other.
+template <class T, glm::length_t N>
+constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
 {
-    const unsigned x = p.x < w.min.x ? outcode::left : p.x > w.max.x ? outcode::right : 0;
-    const unsigned y = p.y < w.min.y ? outcode::bottom : p.y > w.max.y ? outcode::top : 0;
-    return x | y;
+    unsigned code = 0;
+    for (glm::length_t k = 0; k < N; ++k)
+        code |= (p[k] < w.min[k] ? outcode::left : p[k] > w.max[k] ? outcode::right : 0) << 2 * k;
+    return code;
 }
 
 } // namespace clipping

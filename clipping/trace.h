@@ -16,23 +16,28 @@ struct NamedValue {
 };
 
 /// One moment in the run of an algorithm.
-struct Step {
+template <glm::length_t N>
+struct BasicStep {
     std::string_view what; ///< "outcodes", "reject", "cut", ...
-    int line;              ///< of the algorithm's pseudo-code (resources/algorithms/KEY.md), from 1
-    Segment segment;       ///< what is left
-    Edge edge;             ///< the edge it is about
+    int line; ///< of the algorithm's pseudo-code (resources/algorithms/KEY.md), from 1; 0 for what
+              ///< it does not have, as it is in the plane
+    BasicSegment<double, N> segment; ///< what is left
+    Edge edge;                       ///< the edge it is about
     std::vector<NamedValue> values;
     OperationCounts cost; ///< since the start
 };
+using Step = BasicStep<2>;
 
 enum class Outcome : std::uint8_t { Visible, Invisible, DidNotEnd };
 
 /// A whole run. `visible` is what the same form's `clip` returns, bit for bit, when Visible.
-struct Trace {
-    std::vector<Step> steps;
+template <glm::length_t N>
+struct BasicTrace {
+    std::vector<BasicStep<N>> steps;
     Outcome outcome = Outcome::Invisible;
-    Segment visible{};
+    BasicSegment<double, N> visible{};
 };
+using Trace = BasicTrace<2>;
 
 /// Watches nothing and costs nothing: what the fast path hands to an algorithm.
 struct Unwatched {
@@ -50,11 +55,13 @@ template <class T>
 Named(const char*, T) -> Named<T>;
 
 /// Writes every step down. An algorithm hands over what it has; it computes nothing to be watched.
-class Recorder {
+template <glm::length_t N>
+class BasicRecorder {
 public:
-    template <class N, class... T>
-    void operator()(std::string_view what, int line, const BasicSegment<Counted<N>>& segment,
-                    Edge edge, const Named<T>&... values)
+    template <class Number, class... T>
+    void operator()(std::string_view what, int line,
+                    const BasicSegment<Counted<Number>, N>& segment, Edge edge,
+                    const Named<T>&... values)
     {
         trace_.steps.push_back({what,
                                 line,
@@ -65,10 +72,11 @@ public:
     }
     void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }
     bool ended() const { return trace_.outcome != Outcome::DidNotEnd; }
-    Trace take() { return std::move(trace_); }
+    BasicTrace<N> take() { return std::move(trace_); }
 
 private:
-    Trace trace_;
+    BasicTrace<N> trace_;
 };
+using Recorder = BasicRecorder<2>;
 
 } // namespace clipping

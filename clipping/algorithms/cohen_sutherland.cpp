@@ -9,6 +9,7 @@
 // the most; each end is cut from where it was given, not from where rounding has left it; and its
 // new outcode compares the way it has moved with the way to each edge, both of them accurate.
 
+#include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/outcode.h"
@@ -25,6 +26,7 @@ struct CohenSutherland {
                 "another until its number tells.",
         .ulps = 24, // README.md, "How far off"
     };
+    static constexpr auto box = &cohenSutherlandBox;
     static constexpr int mostCuts = 64; // where the published form is given up
 
     /// The edge that an end with this outcode is cut at first, its bit, and its pseudo-code line.

@@ -10,6 +10,7 @@
 // its other coordinate is held inside the window.
 
 #include "clipping/along.h"
+#include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/polygon/uses.h"
 
@@ -29,6 +30,7 @@ struct CyrusBeck {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr const auto* polygon = &cyrusBeckPolygon;
+    static constexpr auto box = &cyrusBeckBox;
     static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
     template <class T>
@@ -82,12 +84,12 @@ struct CyrusBeck {
         }
         BasicSegment<T> visible = s;
         if (exit < T(1)) {
-            visible.b = along<form>(s, dx, dy, exit, exitEdge, w);
+            visible.b = along<form>(s, {dx, dy}, exit, exitEdge, w);
             watch("cut b", 11, visible, exitEdge, Named{"tL", exit});
         } else if constexpr (form == Form::Corrected)
             visible.b = clamped(s.b, w);
         if (entry > T(0)) {
-            visible.a = along<form>(s, dx, dy, entry, entryEdge, w);
+            visible.a = along<form>(s, {dx, dy}, entry, entryEdge, w);
             if constexpr (form == Form::Corrected)
                 if (exitEdge != Edge::None && entry == exit)
                     visible.a = visible.b;

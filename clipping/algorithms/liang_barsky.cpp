@@ -9,6 +9,7 @@
 // held inside the window; a single common point is the same point at both ends.
 
 #include "clipping/along.h"
+#include "clipping/box/uses.h"
 #include "clipping/describe.h"
 
 namespace clipping {
@@ -24,6 +25,7 @@ struct LiangBarsky {
             "stop.",
         .ulps = 24, // README.md, "How far off"
     };
+    static constexpr auto box = &liangBarskyBox;
 
     /// The part of the segment that is left: from `start` to `stop`, and the edges that said so.
     template <class T>
@@ -77,12 +79,12 @@ struct LiangBarsky {
 
         BasicSegment<T> visible = s;
         if (part.stop < T(1)) {
-            visible.b = along<form>(s, dx, dy, part.stop, part.stopEdge, w);
+            visible.b = along<form>(s, {dx, dy}, part.stop, part.stopEdge, w);
             watch("cut b", 13, visible, part.stopEdge, Named{"u", part.stop});
         } else if constexpr (form == Form::Corrected)
             visible.b = clamped(s.b, w);
         if (part.start > T(0)) {
-            visible.a = along<form>(s, dx, dy, part.start, part.startEdge, w);
+            visible.a = along<form>(s, {dx, dy}, part.start, part.startEdge, w);
             if constexpr (form == Form::Corrected)
                 if (part.stopEdge != Edge::None && part.start == part.stop)
                     visible.a = visible.b;

@@ -9,6 +9,7 @@
 // from where it was given; whether it is then beyond the bottom or top is asked of the way it has
 // risen, which is accurate, and not of its rounded height; new ends are held inside the window.
 
+#include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 
@@ -24,6 +25,7 @@ struct MatthesDrakopoulos {
             "Push both ends to the edges they are beyond; what is still outside was never inside.",
         .ulps = 24, // README.md, "How far off"
     };
+    static constexpr auto box = &matthesDrakopoulosBox;
 
     /// How far the line rises, and runs, from `p` to the edge at x, or at y.
     template <Form form, class T>

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contract of clipping/algorithm.h in three dimensions, for every row that has such a form,
+// against the oracle.
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "tests/clipping/box/inputs.h"
+#include "tests/clipping/contract.h"
+#include "tests/clipping/rows.h"
+
+using namespace clipping;
+
+namespace {
+
+void everyBoxForm()
+{
+    QTest::addColumn<const Algorithm*>("algorithm");
+    for (const Algorithm& a : algorithms())
+        if (a.box)
+            QTest::newRow(a.key.data()) << &a;
+}
+
+/// One family with its truth; only the last one asked for is kept.
+struct Known {
+    const BoxFamily* family = nullptr;
+    std::vector<BoxInput> inputs;
+    std::vector<Truth<3>> truths;
+};
+const Known& known(const BoxFamily& family)
+{
+    static Known last;
+    if (last.family != &family) {
+        last = {&family, family.inputs(), {}};
+        for (const BoxInput& input : last.inputs)
+            last.truths.push_back(truthOf(input));
+    }
+    return last;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool seesNothing(const Uses<Segment3, Window3>& uses, const BoxInput& input)
+{
+    std::array<BasicClipped<Segment3>, 1> out;
+    return !uses.clip(input.segment, input.window)
+           && uses.clipAll({&input.segment, 1}, input.window, out) == 0
+           && uses.trace(input.segment, input.window).outcome == Outcome::Invisible;
+}
+
+bool notLess(const OperationCounts& x, const OperationCounts& y)
+{
+    return x.additions >= y.additions && x.multiplications >= y.multiplications
+           && x.divisions >= y.divisions && x.comparisons >= y.comparisons;
+}
+
+/// Whether a cut says an end is new, or not, and names a side that it lies on.
+bool namesTheSide(Edge side, const glm::dvec3& end, const glm::dvec3& given, const Window3& w)
+{
+    return side == Edge::None ? end == given : end[axisOf(side)] == levelOf(side, w);
+}
+
+/// The input mirrored in each axis that `mirrored` names, a bit an axis, or the same, back.
+glm::dvec3 mirror(glm::dvec3 p, int mirrored)
+{
+    for (int k = 0; k < 3; ++k)
+        if (mirrored >> k & 1)
+            p[k] = -p[k];
+    return p;
+}
+BoxInput mirror(const BoxInput& input, int mirrored)
+{
+    const glm::dvec3 p = mirror(input.window.min, mirrored), q = mirror(input.window.max, mirrored);
+    return {{mirror(input.segment.a, mirrored), mirror(input.segment.b, mirrored)},
+            {glm::min(p, q), glm::max(p, q)}};
+}
+
+} // namespace
+
+class BoxTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theRowsHaveThem()
+    {
+        for (const char* key :
+             {"cohen-sutherland", "liang-barsky", "cyrus-beck", "matthes-drakopoulos"})
+            QVERIFY2(findAlgorithm(key)->box, key);
+        QVERIFY(!findAlgorithm("skala")->box); // of the plane alone
+        static_assert(boxUlps <= 64);
+    }
+
+    void keepsTheContract_data()
+    {
+        QTest::addColumn<const BoxFamily*>("family");
+        QTest::addColumn<const Algorithm*>("algorithm");
+        for (const BoxFamily& f : boxFamilies())
+            for (const Algorithm& a : algorithms())
+                if (a.box)
+                    QTest::addRow("%s %s", f.name, a.key.data()) << &f << &a;
+    }
+    void keepsTheContract()
+    {
+        QFETCH(const BoxFamily*, family);
+        QFETCH(const Algorithm*, algorithm);
+        const Known& all = known(*family);
+        double most = 0;
+        std::size_t visible = 0;
+        for (std::size_t i = 0; i < all.inputs.size(); ++i) {
+            const BoxInput& input = all.inputs[i];
+            const auto result = algorithm->box->clip(input.segment, input.window);
+            const auto wrong = fault(result, input, all.truths[i], boxUlps);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
+            most = std::max(most, ulpsOff(result, input, all.truths[i]));
+            visible += result.has_value();
+        }
+        qInfo("%zu of %zu visible, off by %.2f ulps at most", visible, all.inputs.size(), most);
+        QVERIFY(visible > all.inputs.size() / 50 && visible < all.inputs.size());
+    }
+
+    // On small whole numbers no wrong decision is excused, and a contact is a point.
+    void decidesRightlyOnTheGrid_data() { everyBoxForm(); }
+    void decidesRightlyOnTheGrid()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const Known& all = known(boxFamilies().front());
+        for (std::size_t i = 0; i < all.inputs.size(); ++i) {
+            const BoxInput& input = all.inputs[i];
+            const auto result = algorithm->box->clip(input.segment, input.window);
+            const auto& truth = all.truths[i];
+            QVERIFY2(truth.has_value() == result.has_value(), exactly(input).c_str());
+            if (truth)
+                QVERIFY2(truth->contact == (result->a == result->b), exactly(input).c_str());
+        }
+    }
+
+    // Where the paper's last question, asked on the x axis alone, is carried over to three axes.
+    void theCounterexampleIsInvisible_data() { everyBoxForm(); }
+    void theCounterexampleIsInvisible()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const Window3 unit{{0, 0, 0}, {1, 1, 1}};
+        QVERIFY(!algorithm->box->clip({{0, -1, 0}, {0, 0, -1}}, unit));
+        QVERIFY(!algorithm->box->clip({{0, 0, -1}, {0, -1, 0}}, unit));
+        QVERIFY(!algorithm->box->clip({{-1, 0, 0}, {0, 0, -1}}, unit));
+    }
+
+    void seesNothingWithoutNumbers_data() { everyBoxForm(); }
+    void seesNothingWithoutNumbers()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const BoxInput through{{{-1, 0.5, 0.5}, {3, 0.5, 0.5}}, {{0, 0, 0}, {2, 2, 2}}};
+        QVERIFY(!seesNothing(*algorithm->box, through));
+        for (int k = 0; k < 3; ++k) {
+            for (const double by : {none, infinite, -infinite}) {
+                std::array<BoxInput, 4> spoilt{through, through, through, through};
+                spoilt[0].segment.a[k] = spoilt[1].segment.b[k] = by;
+                spoilt[2].window.min[k] = spoilt[3].window.max[k] = by;
+                for (const BoxInput& input : spoilt)
+                    QVERIFY2(seesNothing(*algorithm->box, input), exactly(input).c_str());
+            }
+            BoxInput insideOut = through;
+            std::swap(insideOut.window.min[k], insideOut.window.max[k]);
+            QVERIFY2(seesNothing(*algorithm->box, insideOut), exactly(insideOut).c_str());
+        }
+    }
+
+    void clipAllTraceAndCountAreClip_data() { everyBoxForm(); }
+    void clipAllTraceAndCountAreClip()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const auto& uses = *algorithm->box;
+        for (const BoxFamily& family : boxFamilies()) {
+            const auto inputs = family.inputs();
+            for (std::size_t i = 0; i < inputs.size(); i += 17) {
+                const auto& [s, w] = inputs[i];
+                const auto text = exactly(inputs[i]);
+                const auto piece = uses.clip(s, w);
+                std::array<BasicClipped<Segment3>, 2> out;
+                const std::array twice{s, s};
+                QVERIFY2(uses.clipAll(twice, w, out) == (piece ? 2 : 0), text.c_str());
+                const auto trace = uses.trace(s, w);
+                QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), text.c_str());
+                OperationCounts last;
+                for (const auto& step : trace.steps) {
+                    QVERIFY2(notLess(step.cost, last), text.c_str());
+                    last = step.cost;
+                }
+                QVERIFY2(!trace.steps.empty() && notLess(uses.count({&s, 1}, w), last),
+                         text.c_str());
+                if (!piece)
+                    continue;
+                QVERIFY2(sameBits(*piece, trace.visible), text.c_str());
+                QVERIFY2(sameBits(*piece, out[1].segment) && out[1].source == 1, text.c_str());
+                QVERIFY2(namesTheSide(cutEdgeOfA(out[0].cut), piece->a, s.a, w)
+                             && namesTheSide(cutEdgeOfB(out[0].cut), piece->b, s.b, w),
+                         text.c_str());
+            }
+        }
+    }
+
+    void namesNearAndFar()
+    {
+        const Uses<Segment3, Window3>& uses = *findAlgorithm("MD")->box;
+        const Segment3 s{{0.5, 0.5, -1}, {0.5, 0.5, 2}};
+        std::array<BasicClipped<Segment3>, 1> out;
+        QCOMPARE(uses.clipAll({&s, 1}, {{0, 0, 0}, {1, 1, 1}}, out), std::size_t(1));
+        QVERIFY(cutEdgeOfA(out[0].cut) == Edge::Near && cutEdgeOfB(out[0].cut) == Edge::Far);
+        QCOMPARE(uses.trace(s, {{0, 0, 0}, {1, 1, 1}}).steps.front().edge, Edge::Near);
+    }
+
+    // Whatever decision a row takes, it takes it in the mirror, too, but for ties in rounding.
+    void isSymmetricOnTheGrid_data() { everyBoxForm(); }
+    void isSymmetricOnTheGrid()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        for (const BoxInput& input : known(boxFamilies().front()).inputs) {
+            const auto result = algorithm->box->clip(input.segment, input.window);
+            for (const int mirrored : {1, 2, 4, 7}) {
+                const BoxInput other = mirror(input, mirrored);
+                const auto there = algorithm->box->clip(other.segment, other.window);
+                QVERIFY2(result.has_value() == there.has_value(), exactly(other).c_str());
+                if (result)
+                    QVERIFY2(result->a == mirror(there->a, mirrored)
+                                 && result->b == mirror(there->b, mirrored),
+                             exactly(other).c_str());
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(BoxTest)
+#include "box_test.moc"
