@@ -16,16 +16,20 @@ namespace clipping {
 template <class T>
 class BasicChunks {
 public:
-    static constexpr std::size_t longest = 64, shortest = 8;
+    static constexpr std::size_t longest = 64; ///< segments in a run
+    static constexpr std::size_t shortest = 8; ///< before a run ends where the pen was lifted
 
     BasicChunks() = default;
+    /// The boxes of these segments, in a time proportional to their number.
     explicit BasicChunks(std::span<const BasicSegment<T>> segments);
 
     /// The segments from `first` to `last` (not included) are new. If there are as many as before,
     /// the others have not changed; if not, all from `first` on may have.
     void update(std::span<const BasicSegment<T>> segments, std::size_t first, std::size_t last);
 
-    /// `exact`'s clipAll on the segments that the boxes were made of.
+    /// `exact`'s clipAll on the segments that the boxes were made of: `out.size() >=
+    /// segments.size()`, no overlap; keeps the order, returns how many were written, allocates
+    /// nothing.
     std::size_t clipAll(std::span<const BasicSegment<T>> segments, const BasicWindow<T>& window,
                         std::span<BasicClipped<BasicSegment<T>>> out) const;
 

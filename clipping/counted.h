@@ -9,11 +9,12 @@ namespace clipping {
 
 /// How much arithmetic was done.
 struct OperationCounts {
-    std::uint64_t additions = 0; ///< and subtractions
-    std::uint64_t multiplications = 0;
-    std::uint64_t divisions = 0;
-    std::uint64_t comparisons = 0;
-    std::uint64_t negations = 0;
+    std::uint64_t additions = 0;       ///< and subtractions
+    std::uint64_t multiplications = 0; ///< of two numbers
+    std::uint64_t divisions = 0;       ///< of one number by another
+    std::uint64_t comparisons = 0;     ///< in any order, and for equality
+    std::uint64_t negations = 0;       ///< changes of sign
+    /// Whether all five are equal.
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
@@ -26,9 +27,11 @@ template <class T>
 class Counted {
 public:
     Counted() = default;
-    constexpr explicit Counted(T value) : value_(value) {}
-    constexpr T value() const { return value_; }
+    constexpr explicit Counted(T value) : value_(value) {} ///< costs nothing
+    constexpr T value() const { return value_; }           ///< the number, which costs nothing
 
+    /// What the operator does to a T; adds one to the calling thread's `operations`.
+    /// @{
     friend Counted operator-(Counted x) { return ++operations.negations, Counted(-x.value_); }
     friend Counted operator+(Counted x, Counted y)
     {
@@ -58,6 +61,7 @@ public:
     Counted& operator-=(Counted x) { return *this = *this - x; }
     Counted& operator*=(Counted x) { return *this = *this * x; }
     Counted& operator/=(Counted x) { return *this = *this / x; }
+    /// @}
 
 private:
     T value_; // uninitialised on purpose: GLM keeps it in a union
@@ -72,6 +76,7 @@ constexpr double plain(Counted<T> x)
 }
 constexpr double plain(unsigned x) { return x; }
 
+/// The same coordinates, to be counted from here on.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, Counted<T>> counted(const glm::vec<N, T>& p)
 {
@@ -80,16 +85,19 @@ constexpr glm::vec<N, Counted<T>> counted(const glm::vec<N, T>& p)
         q[k] = Counted(p[k]);
     return q;
 }
+/// The same ends, to be counted from here on.
 template <class T, glm::length_t N>
 constexpr BasicSegment<Counted<T>, N> counted(const BasicSegment<T, N>& s)
 {
     return {counted(s.a), counted(s.b)};
 }
+/// The same edges, to be counted from here on.
 template <class T, glm::length_t N>
 constexpr BasicWindow<Counted<T>, N> counted(const BasicWindow<T, N>& w)
 {
     return {counted(w.min), counted(w.max)};
 }
+/// The same coordinates, no longer counted.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, T> values(const glm::vec<N, Counted<T>>& p)
 {
@@ -98,6 +106,7 @@ constexpr glm::vec<N, T> values(const glm::vec<N, Counted<T>>& p)
         q[k] = p[k].value();
     return q;
 }
+/// The same ends, no longer counted.
 template <class T, glm::length_t N>
 constexpr BasicSegment<T, N> plain(const BasicSegment<Counted<T>, N>& s)
 {

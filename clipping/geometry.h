@@ -10,17 +10,22 @@
 
 namespace clipping {
 
-/// A directed segment. `a == b` is legal and means a single point.
+/// A directed segment in N dimensions, in whatever unit the window is in too. `a == b` is legal and
+/// means a single point.
 template <class T, glm::length_t N = 2>
 struct BasicSegment {
-    glm::vec<N, T> a, b;
+    glm::vec<N, T> a; ///< where it begins
+    glm::vec<N, T> b; ///< where it ends
+    /// Whether both ends are equal; -0 equals 0, a NaN nothing.
     friend constexpr bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
 
 /// A closed window: its edges belong to it. `min == max` is legal; `min > max` contains nothing.
 template <class T, glm::length_t N = 2>
 struct BasicWindow {
-    glm::vec<N, T> min, max;
+    glm::vec<N, T> min; ///< the least coordinate on each axis
+    glm::vec<N, T> max; ///< the greatest
+    /// Whether all edges are equal; -0 equals 0, a NaN nothing.
     friend constexpr bool operator==(const BasicWindow&, const BasicWindow&) = default;
 };
 
@@ -35,7 +40,7 @@ using Window3 = BasicWindow<double, 3>;
 /// them, one corner is a point. No corner, a clockwise order, a turn to the right, more than one
 /// round, a number that is not finite: such a polygon contains nothing.
 struct ConvexPolygon {
-    std::vector<glm::dvec2> corners;
+    std::vector<glm::dvec2> corners; ///< in order
 };
 
 /// The edges of a window, and the sides of a box. Top is max.y, as in the paper; Near is min.z, Far
@@ -56,7 +61,7 @@ constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w)
 /// One visible piece of one input segment.
 template <class S>
 struct BasicClipped {
-    S segment;
+    S segment;            ///< the piece, from the input's a to its b
     std::uint32_t source; ///< index in the input (a call takes fewer than 2^32 segments)
     std::uint32_t cut;    ///< which ends are new and on which edge; 0: the segment is untouched
 };

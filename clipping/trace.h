@@ -11,8 +11,8 @@ namespace clipping {
 
 /// A value worth showing beside a step: an outcode, the t of an intersection, a slope.
 struct NamedValue {
-    std::string_view name;
-    double value;
+    std::string_view name; ///< as in the pseudo-code: "t", "outcode of a"
+    double value;          ///< in the drawing's units, or a bare number
 };
 
 /// One moment in the run of an algorithm.
@@ -23,33 +23,34 @@ struct BasicStep {
               ///< it does not have, as it is in the plane
     BasicSegment<double, N> segment; ///< what is left
     Edge edge;                       ///< the edge it is about
-    std::vector<NamedValue> values;
-    OperationCounts cost; ///< since the start
+    std::vector<NamedValue> values;  ///< what the algorithm had at hand
+    OperationCounts cost;            ///< since the start
 };
 using Step = BasicStep<2>;
 
+/// How a run ended. DidNotEnd: a published form went round until it was stopped.
 enum class Outcome : std::uint8_t { Visible, Invisible, DidNotEnd };
 
 /// A whole run. `visible` is what the same form's `clip` returns, bit for bit, when Visible.
 template <glm::length_t N>
 struct BasicTrace {
-    std::vector<BasicStep<N>> steps;
-    Outcome outcome = Outcome::Invisible;
-    BasicSegment<double, N> visible{};
+    std::vector<BasicStep<N>> steps;      ///< in the order of the run; none for illegal input
+    Outcome outcome = Outcome::Invisible; ///< how it ended
+    BasicSegment<double, N> visible{};    ///< what is left, if Visible
 };
 using Trace = BasicTrace<2>;
 
 /// Watches nothing and costs nothing: what the fast path hands to an algorithm.
 struct Unwatched {
-    constexpr void operator()(const auto&...) const {}
-    constexpr void didNotEnd() const {}
+    constexpr void operator()(const auto&...) const {} ///< a step
+    constexpr void didNotEnd() const {}                ///< the run was stopped
 };
 
 /// A value as an algorithm hands it to its watcher.
 template <class T>
 struct Named {
-    std::string_view name;
-    T value;
+    std::string_view name; ///< as in the pseudo-code
+    T value;               ///< counted or not
 };
 template <class T>
 Named(const char*, T) -> Named<T>;
@@ -58,6 +59,8 @@ Named(const char*, T) -> Named<T>;
 template <glm::length_t N>
 class BasicRecorder {
 public:
+    /// A step: what was done, on which line of the pseudo-code, what is left of the segment, the
+    /// edge it is about, and what the algorithm had at hand. The cost is the thread's so far.
     template <class Number, class... T>
     void operator()(std::string_view what, int line,
                     const BasicSegment<Counted<Number>, N>& segment, Edge edge,
@@ -70,8 +73,9 @@ public:
                                 {NamedValue{values.name, plain(values.value)}...},
                                 operations});
     }
+    /// The run was stopped.
     void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }
-    bool ended() const { return trace_.outcome != Outcome::DidNotEnd; }
+    /// What was written down; the recorder is empty afterwards.
     BasicTrace<N> take() { return std::move(trace_); }
 
 private:
