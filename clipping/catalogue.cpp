@@ -21,6 +21,7 @@ using Catalogue = List<
     struct Skala,
     struct KodituwakkuWijeweeraChamikara,
     struct MatthesDrakopoulos,
+    struct MidpointSubdivision,
     struct SobkowPospisilYang,
     struct SlaterBarsky,
     struct Exact

@@ -42,6 +42,8 @@ const std::array counterexamples{
                    {{{-1, 1 + 2 * u}, {3, 1 - u}}, one},
                    Segment{{1, 1}, {4.0 / 3, 1}}},
     Counterexample{"X13 slope overflows", "MD", {{{-1e-300, -1e300}, {2e-300, 1e300}}, one}, {}},
+    Counterexample{
+        "drops a contact at a seventh", "MS", {{{-1, -4}, {6, 45}}, {{0, 0}, {3, 3}}}, {}},
     Counterexample{"X9 drops a contact", "SB", {{{-1, 0}, {0, 1}}, one}, {}},
     Counterexample{"product overflows", "SPY", {{{-1e200, -1e200}, {2e200, 2e200}}, one}, {}},
 };
@@ -237,6 +239,7 @@ private slots:
         QTest::newRow("Skala") << QByteArray("Skala") << Mean{7.6, 4.9, 5.4, 0.61};
         QTest::newRow("KWC") << QByteArray("KWC") << Mean{10.1, 9.5, 3.8, 3.78};
         QTest::newRow("MD") << QByteArray("MD") << Mean{7.4, 4.5, 1.1, 1.13};
+        QTest::newRow("MS") << QByteArray("MS") << Mean{110.6, 36.7, 36.7, 0.0};
         QTest::newRow("SPY") << QByteArray("SPY") << Mean{6.9, 2.6, 0.7, 0.65};
         QTest::newRow("SB") << QByteArray("SB") << Mean{6.6, 2.9, 1.1, 0.31};
     }
