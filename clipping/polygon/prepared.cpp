@@ -73,7 +73,7 @@ std::vector<Corner> turning(const std::vector<Corner>& all)
     }
     if (rounds != 1)
         return {};
-    std::ranges::rotate(kept, kept.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
     return kept;
 }
 

@@ -18,10 +18,14 @@ template <class P>
 struct BasicLine {
     P a, b;
 };
+template <class P> // clang 14 needs to be told
+BasicLine(P, P) -> BasicLine<P>;
 template <class P>
 struct BasicBox {
     P min, max;
 };
+template <class P>
+BasicBox(P, P) -> BasicBox<P>;
 /// The part of a line inside a closed box. Each end is the true one, rounded; an end that is an end
 /// of the line comes as it is.
 template <class P>
