@@ -11,15 +11,17 @@ namespace clipping {
 
 /// A stretch of a polyline that is visible without a gap.
 struct VisibleRun {
-    std::size_t first, count; ///< its points in PolylineRuns::points; at least one
-    std::uint32_t source;     ///< the segment it begins on: from point `source` to the next
-    Edge begin, end;          ///< the edges where it was cut; None: an end of the polyline
+    std::size_t first;    ///< of its points in PolylineRuns::points
+    std::size_t count;    ///< of its points; at least one
+    std::uint32_t source; ///< the segment it begins on: from point `source` to the next
+    Edge begin;           ///< the edge where it was cut at its begin; None: an end of the polyline
+    Edge end;             ///< the same at its end
 };
 
 /// What a window leaves of a polyline. Keep one and hand it over again: its memory is reused.
 struct PolylineRuns {
     std::vector<glm::dvec2> points; ///< of all runs, one after the other
-    std::vector<VisibleRun> runs;
+    std::vector<VisibleRun> runs;   ///< in the order of the polyline
 };
 
 /// The part of the polyline through `points` inside the closed window, as the row `exact` clips its
