@@ -18,6 +18,7 @@
 // How far off: two points of the last step are 2^-53*D apart, 2 units of README.md, which stands
 // where it has the two differences that one multiplies and divides; so its k = 24 holds here too.
 
+#include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/outcode.h"
@@ -36,6 +37,7 @@ struct MidpointSubdivision {
                 "halve the other, until there is nothing left to halve.",
         .ulps = 24,
     };
+    static constexpr auto box = &midpointSubdivisionBox;
     /// Where the published form is given up; from 2^1024 to 2^-1074 it takes 2098.
     static constexpr int mostHalvings = 2200;
 

@@ -8,6 +8,6 @@ namespace clipping {
 // The forms in three dimensions that the rows of the catalogue name, each from the file of its
 // name. README.md, "Boxes", says what they share and how far off they are.
 extern const Uses<Segment3, Window3> cohenSutherlandBox, liangBarskyBox, cyrusBeckBox,
-    matthesDrakopoulosBox;
+    matthesDrakopoulosBox, midpointSubdivisionBox;
 
 } // namespace clipping

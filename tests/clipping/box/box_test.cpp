@@ -87,8 +87,8 @@ class BoxTest : public QObject {
 private slots:
     void theRowsHaveThem()
     {
-        for (const char* key :
-             {"cohen-sutherland", "liang-barsky", "cyrus-beck", "matthes-drakopoulos"})
+        for (const char* key : {"cohen-sutherland", "liang-barsky", "cyrus-beck",
+                                "matthes-drakopoulos", "midpoint-subdivision"})
             QVERIFY2(findAlgorithm(key)->box, key);
         QVERIFY(!findAlgorithm("skala")->box); // of the plane alone
         static_assert(boxUlps <= 64);
