@@ -75,8 +75,7 @@ std::vector<TrueRun> trueRuns(Kind kind, const Points& points, const Window& w)
 /// Without points that follow themselves.
 Points withoutRepeats(Points points)
 {
-    const auto rest = std::ranges::unique(points);
-    points.erase(rest.begin(), rest.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 
