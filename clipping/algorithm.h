@@ -30,7 +30,8 @@ struct Uses {
     std::optional<S> (*clip)(const S& segment, const W& window);
 
     /// Clips many into the caller's buffer: `out.size() >= in.size()`, no overlap. Keeps the
-    /// order, drops the invisible, returns how many were written. Allocates nothing.
+    /// order, drops the invisible, returns how many were written. Allocates nothing, but what
+    /// a polygon is prepared with, once a call.
     std::size_t (*clipAll)(std::span<const S> in, const W& window, std::span<BasicClipped<S>> out);
 
     /// The arithmetic that clipping these segments takes.
