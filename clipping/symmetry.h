@@ -3,6 +3,7 @@
 
 #include "clipping/trace.h"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -83,10 +84,7 @@ constexpr Edge edgeIn(Edge edge)
 {
     constexpr std::array<glm::ivec2, 5> outward{{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
     const auto wanted = Symmetry::of(outward[static_cast<std::size_t>(edge)]);
-    for (std::size_t i = 0; i < outward.size(); ++i)
-        if (outward[i] == wanted)
-            return static_cast<Edge>(i);
-    return Edge::None;
+    return static_cast<Edge>(std::find(outward.begin(), outward.end(), wanted) - outward.begin());
 }
 
 /// Shows a watcher what happens in another frame as it is in its own. The way back is not counted.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -33,8 +34,7 @@ T rounded(ExactInteger::Quotient quotient, int exponent)
     const int lowest =
         std::max(static_cast<int>(std::bit_width(bits)) + exponent - Limits::digits, smallest);
     const int dropped = lowest - exponent;
-    if (dropped <= 0)
-        return static_cast<T>(std::ldexp(static_cast<double>(bits), exponent));
+    assert(dropped > 0); // the quotient has more bits than a T
     if (dropped >= 64)
         return T(0); // less than a quarter of the smallest
     const std::uint64_t kept = bits >> dropped, rest = bits - (kept << dropped);
