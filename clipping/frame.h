@@ -14,6 +14,7 @@
 namespace clipping {
 
 /// Numbers up to 2^250 are ordinary, and so are differences from 2^-250.
+/// (Segments are asked for the square root of a sum of two squares, so for slightly less.)
 inline constexpr double ordinaryMost = 0x1p250, ordinaryLeast = 0x1p-250;
 
 /// Finite, and min <= max: what a corrected form is given.
@@ -55,6 +56,16 @@ bool ordinary(const BasicSegment<double, N>& s)
               & ((extent >= ordinaryLeast) | (extent == 0));
     }
     return all;
+}
+
+/// In the plane both axes are asked at once, by squares: every segment of every row is asked.
+inline bool ordinary(const Segment& s)
+{
+    using Two [[gnu::vector_size(16)]] = double;
+    constexpr double most = ordinaryMost * ordinaryMost, least = ordinaryLeast * ordinaryLeast;
+    const Two a{s.a.x, s.a.y}, b{s.b.x, s.b.y}, extent = b - a;
+    const auto fine = (a * a + b * b <= most) & ((extent * extent >= least) | (extent == 0.0));
+    return (fine[0] & fine[1]) != 0;
 }
 
 /// One axis of a frame: it divides by 2^exponent, so that the segment extends by 1 to 2.
