@@ -49,6 +49,7 @@ void MainWindow::addPanels()
                 docks_[3]->setRemark(remark);
                 docks_[3]->setName(title);
             });
+    connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
     connect(window, &WindowPanel::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
     });

@@ -57,6 +57,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
         grid->addWidget(fields_[i], int(i % 2), i < 2 ? 1 : 3);
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double length) { edit(i, length); });
+        connect(fields_[i], &LengthField::entered, this, &WindowPanel::entered);
         connect(fields_[i], &LengthField::refused, this, &WindowPanel::refused);
     }
     chain_->setIcon(icon("chain"));

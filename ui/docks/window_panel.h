@@ -20,6 +20,7 @@ public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
 signals:
+    void entered();                        ///< a number is there: back to the canvas
     void refused(const QString& sentence); ///< a number that cannot be
 
 private:

@@ -108,8 +108,14 @@ void LengthField::focusOutEvent(QFocusEvent* event)
 
 void LengthField::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() != Qt::Key_Escape)
-        return QDoubleSpinBox::keyPressEvent(event);
+    if (event->key() != Qt::Key_Escape) {
+        const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        const bool fits = range_ == Range::Any || valueFromText(text()) >= 0;
+        QDoubleSpinBox::keyPressEvent(event);
+        if (enters && fits)
+            emit entered();
+        return;
+    }
     lineEdit()->setText(textFromValue(value())); // Esc backs out of what was typed
     selectAll();
 }

@@ -24,6 +24,7 @@ public:
 
 signals:
     void edited(double length);            ///< in user units
+    void entered();                        ///< with Enter, and it fits: typing is over
     void refused(const QString& sentence); ///< what was typed is out of range: shown instead
 
 protected:

@@ -54,6 +54,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     addAction(redo);
     addSeparator();
     addStroke();
+    connect(width_, &LengthField::entered, &canvas, [&canvas] { canvas.setFocus(); });
     addSeparator();
     addSnapping(canvas);
     addSeparator();

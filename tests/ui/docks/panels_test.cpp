@@ -6,6 +6,7 @@
 #include "ui/docks/window_panel.h"
 #include "ui/status_bar.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/option_bar.h"
 
 #include <QLineEdit>
 #include <QRadioButton>
@@ -48,6 +49,25 @@ private slots:
         session.history.undo();
         QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
+    }
+    void enterLeadsBackToTheCanvas()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto chosen = [&] { return t.window->session().display().algorithm; };
+        const auto digit = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        type(fields[0], "25");
+        digit(Qt::Key_2);
+        QCOMPARE(chosen(), &clipping::algorithms()[1]);
+        type(t.window->findChild<OptionBar*>()->findChild<LengthField*>(), "0.5");
+        digit(Qt::Key_3);
+        QCOMPARE(chosen(), &clipping::algorithms()[2]);
+        QCOMPARE(fields[0]->text(), "25.00");
+        type(fields[2], "-5"); // is refused: to be typed anew
+        digit(Qt::Key_4);
+        QCOMPARE(chosen(), &clipping::algorithms()[2]);
     }
     void aNegativeWidthIsRefusedInWords()
     {
