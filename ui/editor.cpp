@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor.h"
 
-#include "app/command_line/command.h"
+#include "app/command_line/misnamed.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -46,6 +46,8 @@ std::optional<QSize> parsedSize(const QString& text)
                                                                     : std::nullopt;
 }
 
+app::Refusal wrong(const QString& sentence) { return {sentence, app::Exit::Usage}; }
+
 /// One option with its value; the sentence that says what is wrong with it.
 std::optional<QString> take(Options& options, const QString& name, const QString& value)
 {
@@ -72,7 +74,7 @@ std::optional<QString> take(Options& options, const QString& name, const QString
     return std::nullopt;
 }
 
-std::optional<QString> parse(Options& options, const QStringList& arguments)
+std::optional<app::Refusal> parse(Options& options, const QStringList& arguments)
 {
     bool onlyFiles = false;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
@@ -85,12 +87,14 @@ std::optional<QString> parse(Options& options, const QStringList& arguments)
             const bool joined = argument.contains(u'=');
             const QString value = joined ? argument.section(u'=', 1) : arguments.value(++i);
             if (const auto error = take(options, argument.section(u'=', 0, 0), value))
-                return error;
+                return wrong(*error);
         } else if (!options.file.isEmpty()) {
-            return tr("Name one file: %1 is one too many.").arg(argument);
+            return wrong(tr("Name one file: %1 is one too many.").arg(argument));
         } else {
             const QUrl url(argument);
             options.file = url.isLocalFile() ? url.toLocalFile() : argument;
+            if (auto refusal = app::misnamed(options.file))
+                return refusal;
         }
     }
     return std::nullopt;
@@ -166,9 +170,9 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     QElapsedTimer clock;
     clock.start();
     Options options;
-    if (const auto error = parse(options, arguments)) {
-        complain(*error);
-        return int(app::Exit::Usage);
+    if (const auto refusal = parse(options, arguments)) {
+        complain(refusal->sentence);
+        return int(refusal->exit);
     }
     if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");

@@ -50,6 +50,8 @@ Result<Imported> readFile(const QString& path, const Format* format)
     if (info.isDir())
         return failure(
             QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
+    if (!info.exists())
+        return failure(QCoreApplication::translate("formats", "there is no such file."));
     format = format ? format : formatOfFile(path);
     if (!format || !format->read)
         return failure(

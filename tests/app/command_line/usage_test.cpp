@@ -130,9 +130,8 @@ private slots:
             QTest::newRow(name) << QString::fromUtf8(script) << QByteArray(sentence);
         };
         row("missing", "$clearcut clip no.svg -o x.svg",
-            "Cannot open no.svg: No such file or directory.");
-        row("missing info", "$clearcut info no.svg",
-            "Cannot open no.svg: No such file or directory.");
+            "Cannot open no.svg: there is no such file.");
+        row("missing info", "$clearcut info no.svg", "Cannot open no.svg: there is no such file.");
         row("folder", "$clearcut clip . -o x.svg",
             "Cannot open .: it is a folder. Name a file in it.");
         row("folder out", "mkdir -p f.svg; $clearcut clip a.csv -o f.svg", "Cannot write f.svg: ");
@@ -235,6 +234,42 @@ private slots:
         const auto run = inShell("ulimit -v 600000; yes 1,2,3,4 | $clearcut info - --from csv");
         QCOMPARE(run.code, 1);
         QCOMPARE(run.err, "clearcut info: There is not enough memory for this.\n");
+    }
+
+    void whatIsNeitherFileNorCommandIsSaid_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("sentence");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char* line, const QByteArray& sentence, int code) {
+            QTest::newRow(line) << QString(line).split(u' ') << "clearcut: " + sentence + '\n'
+                                << code;
+        };
+        const QByteArray nearest = "There is no file or command “clap”. The nearest command is "
+                                   "“clip”; clearcut --help lists them all.";
+        row("clap a.svg -o b.svg", nearest, 2);
+        row("--theme dark clap", nearest, 2);
+        row("Converted",
+            "There is no file or command “Converted”. The nearest command is “convert”; clearcut "
+            "--help lists them all.",
+            2);
+        row("--theme dark clip a.svg", "The command “clip” must come first. Try clearcut --help.",
+            2);
+        row("no.svg", "Cannot open no.svg: there is no such file.", 1);
+        row("file:///no/where.svg", "Cannot open /no/where.svg: there is no such file.", 1);
+        row("no/where", "Cannot open no/where: there is no such file.", 1);
+    }
+    void whatIsNeitherFileNorCommandIsSaid()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, sentence);
+        QFETCH(int, code);
+        const auto without = clearcut(arguments);
+        QCOMPARE(without.err, sentence);
+        QCOMPARE(without.code, code);
+        const auto with = inShell("QT_QPA_PLATFORM=offscreen $clearcut " + arguments.join(u' '));
+        QCOMPARE(with.err, sentence);
+        QCOMPARE(with.code, code);
     }
 
     void algorithmsAreListed()
