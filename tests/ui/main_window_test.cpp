@@ -2,6 +2,7 @@
 #include "app/commands/set_window.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/widgets/option_bar.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -254,6 +255,26 @@ private slots:
         t.window->setTheme(Theme::Light);
         QVERIFY(!lookOf(t.window->palette()).dark);
         QCOMPARE(QSettings().value("theme").toInt(), int(Theme::Light));
+    }
+    void picturesOfTheOptionBarFollowTheTheme()
+    {
+        TestWindow t;
+        t.show();
+        const auto pictureIn = [](const MainWindow& window) {
+            return window.findChild<OptionBar*>()->grab().toImage();
+        };
+        const QImage light = pictureIn(*t.window);
+        t.window->setTheme(Theme::Dark);
+        QCoreApplication::processEvents();
+        const QImage switched = pictureIn(*t.window);
+        QVERIFY(switched != light);
+        TestWindow fresh;
+        fresh.show();
+        fresh.window->setTheme(Theme::Dark);
+        fresh.window = std::make_unique<MainWindow>(Backend::Raster); // that was never light
+        fresh.window->resize(t.window->size());
+        fresh.show();
+        QCOMPARE(switched, pictureIn(*fresh.window));
     }
     void startShowsASampleAndLeadsOn()
     {

@@ -42,7 +42,8 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     : QToolBar(tr("Tool options"), parent), session_(session), ink_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new QComboBox), keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
+      dashes_(new QComboBox), magnet_(new QLabel),
+      keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       export_(new QToolButton)
 {
@@ -68,6 +69,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
     connect(&session.drawing, &app::Drawing::changed, this, &OptionBar::followStyle);
     followDisplay();
+    paintIcons();
 }
 
 void OptionBar::addStroke()
@@ -85,8 +87,8 @@ void OptionBar::addStroke()
     dashes_->setAccessibleName(tr("Dashes"));
     dashes_->setIconSize({36, 12});
     dashes_->setFixedSize(72, space::fieldHeight);
-    for (const DashPattern& pattern : dashPatterns())
-        dashes_->addItem(dashIcon(pattern, lookOf(palette()).text), QString());
+    for (std::size_t i = 0; i < dashPatterns().size(); ++i)
+        dashes_->addItem(QString());
     for (int i = 0; i < dashes_->count(); ++i)
         dashes_->setItemData(i, dashPatterns()[std::size_t(i)].name, Qt::AccessibleTextRole);
     addWidget(dashes_);
@@ -105,19 +107,17 @@ void OptionBar::addStroke()
 
 void OptionBar::addSnapping(Canvas& canvas)
 {
-    auto* magnet = new QLabel;
-    magnet->setPixmap(icon("snap").pixmap(QSize(18, 18), devicePixelRatioF()));
-    magnet->setToolTip(tr("Snapping; Ctrl suspends it"));
+    magnet_->setToolTip(tr("Snapping; Ctrl suspends it"));
     auto* choice = new QComboBox;
     choice->setAccessibleName(tr("Snapping"));
-    choice->setToolTip(magnet->toolTip());
+    choice->setToolTip(magnet_->toolTip());
     choice->setFixedHeight(space::fieldHeight);
     choice->addItem(tr("Ends, middles, window"), int(app::SnapTo::All));
     choice->addItem(tr("Ends"), int(app::SnapTo::Ends));
     choice->addItem(tr("Middles"), int(app::SnapTo::Middles));
     choice->addItem(tr("Window edges"), int(app::SnapTo::WindowEdges));
     choice->addItem(tr("Nothing"), int(app::SnapTo::Nothing));
-    addWidget(magnet);
+    addWidget(magnet_);
     addWidget(choice);
     connect(choice, &QComboBox::activated, &canvas, [&canvas, choice](int index) {
         canvas.setSnapping(app::SnapTo(choice->itemData(index).toInt()));
@@ -171,6 +171,23 @@ void OptionBar::resizeEvent(QResizeEvent* event)
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
             action->setVisible(wide);
     export_->setToolButtonStyle(wide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void OptionBar::changeEvent(QEvent* event)
+{
+    QToolBar::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintIcons();
+}
+
+/// What is painted once, and not at every showing as other icons are.
+void OptionBar::paintIcons()
+{
+    const Look& look = lookOf(palette());
+    magnet_->setPixmap(icon("snap").pixmap(QSize(18, 18), devicePixelRatioF()));
+    for (int i = 0; i < dashes_->count(); ++i)
+        dashes_->setItemIcon(i, dashIcon(dashPatterns()[std::size_t(i)], look.text));
+    followStyle();
 }
 
 void OptionBar::followDisplay()

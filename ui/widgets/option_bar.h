@@ -28,6 +28,7 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void addStroke();
@@ -35,6 +36,7 @@ private:
     void addClipping();
     void addExport(QAction* exportCut);
     QLabel* addCaption(const QString& text);
+    void paintIcons();
     void followDisplay();
     void followStyle();
     void restyle(const std::function<void(app::Style&)>& change, const QString& text);
@@ -45,6 +47,7 @@ private:
     QToolButton* ink_;
     LengthField* width_;
     QComboBox* dashes_;
+    QLabel* magnet_;
     Segments *keep_, *removed_;
     QList<QLabel*> captions_;
     QToolButton* export_;
