@@ -49,6 +49,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.drawing, &app::Drawing::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+    connect(&session_.history, &QUndoStack::indexChanged, strip_, &MessageStrip::takeBackDone);
     restoreLayout();
     refreshActions();
     showTitle();

@@ -34,6 +34,7 @@ Controller::Controller(app::Session& session, QObject* parent)
 void Controller::outdate()
 {
     ++revision_;
+    snap_.reset(); // perhaps to what is no longer there
     emit hintChanged();
     emit changed();
 }
@@ -222,6 +223,8 @@ void Controller::pointerEvent(QMouseEvent& event)
     else
         press(event);
     pointer_ = pointerAt(event.position(), event.buttons(), event.modifiers());
+    if (event.type() == QEvent::MouseButtonRelease)
+        snap_.reset(); // what it marked is done
     emit pointerMoved(pointer_->position);
 }
 

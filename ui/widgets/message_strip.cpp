@@ -48,6 +48,12 @@ void MessageStrip::tell(Message message)
     update();
 }
 
+void MessageStrip::takeBackDone()
+{
+    if (message_.kind == Message::Kind::Done)
+        hide();
+}
+
 void MessageStrip::paintEvent(QPaintEvent*)
 {
     const Look& look = lookOf(palette());

@@ -27,6 +27,7 @@ public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
     void tell(Message message);
+    void takeBackDone(); ///< closes it if it tells of something done, which is past now
     QString sentence() const { return isHidden() ? QString() : message_.sentence; }
 
 protected:

@@ -248,6 +248,39 @@ private slots:
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
 
+    void aWindowThatIsThePageIsDrawnAnewFromInside()
+    {
+        Stage stage(raster, {});
+        stage.session.drawing.setWindow(stage.session.sheet().page.rectangle());
+        stage.key(Qt::Key_W);
+        stage.drag({60, 30}, {120, 70});
+        QVERIFY(near(stage.session.sheet().window, {{60, 30}, {120, 70}}));
+        stage.drag({80, 50}, {90, 50}); // now it is one that was set: it moves
+        QVERIFY(near(stage.session.sheet().window, {{70, 30}, {130, 70}}));
+    }
+
+    void theSnapMarkGoesWithTheDrag()
+    {
+        Stage stage(raster, {});
+        stage.key(Qt::Key_L);
+        stage.move({20, 90});
+        const QColor free = stage.colourAt({25, 90}); // where the mark's ring would be, 3 units off
+        stage.drag({20, 50}, {20, 90});
+        const auto ring = [&] {
+            const QImage picture = stage.picture();
+            const QPoint end = stage.at({20, 90});
+            for (int dx = 4; dx <= 9; ++dx)
+                if (picture.pixelColor(end + QPoint(dx, 0)) != free)
+                    return true;
+            return false;
+        };
+        QVERIFY(!ring());
+        stage.move({20.4, 90}); // hovering near the end, it is what a new line would start at
+        QVERIFY(ring());
+        stage.session.history.undo();
+        QVERIFY(!ring());
+    }
+
     void theSelectToolDragsTheWindowToo()
     {
         Stage stage(raster, {});
