@@ -42,8 +42,6 @@ void MainWindow::addPanels()
         place(*dock);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks); // nothing slides
-    docks_[4]->addTitleAction(layers->addAction());
-    docks_[4]->addTitleAction(layers->removeAction());
     connect(line, &LinePanel::titled, docks_[3],
             [this](const QString& title, const QString& remark) {
                 docks_[3]->setRemark(remark);

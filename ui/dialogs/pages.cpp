@@ -41,6 +41,16 @@ QTextBrowser* openPage(MainWindow& window, const QString& title)
     return page;
 }
 
+/// The first two that a keyboard of today has: others have F13 and more for copy and paste.
+QStringList keysOf(const QAction& action)
+{
+    QStringList keys;
+    for (const QKeySequence& sequence : action.shortcuts())
+        if (const auto key = sequence[0].key(); key < Qt::Key_F13 || key > Qt::Key_F35)
+            keys << sequence.toString(QKeySequence::NativeText).toHtmlEscaped();
+    return keys.mid(0, 2);
+}
+
 void addShortcuts(QString& rows, const QMenu& menu)
 {
     for (const QAction* action : menu.actions()) {
@@ -48,12 +58,10 @@ void addShortcuts(QString& rows, const QMenu& menu)
             addShortcuts(rows, *action->menu());
         if (action->shortcut().isEmpty())
             continue;
-        QStringList keys;
-        for (const QKeySequence& key : action->shortcuts().mid(0, 2)) // more are of old keyboards
-            keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
         QString name = action->text();
         rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td>%2</td></tr>")
-                    .arg(name.remove(u'&').remove(u'…').toHtmlEscaped(), keys.join(tr(" or ")));
+                    .arg(name.remove(u'&').remove(u'…').toHtmlEscaped(),
+                         keysOf(*action).join(tr(" or ")));
     }
 }
 

@@ -22,8 +22,6 @@ void Dock::setName(const QString& name) { title_->setName(name); }
 
 void Dock::setRemark(const QString& remark) { title_->setRemark(remark); }
 
-void Dock::addTitleAction(QAction* action) { title_->addButton(action); }
-
 void Dock::setTitle(Title where)
 {
     QWidget* wanted = where == Title::Shown ? static_cast<QWidget*>(title_) : noTitle_;

@@ -21,8 +21,6 @@ public:
     void setName(const QString& name); ///< in the title bar; the tab keeps the dock's own
     /// What the title goes on with, in muted text.
     void setRemark(const QString& remark);
-    /// One more button in the title, before float and close.
-    void addTitleAction(QAction* action);
 
     enum class Title : std::uint8_t { Shown, InTab };
     void setTitle(Title where);

@@ -49,11 +49,8 @@ void DockTitle::addButton(QAction* action)
     auto policy = button->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     button->setSizePolicy(policy);
-    const bool ofTheTitle = action->parent() == this;
-    const int at = ofTheTitle ? row_->count() : std::max(0, row_->count() - 2);
-    row_->insertWidget(at, button);
+    row_->addWidget(button);
     buttons_ << button;
-    showButtons();
 }
 
 QSize DockTitle::sizeHint() const { return {120, space::dockTitleHeight}; }

@@ -18,7 +18,6 @@ public:
 
     void setName(const QString& name);
     void setRemark(const QString& remark);
-    void addButton(QAction* action);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -28,6 +27,7 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    void addButton(QAction* action);
     void showButtons();
 
     QDockWidget& dock_;

@@ -99,8 +99,8 @@ private:
 
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
-      list_(new QListView), add_(new QAction(icon("plus"), tr("Add layer"), this)),
-      remove_(new QAction(icon("bin"), tr("Delete layer"), this))
+      list_(new QListView), add_(button("plus", tr("Add layer"))),
+      remove_(button("bin", tr("Delete layer")))
 {
     list_->setModel(model_);
     list_->setItemDelegate(new RowPainter(list_));
@@ -111,12 +111,19 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     list_->viewport()->setAutoFillBackground(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 4);
+    column->setSpacing(2);
     column->addWidget(list_);
-    connect(add_, &QAction::triggered, this, [this] {
+    auto* buttons = new QHBoxLayout;
+    buttons->setContentsMargins(space::dockMargin - 4, 0, space::dockMargin, 0);
+    buttons->addWidget(add_);
+    buttons->addWidget(remove_);
+    buttons->addStretch();
+    column->addLayout(buttons);
+    connect(add_, &QToolButton::clicked, this, [this] {
         model_->addLayer();
         list_->setCurrentIndex(model_->index(0));
     });
-    connect(remove_, &QAction::triggered, this,
+    connect(remove_, &QToolButton::clicked, this,
             [this] { model_->removeLayer(session_.pen.layer); });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
@@ -126,6 +133,18 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
     follow();
+}
+
+QToolButton* LayersPanel::button(std::string_view key, const QString& name)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(key));
+    button->setIconSize({16, 16});
+    button->setFixedSize(24, 24);
+    button->setAutoRaise(true);
+    button->setToolTip(name);
+    button->setAccessibleName(name);
+    return button;
 }
 
 void LayersPanel::follow()

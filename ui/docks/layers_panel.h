@@ -3,8 +3,8 @@
 
 #include "ui/docks/layer_model.h"
 
-#include <QAction>
 #include <QListView>
+#include <QToolButton>
 
 namespace ui {
 
@@ -15,16 +15,14 @@ class LayersPanel : public QWidget {
 public:
     explicit LayersPanel(app::Session& session, QWidget* parent = nullptr);
 
-    QAction* addAction() const { return add_; }
-    QAction* removeAction() const { return remove_; }
-
 private:
+    QToolButton* button(std::string_view icon, const QString& name);
     void follow();
 
     app::Session& session_;
     LayerModel* model_;
     QListView* list_;
-    QAction *add_, *remove_;
+    QToolButton *add_, *remove_;
 };
 
 } // namespace ui

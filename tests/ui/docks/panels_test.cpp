@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/usual_algorithm.h"
 #include "ui/docks/algorithm_panel.h"
-#include "ui/docks/layer_model.h"
+#include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/status_bar.h"
@@ -170,6 +170,31 @@ private slots:
         while (session.history.canUndo())
             session.history.undo();
         QCOMPARE(session.sheet(), app::readFile(t.path("two.svg")).value->sheet);
+    }
+    void layersAreAddedAndDeletedByButtonsThatAreSeen()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto buttons = t.window->findChild<LayersPanel*>()->findChildren<QToolButton*>();
+        QCOMPARE(buttons.size(), 2);
+        QCOMPARE(buttons[0]->toolTip(), "Add layer");
+        QCOMPARE(buttons[1]->toolTip(), "Delete layer");
+        QVERIFY(buttons[0]->isVisible() && buttons[1]->isVisible());
+        QVERIFY(!buttons[1]->isEnabled()); // the only layer stays
+        QTest::mouseClick(buttons[0], Qt::LeftButton);
+        QCOMPARE(t.window->session().sheet().layers.size(), std::size_t(2));
+        QTest::mouseClick(buttons[1], Qt::LeftButton);
+        QCOMPARE(t.window->session().sheet().layers.size(), std::size_t(1));
+    }
+    void theStartPanelFitsAnyHeight() // once a scroll bar came and went in it without end
+    {
+        StartPanel panel;
+        panel.show();
+        for (const int width : {272, 396})
+            for (int height = 300; height < 1000; ++height)
+                panel.resize(width, height);
+        QCOMPARE(panel.height(), 999);
     }
     void theStatusBarCounts()
     {
