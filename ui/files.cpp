@@ -226,9 +226,11 @@ void Files::crop()
 {
     app::CutOptions options = cutOptions();
     options.onlyShown = false;
-    auto* command = new app::CropToWindow(session_.drawing, options);
+    auto command = std::make_unique<app::CropToWindow>(session_.drawing, options);
     const app::CutCounts counts = command->counts();
-    session_.history.push(command);
+    if (!command->changes())
+        return emit told({Message::Kind::Done, tr("Nothing to crop: all of it is kept.")});
+    session_.history.push(command.release());
     emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
 }
 

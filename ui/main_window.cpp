@@ -95,7 +95,6 @@ void MainWindow::addTools()
         action->setToolTip(
             tr("%1 (%2)").arg(tool.name, tool.shortcut.toString(QKeySequence::NativeText)));
         action->setCheckable(true);
-        action->setProperty("newGroup", tool.key == "line" || tool.key == "window");
         group->addAction(action);
         canvas_->addAction(action);
         toolActions_ << action;
@@ -123,9 +122,10 @@ void MainWindow::addBars()
     bar->setObjectName(QStringLiteral("tools"));
     bar->setIconSize({20, 20});
     bar->setFixedWidth(space::toolBarWidth);
-    for (QAction* action : toolActions_) {
-        if (action->property("newGroup").toBool())
+    for (qsizetype i = 0; i < toolActions_.size(); ++i) {
+        if (tools()[std::size_t(i)].group == ToolInfo::Group::New)
             bar->addSeparator();
+        QAction* action = toolActions_[i];
         bar->addAction(action);
         if (QWidget* button = bar->widgetForAction(action))
             button->setFixedSize(space::toolButton, space::toolButton);
@@ -137,7 +137,6 @@ void MainWindow::connectFiles()
 {
     connect(files_.get(), &Files::told, this, &MainWindow::tell);
     connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
-    connect(&session_, &app::Session::loaded, canvas_, &Canvas::fitDrawing);
 }
 
 void MainWindow::setQuestions(std::unique_ptr<Questions> questions)

@@ -14,6 +14,7 @@ public:
     CropToWindow(Drawing& drawing, const CutOptions& options);
 
     const CutCounts& counts() const { return counts_; }
+    bool changes() const { return counts_.cut + counts_.gone > 0; } ///< anything at all
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }
 

@@ -221,10 +221,22 @@ private slots:
         TestWindow t;
         t.window->files().open(t.twoLines());
         setWindow(t, middle);
+        t.show();
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().scene.segments().size(), std::size_t(1));
+        QVERIFY(t.window->message().startsWith("Cropped"));
         t.action("undo")->trigger();
         QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->message(), QString());
+    }
+    void croppingWhatIsInsideIsNoStep()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().history.count(), 0);
+        QCOMPARE(t.window->message(), "Nothing to crop: all of it is kept.");
     }
     void clipboardAndSelection()
     {

@@ -31,7 +31,7 @@ std::span<const ToolInfo> tools()
         ToolInfo{"zoom", tr("Zoom"), tr("Drag to zoom to a rectangle, click to zoom in, Alt: out."),
                  QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
-                 QKeySequence("L"), makeLineTool},
+                 QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
                  tr("Click the corners. Enter or double-click ends, Backspace takes one back, Esc "
                     "cancels."),
@@ -45,7 +45,7 @@ std::span<const ToolInfo> tools()
                  tr("Drag to draw an ellipse. Shift: circle, Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window, Shift: square"),
-                 QKeySequence("W"), makeWindowTool},
+                 QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };
     return all;
 }

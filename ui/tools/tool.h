@@ -90,6 +90,8 @@ struct ToolInfo {
     QString hint; ///< in the status bar while the tool is chosen
     QKeySequence shortcut;
     std::unique_ptr<Tool> (*make)();
+    enum class Group : std::uint8_t { Same, New };
+    Group group = Group::Same; ///< New: in bars and menus, a line goes before it
 };
 
 /// Every tool, in the order of the tool bar.
