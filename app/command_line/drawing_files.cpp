@@ -118,6 +118,7 @@ Output outputOf(const Given& given, const QString& input)
 void writeDrawing(const Sheet& sheet, const Output& output)
 {
     if (output.path != standardStream) {
+        const Unfinished guard(output.path);
         if (const auto error = writeFile(sheet, output.path, output.options, output.format))
             throw Failure{*error};
         return;

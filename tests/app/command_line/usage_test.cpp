@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/command.h"
+#include "app/command_line/terminal.h"
 #include "clipping/algorithm.h"
 
 #include <QDir>
@@ -8,6 +9,8 @@
 #include <QThread>
 
 #include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/app/command_line/program.h"
 
@@ -224,6 +227,28 @@ private slots:
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 130);
         QCOMPARE(contentOf(path("old.csv")), "old");
+    }
+
+    // Where the file system has unnamed files there is nothing to remove; so a named one is made.
+    void controlCLeavesNothingHalf()
+    {
+        writeText(path("out.svg"), "old");
+        QFile half(path("out.svg.AbCdEf")), other(path("out.svg2.AbCdEf"));
+        QVERIFY(half.open(QIODevice::WriteOnly) && other.open(QIODevice::WriteOnly));
+        const pid_t child = ::fork();
+        if (child == 0) {
+            app::answerSignals();
+            const app::Unfinished guard(path("out.svg"));
+            ::raise(SIGINT);
+            ::_exit(0);
+        }
+        int status = 0;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 130);
+        QVERIFY(!half.exists());
+        QVERIFY(other.exists());
+        QCOMPARE(contentOf(path("out.svg")), "old");
     }
 
     void memoryThatIsNotThereIsASentence()
