@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/algorithm.h"
+#include "app/document/usual_algorithm.h"
 
 #include <QString>
 
 namespace ui {
 
-/// The key that chooses an algorithm while the canvas has the focus: 1 to 9 and then 0, in the
-/// order of the catalogue; empty for those behind.
+/// The key that chooses an algorithm while the canvas has the focus: 0 the usual one, 1 to 9 the
+/// first nine of the catalogue; empty for the others.
 inline QString digitOf(const clipping::Algorithm& algorithm)
 {
-    constexpr int digits = 10;
+    constexpr int digits = 9;
     const auto row = &algorithm - clipping::algorithms().data();
-    return row < digits ? QString::number((row + 1) % digits) : QString();
+    return &algorithm == &app::usualAlgorithm() ? QStringLiteral("0")
+           : row < digits                       ? QString::number(row + 1)
+                                                : QString();
 }
 
 } // namespace ui
