@@ -3,6 +3,7 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
+#include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/status_bar.h"
 #include "ui/widgets/length_field.h"
