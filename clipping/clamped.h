@@ -26,10 +26,11 @@ constexpr glm::vec<N, T> clamped(glm::vec<N, T> p, const BasicWindow<T, N>& w)
 template <class T, glm::length_t N>
 constexpr glm::vec<N, T> clampedAlong(Edge edge, glm::vec<N, T> p, const BasicWindow<T, N>& w)
 {
-    if (edge != Edge::None)
-        for (glm::length_t k = 0; k < N; ++k)
-            if (k != axisOf(edge))
-                p[k] = clamped(p[k], w.min[k], w.max[k]);
+    for (glm::length_t axis = 0; axis < N; ++axis)
+        if (edge == lowerEdge(axis) || edge == upperEdge(axis)) // compilers see through these
+            for (glm::length_t k = 0; k < N; ++k)
+                if (k != axis)
+                    p[k] = clamped(p[k], w.min[k], w.max[k]);
     return p;
 }
 

@@ -33,8 +33,10 @@ template <class T, glm::length_t N>
 constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
 {
     for (glm::length_t k = 0; k < N; ++k)
-        if (p[k] == w.min[k] || p[k] == w.max[k])
-            return p[k] == w.min[k] ? lowerEdge(k) : upperEdge(k);
+        if (p[k] == w.min[k])
+            return lowerEdge(k);
+        else if (p[k] == w.max[k])
+            return upperEdge(k);
     return Edge::None;
 }
 

@@ -16,7 +16,9 @@ constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w
 {
     unsigned code = 0;
     for (glm::length_t k = 0; k < N; ++k)
-        code |= (p[k] < w.min[k] ? outcode::left : p[k] > w.max[k] ? outcode::right : 0) << 2 * k;
+        code |= p[k] < w.min[k]   ? outcode::left << 2 * k
+                : p[k] > w.max[k] ? outcode::right << 2 * k
+                                  : 0;
     return code;
 }
 

@@ -23,7 +23,7 @@ public:
     {
         const auto& [a, b] = piece.segment;
         const Edge enter = cutEdgeOfA(piece.cut), leave = cutEdgeOfB(piece.cut);
-        if (!follows || enter != Edge::None || out_.runs.back().end != Edge::None)
+        if (!follows || enter != Edge::None)
             begin(piece.source, a, enter);
         VisibleRun& run = out_.runs.back();
         run.end = leave;

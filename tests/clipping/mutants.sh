@@ -9,7 +9,21 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build/release
-tests=(published contract uses) # the quickest first
+# What tests a file: the quickest first.
+testsOf() { # KEY
+    case $1 in
+    box/*) echo box.box ;;
+    polyline) echo polyline ;;
+    *) echo published contract uses ;;
+    esac
+}
+isWanted() { # KEY: on the command line, or nothing is there
+    [[ -z $wanted || " $wanted " == *" $1 "* ]]
+}
+wanted=$*
+mapfile -t tests < <(sed -n 's/^\([^#: ]*\): .*/\1/p' "$here/mutants.txt" | sort -u | while read -r key; do
+    if isWanted "$key"; then testsOf "$key" | tr ' ' '\n'; fi
+done | sort -u)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -25,18 +39,36 @@ for test in "${tests[@]}"; do
     }
 done
 
-# Links a test with the mutant before the library, which then keeps its own object to itself.
+# The file of a key: an algorithm's, or with its folder and, if a header, its ending.
+fileOf() { # KEY
+    local path=${1//-/_}
+    [[ $path == */* || $path == polyline ]] || path=algorithms/$path
+    [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
+}
+
+# Compiles a mutant: itself, or what includes it, with it in the place of the header.
+compile() { # FILE
+    local source sources=("$work/tree/$1")
+    [[ $1 != *.h ]] || mapfile -t sources < <(grep -l "\"$1\"" "$root"/clipping/*/*.cpp)
+    rm -f "$work"/mutant*.o
+    for source in "${sources[@]}"; do
+        c++ -std=c++20 -O2 -w -ffp-contract=off -I "$work/tree" -I "$root" -c "$source" \
+            -o "$work/mutant$(basename "$source").o" || return 1
+    done
+}
+
+# Links a test with the mutant before the library, which then keeps its own objects to itself.
 link() { # TEST
     local line
     line=$(ninja -C "$build" -t commands "clipping.${1}_test" | tail -n 1)
-    line=${line/" -o tests/clipping.${1}_test "/" $work/mutant.o -o $work/$1 "}
+    line=${line/" -o tests/clipping.${1}_test "/" $work/mutant*.o -o $work/$1 "}
     (cd "$build" && eval "$line")
 }
 
 # The first test that fails, or nothing.
-killer() {
+killer() { # KEY
     local test found
-    for test in "${tests[@]}"; do
+    for test in $(testsOf "$1"); do
         link "$test"
         found=$(timeout 120 "$work/$test" 2>&1 | grep -m 1 -o 'FAIL! *: [^(]*([^)]*)' || true)
         if [[ $found ]]; then
@@ -53,18 +85,20 @@ alive=0 total=0
 while IFS= read -r entry; do
     [[ $entry && $entry != \#* ]] || continue
     key=${entry%%: *} change=${entry#*: }
-    [[ $# == 0 || " $* " == *" $key "* ]] || continue
+    isWanted "$key" || continue
     from=${change%% => *} to=${change#* => }
-    source=$root/clipping/algorithms/${key//-/_}.cpp
-    text=$(<"$source")
-    [[ $text == *"$from"* ]] || { echo "not in $source: $from"; exit 1; }
-    printf '%s\n' "${text/"$from"/"$to"}" >"$work/mutant.cpp"
+    file=$(fileOf "$key")
+    text=$(<"$root/$file")
+    [[ $text == *"$from"* ]] || { echo "not in $file: $from"; exit 1; }
+    rm -rf "$work/tree"
+    mkdir -p "$work/tree/$(dirname "$file")"
+    printf '%s\n' "${text/"$from"/"$to"}" >"$work/tree/$file"
     total=$((total + 1))
-    if ! c++ -std=c++20 -O2 -w -ffp-contract=off -I "$root" -c "$work/mutant.cpp" -o "$work/mutant.o"; then
+    if ! compile "$file"; then
         echo "does not compile: $entry"
         exit 1
     fi
-    verdict=$(killer)
+    verdict=$(killer "$key")
     [[ $verdict ]] || alive=$((alive + 1))
     printf '%-32s %-60s %s\n' "$key" "$from => $to" "${verdict:-LIVES}"
 done <"$here/mutants.txt"

@@ -242,6 +242,14 @@ private slots:
         }
     }
 
+    // Also where the window's own number has another sign.
+    void aPointItTouchesWithKeepsItsBits()
+    {
+        const auto all = clipped(Kind::Open, {{-1, 0}, {-0.0, 0.5}, {-1, 1}}, unit);
+        QVERIFY((all.points == Points{{0, 0.5}}));
+        QVERIFY(std::signbit(all.points[0].x));
+    }
+
     void aRunFollowsAnEdge()
     {
         const auto all = clipped(Kind::Open, {{0, 0}, {1, 2}, {1, 3}, {0, 4}}, square);
