@@ -40,13 +40,6 @@ QString hexadecimal(std::uint64_t checksum)
     return QStringLiteral("%1").arg(checksum, 16, 16, QLatin1Char('0'));
 }
 
-/// "2", "tie a".
-QString placeText(const Standing& standing)
-{
-    return standing.rank ? QString::number(*standing.rank)
-                         : Experiments::tr("tie %1").arg(QChar(u'a' + *standing.tie % 26));
-}
-
 bool hasTies(const std::vector<Standing>& all)
 {
     return std::ranges::any_of(all, [](const Standing& standing) { return !standing.rank; });
@@ -88,27 +81,38 @@ std::vector<Summary> summaries(const Record& record, const Measure& measure)
     return all;
 }
 
+QString placeText(const Standing& standing)
+{
+    return standing.rank ? QString::number(*standing.rank)
+                         : Experiments::tr("tie %1").arg(QChar(u'a' + *standing.tie % 26));
+}
+
 QString wordOf(clipping::Form form)
 {
     return form == clipping::Form::Corrected ? QStringLiteral("corrected")
                                              : QStringLiteral("published");
 }
 
-std::vector<std::pair<QString, QString>> factsOf(const Record& record)
+std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options)
 {
-    const ExperimentOptions& options = record.options;
-    std::vector<std::pair<QString, QString>> facts{
+    return {
         {"scene", options.scene.key},
-        {"order", options.order == Order::ByClass ? QStringLiteral("by class")
-                                                  : QStringLiteral("as they come")},
         {"lines", QString::number(options.lines)},
-        {"runs", QString::number(options.runs)},
-        {"warmup", QString::number(options.warmUps)},
         {"seed", QString::number(options.seed)},
-        {"clock", options.clock.name},
         {"space", numbersOf(options.field.space)},
         {"window", numbersOf(options.field.window)},
     };
+}
+
+std::vector<std::pair<QString, QString>> factsOf(const Record& record)
+{
+    const ExperimentOptions& options = record.options;
+    auto facts = factsOf(options);
+    facts.emplace_back("order", options.order == Order::ByClass ? QStringLiteral("by class")
+                                                                : QStringLiteral("as they come"));
+    facts.emplace_back("runs", QString::number(options.runs));
+    facts.emplace_back("warmup", QString::number(options.warmUps));
+    facts.emplace_back("clock", options.clock.name);
     if (!record.easel.isEmpty())
         facts.emplace_back("drawn", record.easel);
     facts.insert(facts.end(), record.circumstances.begin(), record.circumstances.end());

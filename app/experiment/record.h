@@ -22,10 +22,16 @@ std::optional<Record> recorded(const ExperimentOptions& options,
 /// One summary a timing, in their order.
 std::vector<Summary> summaries(const Record& record, const Measure& measure);
 
+/// "2", "tie a".
+QString placeText(const Standing& standing);
+
 /// "corrected", "published".
 QString wordOf(clipping::Form form);
 
-/// What is true of all numbers of the record: scene, lines, runs, seed, window, machine ...
+/// What is true of all lines: scene, how many, seed, space and window.
+std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);
+
+/// What is true of all numbers of the record: of the lines, and runs, clock, machine ...
 std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
 /// One row a contestant: what it needed, its place among the others, and what it found.

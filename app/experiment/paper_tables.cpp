@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/paper_tables.h"
+
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cassert>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+/// A table's columns in seconds a run, whoever measured them.
+using Columns = std::vector<std::vector<double>>;
+
+Columns secondsOf(const Record& record, const Measure& measure)
+{
+    Columns columns;
+    for (const Timing& timing : record.timings) {
+        columns.push_back(measure.times(timing));
+        for (double& time : columns.back())
+            time *= double(record.options.lines) * 1e-9;
+    }
+    return columns;
+}
+
+Columns secondsOf(const PaperTable& paper)
+{
+    Columns columns;
+    for (const PaperColumn& column : paper.columns)
+        columns.push_back(column.runs);
+    return columns;
+}
+
+std::vector<Summary> summariesOf(const Columns& columns)
+{
+    std::vector<Summary> all;
+    for (const auto& column : columns)
+        all.push_back(summaryOf(column));
+    return all;
+}
+
+QStringList namesOf(const PaperTable& paper)
+{
+    QStringList names;
+    for (const PaperColumn& column : paper.columns)
+        names << column.name;
+    return names;
+}
+
+/// The paper's three, or as many as it takes to see three digits of the shortest time.
+int decimalsFor(std::span<const Summary> summaries)
+{
+    const auto shortest = std::ranges::min(summaries, {}, &Summary::mean).mean;
+    return shortest >= 0.1 ? 3 : shortest >= 0.01 ? 4 : 6;
+}
+
+Table layout(const PaperTable& paper, const Columns& columns)
+{
+    const auto summaries = summariesOf(columns);
+    const int decimals = decimalsFor(summaries);
+    Table table{.names = QStringList(Experiments::tr("Exec.")) + namesOf(paper), .key = paper.key};
+    for (std::size_t r = 0; r < columns[0].size(); ++r) {
+        QStringList row(QString::number(r + 1));
+        for (const auto& column : columns)
+            row << QString::number(column[r], 'f', decimals);
+        table.rows.push_back(row);
+    }
+    QStringList averages(Experiments::tr("Avg:"));
+    for (const Summary& summary : summaries)
+        averages << QString::number(summary.mean, 'f', decimals);
+    table.rows.push_back(averages);
+    table.notes << rankingText(table.names.sliced(1), summaries);
+    return table;
+}
+
+/// "Table 1", "Table 2".
+QString numberOf(const PaperTable& paper)
+{
+    return Experiments::tr("Table %1").arg(paper.key.back());
+}
+
+QString titleOf(const PaperTable& paper, const Record& record, const Measure& measure)
+{
+    return Experiments::tr("%1, %2: seconds for %3 lines, algorithms %4")
+        .arg(numberOf(paper), measure.name, countText(record.options.lines),
+             wordOf(record.timings.front().contestant.form));
+}
+
+/// What a published form leaves out, if there is such a one.
+QStringList lossesOf(const PaperTable& paper, const Record& record)
+{
+    QStringList sentences;
+    for (std::size_t i = 0; i < record.timings.size(); ++i)
+        if (const Findings& found = record.timings[i].found; found.lost + found.shown > 0)
+            sentences << Experiments::tr("%1 loses %2 of the %3 lines that are visible, and shows "
+                                         "%4 that are not.")
+                             .arg(paper.columns[i].name, countText(found.lost),
+                                  countText(found.visible + found.lost - found.shown),
+                                  countText(found.shown));
+    return sentences;
+}
+
+QString perCent(double number) { return QString::number(number, 'f', 2); }
+
+} // namespace
+
+std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form)
+{
+    std::vector<Contestant> all;
+    for (const PaperColumn& column : paper.columns)
+        all.push_back({column.algorithm, form});
+    return all;
+}
+
+Table paperLayout(const PaperTable& paper, const Record& record, const Measure& measure)
+{
+    assert(record.timings.size() == paper.columns.size());
+    Table table = layout(paper, secondsOf(record, measure));
+    table.key = QStringLiteral("%1-%2-%3")
+                    .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form));
+    table.title = titleOf(paper, record, measure);
+    table.facts = factsOf(record);
+    table.notes = QStringList(measure.meaning) + table.notes + lossesOf(paper, record);
+    return table;
+}
+
+Table paperLayout(const PaperTable& paper)
+{
+    Table table = layout(paper, secondsOf(paper));
+    for (std::size_t c = 0; c < paper.columns.size(); ++c)
+        table.rows.back()[qsizetype(c) + 1] =
+            QString::number(paper.columns[c].printedAverage, 'f', 3);
+    table.key = paper.key + QStringLiteral("-paper");
+    table.title = Experiments::tr("%1 of the paper itself: seconds for %2 lines")
+                      .arg(numberOf(paper), countText(paper.lines));
+    return table;
+}
+
+Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure)
+{
+    const auto theirs = summariesOf(secondsOf(paper)),
+               ours = summariesOf(secondsOf(record, measure));
+    const auto theirPlaces = standings(theirs), ourPlaces = standings(ours);
+    Table table{
+        .names = {"algorithm", "paper_s", "ours_s", "paper_rank", "our_rank", "paper_faster",
+                  "our_faster", "paper_saves", "our_saves"},
+        .title = Experiments::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
+        .key = QStringLiteral("%1-%2-%3-against-paper")
+                   .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form)),
+        .facts = factsOf(record)};
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const PaperColumn& column = paper.columns[i];
+        const double average = column.printedAverage;
+        QStringList row{column.name, QString::number(average, 'f', 3),
+                        QString::number(ours[i].mean, 'f', decimalsFor(ours)),
+                        placeText(theirPlaces[i]), placeText(ourPlaces[i])};
+        for (const auto faster : {fasterByProposed, fasterByOther}) {
+            const bool other = &column != &paper.columns.back();
+            const double last = paper.columns.back().printedAverage;
+            row << (other ? perCent(faster(average, last)) : QString())
+                << (other ? perCent(faster(ours[i].mean, ours.back().mean)) : QString());
+        }
+        table.rows.push_back(row);
+    }
+    table.notes << Experiments::tr(
+        "Faster: the time between the other and Prop. in per cent of Prop.'s, as the paper has it. "
+        "Saves: the same in per cent of the other's time. From averages, those of the paper as "
+        "they are printed. Negative: Prop. is slower.")
+                << Experiments::tr("The paper timed the making of the lines, clipping and drawing "
+                                   "together: Total is what compares with it.")
+                << Experiments::tr("Ties are too close to call: their 95 % confidence intervals "
+                                   "overlap.");
+    return table;
+}
+
+QString rankingText(const QStringList& names, std::span<const Summary> summaries)
+{
+    const auto places = standings(summaries);
+    QStringList parts;
+    std::optional<int> tie;
+    for (const std::size_t i : sortedByMedian(summaries)) {
+        const QString& name = names[qsizetype(i)];
+        if (places[i].tie && places[i].tie == tie)
+            parts.back() += QStringLiteral(" = ") + name;
+        else
+            parts << name;
+        tie = places[i].tie;
+    }
+    return Experiments::tr("From the fastest to the slowest by median (=: too close to call): %1.")
+        .arg(parts.join(QStringLiteral(" < ")));
+}
+
+} // namespace app

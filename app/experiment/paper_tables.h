@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/paper_runs.h"
+#include "app/experiment/record.h"
+
+namespace app {
+
+/// The algorithms of a table of the paper in one form, in its order.
+std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form);
+
+/// What we measured, as the paper prints it: a row a run and one of averages, in seconds for all
+/// lines, a column an algorithm, CS to Prop. The record's contestants are those of the table.
+Table paperLayout(const PaperTable& paper, const Record& record, const Measure& measure);
+
+/// The same numbers of the paper itself.
+Table paperLayout(const PaperTable& paper);
+
+/// The paper's averages and ours, how much faster the proposed method is by both definitions, and
+/// the ranks, which the paper's runs get by the same rule as ours.
+Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure);
+
+/// "From the fastest to the slowest by median (=: too close to call): Skala < CS = LB < CB." Names
+/// and summaries belong together.
+QString rankingText(const QStringList& names, std::span<const Summary> summaries);
+
+} // namespace app
