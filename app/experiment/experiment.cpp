@@ -3,6 +3,7 @@
 
 #include "app/comparison/line_class.h"
 #include "app/experiment/checksum.h"
+#include "app/experiment/pace.h"
 
 #include <QCoreApplication>
 
@@ -29,27 +30,6 @@ struct Block {
     std::vector<Segment> lines;
     std::vector<Clipped> visible;
     std::vector<Clipped> truth; ///< what is truly visible, while findings are made
-};
-
-/// Tells a follower how far it is.
-class Pace {
-public:
-    Pace(const Follower& follower, double turns)
-        : follower_(follower), start_(clock_.nanoseconds()), turns_(turns)
-    {
-    }
-    void turnDone()
-    {
-        const double share = ++done_ / turns_;
-        if (follower_.progress)
-            follower_.progress({share, (clock_.nanoseconds() - start_) * (1 / share - 1) * 1e-9});
-    }
-    bool stopped() const { return follower_.stop.stop_requested(); }
-
-private:
-    const Follower& follower_;
-    Clock clock_ = wallClock();
-    double start_, turns_, done_ = 0;
 };
 
 /// The experiment while it goes on.

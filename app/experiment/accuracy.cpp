@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/accuracy.h"
+
+#include "app/experiment/pace.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace app {
+namespace {
+
+using clipping::Clipped;
+using clipping::Segment;
+using clipping::Window;
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+constexpr std::uint64_t blockSize = 100'000;
+
+double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+double apart(const glm::dvec2& p, const glm::dvec2& q) { return largest(p - q); }
+
+double ulpFor(const Segment& line, const Window& window)
+{
+    const double most =
+        std::max({largest(line.a), largest(line.b), largest(window.min), largest(window.max)});
+    return std::nextafter(most, std::numeric_limits<double>::infinity()) - most;
+}
+
+/// The farther end, with the ends put together as they fit best.
+double distanceOf(const Segment& s, const Segment& t)
+{
+    return std::min(std::max(apart(s.a, t.a), apart(s.b, t.b)),
+                    std::max(apart(s.a, t.b), apart(s.b, t.a)));
+}
+
+/// Not a number is outside, too.
+bool isInside(const Segment& s, const Window& w)
+{
+    const auto inside = [&](const glm::dvec2& p) {
+        return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
+    };
+    return inside(s.a) && inside(s.b);
+}
+
+/// Adds one block. `meanUlps` holds the sum meanwhile.
+void add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
+         std::span<const Clipped> truth, const Window& window)
+{
+    std::uint64_t agreed = 0;
+    auto next = truth.begin();
+    for (const Clipped& line : found) {
+        to.outside += !isInside(line.segment, window);
+        while (next != truth.end() && next->source < line.source)
+            ++next;
+        if (next == truth.end() || next->source != line.source)
+            continue;
+        ++agreed;
+        const double ulps =
+            distanceOf(line.segment, next->segment) / ulpFor(lines[line.source], window);
+        if (!std::isfinite(ulps))
+            continue; // it counts as outside
+        to.meanUlps += ulps;
+        to.mostUlps = std::max(to.mostUlps, ulps);
+    }
+    to.visible += truth.size();
+    to.lost += truth.size() - agreed;
+    to.shown += found.size() - agreed;
+}
+
+void clipInto(std::vector<Clipped>& out, const Contestant& contestant,
+              std::span<const Segment> lines, const Window& window)
+{
+    out.resize(lines.size());
+    out.resize(
+        clipping::usesOf(*contestant.algorithm, contestant.form)->clipAll(lines, window, out));
+}
+
+QStringList rowOf(const Accuracy& row)
+{
+    return {QString::fromUtf8(row.contestant.algorithm->key),
+            wordOf(row.contestant.form),
+            QString::number(row.visible),
+            QString::number(row.lost),
+            QString::number(row.shown),
+            QString::number(row.outside),
+            QString::number(row.meanUlps, 'g', 3),
+            QString::number(row.mostUlps, 'g', 3)};
+}
+
+} // namespace
+
+std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options,
+                                                std::span<const Contestant> contestants,
+                                                const Follower& follower)
+{
+    std::vector<Accuracy> all;
+    for (const Contestant& contestant : contestants)
+        all.push_back({.contestant = contestant});
+    const Contestant exact{clipping::findAlgorithm("exact"), clipping::Form::Corrected};
+    const LineSource source = options.scene.begin(options.field, options.seed);
+    const Window& window = options.field.window;
+    Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));
+    std::vector<Segment> lines;
+    std::vector<Clipped> truth, found;
+    for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
+        if (pace.stopped())
+            return std::nullopt;
+        lines.resize(std::min(blockSize, options.lines - done));
+        source(lines);
+        clipInto(truth, exact, lines, window);
+        for (Accuracy& row : all) {
+            clipInto(found, row.contestant, lines, window);
+            add(row, lines, found, truth, window);
+        }
+        pace.turnDone();
+    }
+    for (Accuracy& row : all)
+        row.meanUlps /= double(std::max<std::uint64_t>(row.visible - row.lost, 1));
+    return all;
+}
+
+Table accuracyTable(std::span<const Accuracy> accuracies, const ExperimentOptions& options)
+{
+    Table table{
+        .names = {"algorithm", "form", "visible", "lost", "shown", "outside", "mean_ulps",
+                  "most_ulps"},
+        .title = Experiments::tr("Accuracy against exact arithmetic"),
+        .key = QStringLiteral("accuracy"),
+        .facts = factsOf(options),
+        .notes = {Experiments::tr(
+            "Lost: lines that are visible and that it drops; shown: lines that are not and that it "
+            "keeps; outside: lines that it gives an end outside the window. Ulps: how far ends are "
+            "off, in units in the last place of the largest coordinate of line and window.")}};
+    for (const Accuracy& row : accuracies)
+        table.rows.push_back(rowOf(row));
+    return table;
+}
+
+} // namespace app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/analysis.h"
+
+#include "app/experiment/accuracy.h"
+#include "app/experiment/class_profile.h"
+#include "app/experiment/operation_profile.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+using Contestants = std::span<const Contestant>;
+
+std::optional<Table> classes(const ExperimentOptions& options, Contestants contestants,
+                             const Follower& follower)
+{
+    const auto profile = classProfile(options, contestants, follower);
+    return profile ? std::optional(classTable(*profile)) : std::nullopt;
+}
+
+std::optional<Table> operations(const ExperimentOptions& options, Contestants contestants,
+                                const Follower& follower)
+{
+    const auto profile = operationProfile(options, contestants, follower);
+    return profile ? std::optional(operationTable(*profile)) : std::nullopt;
+}
+
+std::optional<Table> accuracy(const ExperimentOptions& options, Contestants contestants,
+                              const Follower& follower)
+{
+    const auto all = accuracies(options, contestants, follower);
+    return all ? std::optional(accuracyTable(*all, options)) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<Analysis> analyses()
+{
+    struct Experiments {
+        Q_DECLARE_TR_FUNCTIONS(Experiments)
+    };
+    return {
+        {"classes", Experiments::tr("Times by class"),
+         Experiments::tr("What a line costs that is inside, rejected at once, cut or missed."),
+         classes},
+        {"operations", Experiments::tr("Operations"),
+         Experiments::tr("Comparisons, additions, multiplications and divisions a line."),
+         operations},
+        {"accuracy", Experiments::tr("Accuracy"),
+         Experiments::tr("Lost lines, ends outside the window, and how far ends are off."),
+         accuracy},
+    };
+}
+
+} // namespace app

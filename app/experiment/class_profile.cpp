@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/class_profile.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+constexpr std::size_t mostOfAClass = 100'000;
+
+/// A quarter of the way for each class.
+Follower followerOf(const Follower& follower, std::size_t c)
+{
+    if (!follower.progress)
+        return follower;
+    return {follower.stop, [&follower, c](const Progress& now) {
+                constexpr double all = double(lineClasses.size());
+                const double perClass = now.share < 1 ? now.secondsLeft / (1 - now.share) : 0;
+                follower.progress({(double(c) + now.share) / all,
+                                   now.secondsLeft + perClass * (all - 1 - double(c))});
+            }};
+}
+
+std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipping::Segment> lines,
+                               std::span<const Contestant> contestants, const Follower& follower)
+{
+    ExperimentOptions options = scene;
+    options.lines = lines.size();
+    options.easel = nullptr;
+    if (lines.empty())
+        return Record{options, {}, {}, {}};
+    options.scene = drawingScene(scene.scene.name, std::move(lines));
+    auto record = recorded(options, contestants, follower);
+    if (record)
+        record->options.scene = scene.scene; // without the lines
+    return record;
+}
+
+QString percentText(double share) { return QString::number(100 * share, 'g', 3); }
+
+/// "wholly inside 0.011 %, rejected at once 64.2 % ..."
+QString mixText(const ClassProfile& profile)
+{
+    QStringList parts;
+    for (const ClassTimes& one : profile.classes)
+        parts << Experiments::tr("%1 %2 %").arg(words(one.of.lineClass), percentText(one.of.share));
+    return parts.join(QStringLiteral(", "));
+}
+
+QStringList notesOf(const ClassProfile& profile)
+{
+    QStringList notes{
+        Experiments::tr("Lines of one class at a time, median nanoseconds a line. The scene is %1.")
+            .arg(mixText(profile)),
+        Experiments::tr("Weighted: what a line of the scene would cost if each cost what its class "
+                        "does. In a mixed scene it costs more, since the processor cannot guess "
+                        "what comes next.")};
+    for (const ClassTimes& one : profile.classes)
+        if (!one.of.standIn.isEmpty())
+            notes << Experiments::tr("Lines of class “%1” are too rare in the scene: those of the "
+                                     "scene “%2” stand in for them.")
+                         .arg(words(one.of.lineClass), one.of.standIn);
+    return notes;
+}
+
+QStringList rowOf(const ClassProfile& profile, std::size_t contestant, const Contestant& who,
+                  const Measure& measure)
+{
+    QStringList row{QString::fromUtf8(who.algorithm->key), wordOf(who.form)};
+    double weighted = 0;
+    for (const auto& [of, record] : profile.classes) {
+        if (record.timings.empty()) {
+            row << QString();
+            continue;
+        }
+        const double median = summaryOf(measure.times(record.timings[contestant])).median;
+        weighted += of.share * median;
+        row << QString::number(median, 'f', 2);
+    }
+    return row << QString::number(weighted, 'f', 2);
+}
+
+} // namespace
+
+std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
+                                         std::span<const Contestant> contestants,
+                                         const Follower& follower)
+{
+    ClassProfile profile{options, {}};
+    auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass);
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        auto lines = std::exchange(all[c].lines, {});
+        auto record = recordOf(options, std::move(lines), contestants, followerOf(follower, c));
+        if (!record)
+            return std::nullopt;
+        profile.classes.push_back({std::move(all[c]), std::move(*record)});
+    }
+    return profile;
+}
+
+Table classTable(const ClassProfile& profile)
+{
+    Table table{.names = {"algorithm", "form", "inside_ns", "rejected_ns", "cut_ns", "missed_ns",
+                          "weighted_ns"},
+                .title = Experiments::tr("Clipping by class of line: nanoseconds a line"),
+                .key = QStringLiteral("classes"),
+                .notes = notesOf(profile)};
+    const auto measured = std::ranges::find_if(
+        profile.classes, [](const ClassTimes& one) { return !one.record.timings.empty(); });
+    if (measured == profile.classes.end())
+        return table;
+    table.facts = factsOf(measured->record);
+    std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });
+    const Measure clip = measures().front();
+    for (std::size_t i = 0; i < measured->record.timings.size(); ++i)
+        table.rows.push_back(rowOf(profile, i, measured->record.timings[i].contestant, clip));
+    return table;
+}
+
+} // namespace app

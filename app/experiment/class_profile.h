@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/class_lines.h"
+#include "app/experiment/record.h"
+
+namespace app {
+
+/// What lines of one class cost: an experiment on them alone.
+struct ClassTimes {
+    ClassLines of; ///< without the lines
+    Record record; ///< no timings if the scene has no such lines
+};
+
+/// Why an algorithm is fast for one scene and slow for another: each class by itself, clipping
+/// only, in the order of lineClasses.
+struct ClassProfile {
+    ExperimentOptions options; ///< the scene as a whole
+    std::vector<ClassTimes> classes;
+};
+
+/// Up to 100,000 lines of each class of the scene; `runs`, `seed` and the field are the options'.
+/// Nothing if it was stopped. Progress goes from 0 to 1 over all classes.
+std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
+                                         std::span<const Contestant> contestants,
+                                         const Follower& follower = {});
+
+/// One row a contestant: median nanoseconds a line of each class, and what a line of the scene
+/// costs if each costs what its class does.
+Table classTable(const ClassProfile& profile);
+
+} // namespace app

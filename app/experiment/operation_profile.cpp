@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/operation_profile.h"
+
+#include "app/experiment/pace.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <numeric>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+using clipping::OperationCounts;
+
+constexpr std::uint64_t blockSize = 100'000;
+
+OperationCounts sum(const OperationCounts& a, const OperationCounts& b)
+{
+    return {a.additions + b.additions, a.multiplications + b.multiplications,
+            a.divisions + b.divisions, a.comparisons + b.comparisons, a.negations + b.negations};
+}
+
+using LinesByClass = std::array<std::vector<clipping::Segment>, lineClasses.size()>;
+
+LinesByClass divided(std::span<const clipping::Segment> lines, const clipping::Window& window)
+{
+    LinesByClass classes;
+    for (const clipping::Segment& line : lines)
+        classes[std::size_t(lineClassOf(line, window))].push_back(line);
+    return classes;
+}
+
+void count(OperationProfile& profile, const LinesByClass& classes)
+{
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        profile.mix[c] += classes[c].size();
+        for (auto& [contestant, byClass] : profile.rows) {
+            const auto& uses = *clipping::usesOf(*contestant.algorithm, contestant.form);
+            byClass[c] = sum(byClass[c], uses.count(classes[c], profile.options.field.window));
+        }
+    }
+}
+
+QStringList rowOf(const Contestant& contestant, const QString& lineClass, std::uint64_t lines,
+                  const OperationCounts& counts)
+{
+    const auto perLine = [&](std::uint64_t count) {
+        return QString::number(double(count) / double(lines), 'f', 2);
+    };
+    return {
+        QString::fromUtf8(contestant.algorithm->key),
+        wordOf(contestant.form),
+        lineClass,
+        QString::number(lines),
+        perLine(counts.comparisons),
+        perLine(counts.additions),
+        perLine(counts.multiplications),
+        perLine(counts.divisions),
+        perLine(counts.comparisons + counts.additions + counts.multiplications + counts.divisions)};
+}
+
+} // namespace
+
+OperationCounts ContestantOperations::scene() const
+{
+    return std::accumulate(byClass.begin(), byClass.end(), OperationCounts{}, sum);
+}
+
+std::optional<OperationProfile> operationProfile(const ExperimentOptions& options,
+                                                 std::span<const Contestant> contestants,
+                                                 const Follower& follower)
+{
+    OperationProfile profile{.options = options, .rows = {}};
+    for (const Contestant& contestant : contestants)
+        profile.rows.push_back({contestant, {}});
+    const LineSource source = options.scene.begin(options.field, options.seed);
+    Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));
+    std::vector<clipping::Segment> lines;
+    for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
+        if (pace.stopped())
+            return std::nullopt;
+        lines.resize(std::min(blockSize, options.lines - done));
+        source(lines);
+        count(profile, divided(lines, options.field.window));
+        pace.turnDone();
+    }
+    return profile;
+}
+
+Table operationTable(const OperationProfile& profile)
+{
+    Table table{.names = {"algorithm", "form", "class", "lines_of_class", "comparisons",
+                          "additions", "multiplications", "divisions", "all"},
+                .title = Experiments::tr("Operations a line, by class of line"),
+                .key = QStringLiteral("operations"),
+                .facts = factsOf(profile.options),
+                .notes = {Experiments::tr("Additions with subtractions; negations and operations "
+                                          "on bits are not counted.")}};
+    for (const ContestantOperations& row : profile.rows) {
+        for (std::size_t c = 0; c < profile.mix.size(); ++c)
+            if (profile.mix[c] > 0)
+                table.rows.push_back(
+                    rowOf(row.contestant, words(lineClasses[c]), profile.mix[c], row.byClass[c]));
+        table.rows.push_back(rowOf(row.contestant, Experiments::tr("whole scene"),
+                                   profile.options.lines, row.scene()));
+    }
+    return table;
+}
+
+} // namespace app

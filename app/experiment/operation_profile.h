@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/class_lines.h"
+#include "app/experiment/record.h"
+
+namespace app {
+
+/// The arithmetic of one contestant.
+struct ContestantOperations {
+    Contestant contestant;
+    std::array<clipping::OperationCounts, lineClasses.size()> byClass; ///< of all lines of a class
+    clipping::OperationCounts scene() const;                           ///< of all lines
+};
+
+/// What the paper's abstract promises and the paper never shows: additions (with subtractions),
+/// multiplications, divisions and comparisons, and negations apart.
+struct OperationProfile {
+    ExperimentOptions options;                           ///< scene, field, lines and seed
+    std::array<std::uint64_t, lineClasses.size()> mix{}; ///< lines of each class
+    std::vector<ContestantOperations> rows;
+};
+
+/// Counts exactly, so once is enough; a million lines and 15 contestants take some seconds.
+/// Nothing if it was stopped.
+std::optional<OperationProfile> operationProfile(const ExperimentOptions& options,
+                                                 std::span<const Contestant> contestants,
+                                                 const Follower& follower = {});
+
+/// One row a contestant and class, and one for the scene: operations a line.
+Table operationTable(const OperationProfile& profile);
+
+} // namespace app
