@@ -2,7 +2,6 @@
 #include "app/command_line/given.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
-#include "app/command_line/terminal.h"
 
 namespace app {
 namespace {
@@ -15,7 +14,7 @@ void list(const Given& given)
                               QLatin1StringView(algorithm.abbreviation),
                               QLatin1StringView(algorithm.name), QString::number(algorithm.year),
                               QString::fromUtf8(algorithm.idea)});
-    print(tableFormat(given).text({&table, 1}));
+    writeTables(tableOutput(given), {&table, 1});
 }
 
 } // namespace
@@ -25,7 +24,7 @@ Command algorithmsCommand()
     return {"algorithms",
             "[OPTIONS]",
             Commands::tr("Lists the algorithms that clip."),
-            {tableOption()},
+            tableOptions(),
             {"clearcut algorithms --format csv"},
             0,
             list};

@@ -3,8 +3,7 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
-#include "app/command_line/terminal.h"
-#include "app/experiment/record.h"
+#include "app/experiment/paper_tables.h"
 
 #include <algorithm>
 
@@ -21,26 +20,103 @@ Record measured(ExperimentOptions options, const std::vector<Contestant>& contes
                      {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
-void bench(const Given& given)
+std::vector<Table> sceneTables(const Given& given)
 {
-    const auto format = tableFormat(given);
-    const auto wanted = measuresGiven(given, QStringLiteral("clip"));
+    const Wanted wanted = wantedGiven(given, QStringLiteral("clip"));
     const auto contestants = contestantsGiven(given);
     if (contestants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
-    const Record record = measured(experimentGiven(given), contestants, wanted);
+    const ExperimentOptions options = experimentGiven(given);
     std::vector<Table> tables;
-    for (const Measure& measure : wanted)
-        tables.push_back(timesTable(record, measure));
-    print(format.text(tables));
+    if (!wanted.measures.empty()) {
+        const Record record = measured(options, contestants, wanted.measures);
+        for (const Measure& measure : wanted.measures)
+            tables.push_back(timesTable(record, measure));
+    }
+    for (const Analysis& analysis : wanted.analyses) {
+        ProgressLine line;
+        tables.push_back(*analysis.table(
+            options, contestants, {{}, [&](const Progress& progress) { line.show(progress); }}));
+    }
+    return tables;
+}
+
+/// The tables of the paper that --paper names.
+std::vector<PaperTable> papersGiven(const Given& given)
+{
+    if (given.has(QStringLiteral("algorithms")))
+        throw WrongUsage{Commands::tr("--paper has algorithms of its own: leave -a away.")};
+    auto tables = paperTables();
+    QStringList words;
+    for (const PaperTable& table : tables)
+        words << table.key;
+    const auto choice = given.choice(QStringLiteral("paper"), words + QStringList("all"));
+    if (choice < tables.size())
+        return {tables[choice]};
+    return tables;
+}
+
+std::vector<clipping::Form> paperForms(const Given& given)
+{
+    const auto forms = formsGiven(given);
+    return given.has(QStringLiteral("form")) ? forms : std::vector{clipping::Form::Published};
+}
+
+std::vector<Table> paperTables(const Given& given)
+{
+    const auto [wanted, others] = wantedGiven(given, QStringLiteral("clip,draw,total"));
+    if (!others.empty())
+        throw WrongUsage{Commands::tr("--paper measures clip, draw and total: leave “%1” away.")
+                             .arg(others[0].key)};
+    const bool against = given.has(QStringLiteral("against-paper"));
+    std::vector<Table> tables;
+    for (const PaperTable& paper : papersGiven(given)) {
+        if (against)
+            tables.push_back(paperLayout(paper));
+        for (const clipping::Form form : paperForms(given)) {
+            ExperimentOptions options = experimentGiven(given);
+            if (!given.has(QStringLiteral("lines")) && !given.has(QStringLiteral("quick")))
+                options.lines = paper.lines;
+            const Record record = measured(options, contestants(paper, form), wanted);
+            for (const Measure& measure : wanted) {
+                tables.push_back(paperLayout(paper, record, measure));
+                if (against)
+                    tables.push_back(againstPaper(paper, record, measure));
+            }
+        }
+    }
+    return tables;
+}
+
+void bench(const Given& given)
+{
+    const auto output = tableOutput(given);
+    const bool paper = given.has(QStringLiteral("paper"));
+    if (given.has(QStringLiteral("against-paper")) && !paper)
+        throw WrongUsage{Commands::tr("--against-paper needs --paper table1, table2 or all.")};
+    writeTables(output, paper ? paperTables(given) : sceneTables(given));
+}
+
+std::vector<Option> benchOptions()
+{
+    std::vector<Option> options{
+        {{"paper"},
+         "table1|table2|all",
+         Commands::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
+                      "1000000 and 10000000 lines, 10 runs; clip, draw and total apart.")},
+        {{"against-paper"}, {}, Commands::tr("With --paper: the paper's own numbers beside ours.")},
+    };
+    for (Option& option : experimentOptions())
+        options.push_back(std::move(option));
+    for (Option& option : tableOptions())
+        options.push_back(std::move(option));
+    return options;
 }
 
 } // namespace
 
 Command benchCommand()
 {
-    auto options = experimentOptions();
-    options.push_back(tableOption());
     return {
         "bench",
         "[OPTIONS]",
@@ -49,10 +125,12 @@ Command benchCommand()
                      "the nanoseconds a line (median, spread between the quartiles, mean and its "
                      "confidence interval over all runs), its rank where there is one, and how "
                      "many lines are visible and how many it loses."),
-        options,
-        {"clearcut bench --lines 10000000 --runs 10 --format csv > times.csv",
+        benchOptions(),
+        {"clearcut bench --paper all --against-paper",
+         "clearcut bench --lines 10000000 --runs 10 --format csv > times.csv",
          "clearcut bench -a cs,lb,md --measure clip,draw,total",
-         "clearcut bench --quick --scene near-miss --order sorted"},
+         "clearcut bench --quick --scene near-miss --order sorted",
+         "clearcut bench --measure classes,operations,accuracy"},
         0,
         bench};
 }

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace app {
@@ -22,6 +23,11 @@ QStringList keysOf(const std::vector<Row>& rows)
     for (const Row& row : rows)
         keys << row.key;
     return keys;
+}
+
+QString allMeasures()
+{
+    return (keysOf(measures()) + keysOf(analyses())).join(QStringLiteral(", "));
 }
 
 /// In the scene's own numbers.
@@ -103,8 +109,7 @@ std::vector<Option> experimentOptions()
          Commands::tr("Algorithms without their published faults, or with them (both).")},
         {{"measure"},
          "LIST",
-         Commands::tr("What to tell, with commas between: %1 (clip).")
-             .arg(keysOf(measures()).join(QStringLiteral(", ")))},
+         Commands::tr("What to tell, with commas between: %1 (clip).").arg(allMeasures())},
     };
 }
 
@@ -130,36 +135,45 @@ ExperimentOptions experimentGiven(const Given& given)
     return options;
 }
 
+std::vector<clipping::Form> formsGiven(const Given& given)
+{
+    constexpr std::array both{clipping::Form::Corrected, clipping::Form::Published};
+    const auto choice = given.choice(QStringLiteral("form"), {"both", "corrected", "published"});
+    if (choice == 0)
+        return {both.begin(), both.end()};
+    return {both[choice - 1]};
+}
+
 std::vector<Contestant> contestantsGiven(const Given& given)
 {
     auto algorithms = given.algorithms(QStringLiteral("algorithms"));
     if (algorithms.empty())
         for (const auto& algorithm : clipping::algorithms())
             algorithms.push_back(&algorithm);
-    switch (given.choice(QStringLiteral("form"), {"both", "corrected", "published"})) {
-    case 1:
-        return contestants(algorithms, clipping::Form::Corrected);
-    case 2:
-        return contestants(algorithms, clipping::Form::Published);
-    default:
-        return contestants(algorithms);
-    }
+    std::vector<Contestant> all;
+    for (const clipping::Form form : formsGiven(given))
+        for (const Contestant& contestant : contestants(algorithms, form))
+            all.push_back(contestant);
+    return all;
 }
 
-std::vector<Measure> measuresGiven(const Given& given, const QString& otherwise)
+Wanted wantedGiven(const Given& given, const QString& otherwise)
 {
     const auto text = given.text(QStringLiteral("measure"));
-    const QStringList wanted = text.value_or(otherwise).toLower().split(u',');
-    std::vector<Measure> found;
-    const auto rows = measures();
-    for (const QString& key : wanted) {
-        const auto row = std::ranges::find(rows, key, &Measure::key);
-        if (row == rows.end())
-            throw WrongUsage{Commands::tr("--measure %1: give %2.")
-                                 .arg(*text, keysOf(rows).join(QStringLiteral(", ")))};
-        found.push_back(*row);
+    const QStringList keys = text.value_or(otherwise).toLower().split(u',');
+    const auto times = measures();
+    const auto rest = analyses();
+    Wanted wanted;
+    for (const QString& key : keys) {
+        if (const auto row = std::ranges::find(times, key, &Measure::key); row != times.end())
+            wanted.measures.push_back(*row);
+        else if (const auto other = std::ranges::find(rest, key, &Analysis::key);
+                 other != rest.end())
+            wanted.analyses.push_back(*other);
+        else
+            throw WrongUsage{Commands::tr("--measure %1: give %2.").arg(*text, allMeasures())};
     }
-    return found;
+    return wanted;
 }
 
 } // namespace app

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/given.h"
-#include "app/experiment/experiment.h"
+#include "app/experiment/analysis.h"
 
 namespace app {
 
@@ -13,10 +13,17 @@ std::vector<Option> experimentOptions();
 /// drawn.
 ExperimentOptions experimentGiven(const Given& given);
 
+/// The forms that --form names: both, the corrected one first, unless it names one.
+std::vector<clipping::Form> formsGiven(const Given& given);
+
 /// The algorithms and forms they name: both forms unless --form names one.
 std::vector<Contestant> contestantsGiven(const Given& given);
 
-/// What --measure names; `otherwise` if it is not given.
-std::vector<Measure> measuresGiven(const Given& given, const QString& otherwise);
+/// What --measure names: times, and analyses.
+struct Wanted {
+    std::vector<Measure> measures;
+    std::vector<Analysis> analyses;
+};
+Wanted wantedGiven(const Given& given, const QString& otherwise);
 
 } // namespace app

@@ -2,6 +2,13 @@
 #include "app/command_line/table.h"
 
 #include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+#include "app/formats/replace_file.h"
+#include "app/formats/write_all.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -16,14 +23,39 @@ QStringList keys()
 
 } // namespace
 
-Option tableOption()
+std::vector<Option> tableOptions()
 {
-    return {{"f", "format"}, keys().join(u'|'), Commands::tr("How to print the table (text).")};
+    return {
+        {{"f", "format"},
+         keys().join(u'|'),
+         Commands::tr("How to print tables (text, or what the ending of FILE says).")},
+        {{"o", "output"}, "FILE", Commands::tr("Where to write them (standard output).")},
+    };
 }
 
-TableFormat tableFormat(const Given& given)
+TableOutput tableOutput(const Given& given)
 {
-    return tableFormats()[given.choice(QStringLiteral("format"), keys())];
+    const auto formats = tableFormats();
+    TableOutput output{formats[given.choice(QStringLiteral("format"), keys())],
+                       given.text(QStringLiteral("output")).value_or(QString())};
+    const auto byEnding =
+        std::ranges::find(formats, QFileInfo(output.path).suffix().toLower(), &TableFormat::ending);
+    if (!given.has(QStringLiteral("format")) && byEnding != formats.end())
+        output.format = *byEnding;
+    return output;
+}
+
+void writeTables(const TableOutput& output, std::span<const Table> tables)
+{
+    const QString text = output.format.text(tables);
+    if (output.path.isEmpty() || output.path == u"-")
+        return print(text);
+    const auto error = replaceFile(output.path, [&](QIODevice& out) {
+        const bool all = writeAll(out, text.toStdString());
+        return all ? std::nullopt : std::optional(out.errorString() + u'.');
+    });
+    if (error)
+        throw Failure{Commands::tr("Cannot write %1: %2").arg(output.path, *error)};
 }
 
 } // namespace app

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/format.h"
+#include "app/formats/replace_file.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <array>
@@ -68,23 +68,6 @@ Result<Imported> readFile(const QString& path, const Format* format)
     }
 }
 
-namespace {
-
-// What went wrong, if anything, with `file` written and `finish`ed.
-std::optional<QString> writeTo(QFileDevice& file, const Sheet& sheet, const WriteOptions& options,
-                               const Format& format, bool (*finish)(QFileDevice&))
-{
-    if (!file.open(QIODevice::WriteOnly))
-        return file.errorString() + u'.';
-    if (auto error = format.write(sheet, file, options))
-        return error;
-    if (options.stop.stop_requested())
-        return QCoreApplication::translate("formats", "it was cancelled.");
-    return finish(file) ? std::nullopt : std::optional(file.errorString() + u'.');
-}
-
-} // namespace
-
 std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
                                  const WriteOptions& options, const Format* format)
 {
@@ -95,16 +78,12 @@ std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
     if (!format || !format->write)
         return failure(
             QCoreApplication::translate("formats", "this type of file is not written here."));
-    const QFileInfo info(path);
-    std::optional<QString> error;
-    if (info.exists() && !info.isFile() && !info.isDir()) { // never replace a device by a file
-        QFile device(path);
-        error = writeTo(device, sheet, options, *format, [](QFileDevice& f) { return f.flush(); });
-    } else {
-        QSaveFile file(path);
-        error = writeTo(file, sheet, options, *format,
-                        [](QFileDevice& f) { return static_cast<QSaveFile&>(f).commit(); });
-    }
+    const auto error = replaceFile(path, [&](QIODevice& out) {
+        auto wrong = format->write(sheet, out, options);
+        if (!wrong && options.stop.stop_requested())
+            wrong = QCoreApplication::translate("formats", "it was cancelled.");
+        return wrong;
+    });
     return error ? std::optional(failure(*error)) : std::nullopt;
 }
 

@@ -10,6 +10,9 @@ namespace app {
 // Each is defined in the file of its format.
 QString plainText(std::span<const Table> tables);
 QString csvText(std::span<const Table> tables);
+QString jsonText(std::span<const Table> tables);
+QString markdownText(std::span<const Table> tables);
+QString latexText(std::span<const Table> tables);
 
 // THE CATALOGUE. To add a format: write its file in app/tables/, and name it above and below.
 std::vector<TableFormat> tableFormats()
@@ -18,8 +21,11 @@ std::vector<TableFormat> tableFormats()
         Q_DECLARE_TR_FUNCTIONS(Tables)
     };
     return {
-        {"text", Tables::tr("Text"), plainText},
-        {"csv", Tables::tr("CSV"), csvText},
+        {"text", "txt", Tables::tr("Text"), plainText},
+        {"csv", "csv", Tables::tr("CSV"), csvText},
+        {"json", "json", Tables::tr("JSON"), jsonText},
+        {"markdown", "md", Tables::tr("Markdown"), markdownText},
+        {"latex", "tex", Tables::tr("LaTeX"), latexText},
     };
 }
 

@@ -24,8 +24,9 @@ struct Table {
 
 /// One row of the catalogue of what tables can be printed as.
 struct TableFormat {
-    QString key;  ///< "csv": a file's ending and --format
-    QString name; ///< translated
+    QString key;    ///< "markdown": for --format
+    QString ending; ///< "md": of a file's name
+    QString name;   ///< translated
     QString (*text)(std::span<const Table> tables);
 };
 

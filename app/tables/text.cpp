@@ -34,7 +34,8 @@ std::vector<qsizetype> widthsOf(const Table& table)
 
 } // namespace
 
-/// Columns for people, numbers to the right; what is true of all rows and the notes below.
+/// Columns for people, numbers to the right, and the notes below. What is true of all rows is said
+/// once after the last of some tables of which the same is true.
 QString plainText(std::span<const Table> tables)
 {
     QString text;
@@ -48,12 +49,16 @@ QString plainText(std::span<const Table> tables)
         text += alignedLine(table.names, widths, numeric);
         for (const QStringList& row : table.rows)
             text += alignedLine(row, widths, numeric);
-        if (!table.facts.empty() || !table.notes.isEmpty())
+        if (!table.notes.isEmpty())
             text += u'\n';
-        for (const auto& [name, value] : table.facts)
-            text += (name + QStringLiteral(": ")).leftJustified(12) + value + u'\n';
         for (const QString& note : table.notes)
             text += note + u'\n';
+        const Table* next = &table == &tables.back() ? nullptr : &table + 1;
+        if (table.facts.empty() || (next && next->facts == table.facts))
+            continue;
+        text += u'\n';
+        for (const auto& [name, value] : table.facts)
+            text += (name + QStringLiteral(": ")).leftJustified(12) + value + u'\n';
     }
     return text;
 }

@@ -4,6 +4,10 @@
 #include "clipping/algorithm.h"
 
 #include <QDir>
+#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QRegularExpression>
 #include <QTest>
 #include <QThread>
@@ -98,17 +102,21 @@ private slots:
         row({"clip", "A", "-o", "-"}, "say what type it is, with --to");
         row({"info"}, "Something is missing: info INPUT");
         row({"algorithms", "x"}, "“x” is one argument too many");
-        row({"algorithms", "--format", "xml"}, "--format xml: give text or csv");
+        row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
         row({"bench", "-a", "md,,cs"}, "There is no algorithm “”");
-        row({"bench", "--format", "xml"}, "--format xml: give text or csv");
+        row({"bench", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--scene", "moon"}, "--scene moon: give paper or inside or");
         row({"bench", "--scene", "file:"}, "--scene file:: give paper or");
         row({"bench", "--space", "0,0,5cm,5"}, "--space 0,0,5cm,5: give four numbers without");
         row({"bench", "--window=-960,-75,100,75"}, "the space must be larger on all four sides");
         row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
         row({"bench", "--form", "published", "-a", "exact"}, "None of these algorithms");
+        row({"bench", "--paper", "table3"}, "--paper table3: give table1 or table2 or all");
+        row({"bench", "--paper", "all", "-a", "cs"}, "--paper has algorithms of its own");
+        row({"bench", "--paper", "all", "--measure", "accuracy"}, "leave “accuracy” away");
+        row({"bench", "--against-paper"}, "--against-paper needs --paper");
     }
     void wrongUsageIsTwo()
     {
@@ -317,7 +325,7 @@ private slots:
         const auto lines = run.out.trimmed().split('\n');
         QVERIFY(
             lines[0].startsWith("algorithm,form,rank,median_ns,spread_ns,mean_ns,low_ns,high_ns,"
-                                "visible,lost,shown,checksum,scene,order,lines,runs,"));
+                                "visible,lost,shown,checksum,scene,lines,seed,"));
         QCOMPARE(lines.size(), 5); // two forms, twice
         const auto columns = lines[0].split(',');
         const auto field = [&](const QByteArray& line, const char* name) {
@@ -334,6 +342,55 @@ private slots:
         QCOMPARE(checksum(usual).size(), 16);
         QCOMPARE(checksum(usual), field(lines[1], "checksum"));
         QVERIFY(checksum(usual + QStringList{"--seed", "2"}) != field(lines[1], "checksum"));
+    }
+
+    void benchQuickTakesFiveSeconds()
+    {
+        QElapsedTimer timer;
+        timer.start();
+        QCOMPARE(clearcut({"bench", "--quick", "-a", "cs,lb,cb,nln,skala,kwc,md"}).code, 0);
+        QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+    void benchPrintsThePapersTables()
+    {
+        const auto run = clearcut({"bench", "--paper", "all", "--against-paper", "-n", "5000",
+                                   "--runs", "2", "--form", "both", "--format", "json"});
+        QCOMPARE(run.err, "");
+        QStringList keys;
+        for (const auto& table : QJsonDocument::fromJson(run.out).array())
+            keys << table["table"].toString();
+        QStringList expected;
+        for (const char* table : {"table1", "table2"}) {
+            expected << QString("%1-paper").arg(table);
+            for (const char* form : {"corrected", "published"})
+                for (const char* measure : {"clip", "draw", "total"}) {
+                    expected << QString("%1-%2-%3").arg(table, measure, form);
+                    expected << expected.back() + "-against-paper";
+                }
+        }
+        QCOMPARE(keys, expected);
+        const auto usual = clearcut({"bench", "--paper", "table1", "--quick"}).out;
+        QVERIFY(usual.contains("Exec. "));
+        for (const char* name : {"Clipping only", "Drawing only", "Total"})
+            QCOMPARE(usual.count("Table 1, " + QByteArray(name)
+                                 + ": seconds for 100,000 lines, "
+                                   "algorithms published\n"),
+                     1);
+        QVERIFY(usual.contains("KWC loses 133 of the 16,523 lines"));
+    }
+
+    void tablesGoToFilesByTheirEndings()
+    {
+        const QString file = path("times.tex");
+        const QStringList usual{
+            "bench", "-n", "1000", "-a", "md", "--measure", "classes,operations,accuracy"};
+        const auto run = clearcut(usual + QStringList{"-o", file});
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.out, "");
+        QCOMPARE(contentOf(file).count("\\begin{tabular}"), 3);
+        QCOMPARE(clearcut(usual + QStringList{"-o", path("no/times.tex")}).code, 1);
+        QVERIFY(clearcut({"algorithms", "-f", "markdown"}).out.startsWith("| key |"));
     }
 
     void benchTakesADrawing()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tables/table.h"
+
+namespace app {
+namespace {
+
+/// What would be markup in a cell or a line.
+QString escaped(const QString& text)
+{
+    QString result;
+    for (const QChar c : text) {
+        if (QStringView(u"\\|*_`<>[]").contains(c))
+            result += u'\\';
+        result += c;
+    }
+    return result;
+}
+
+QString lineOf(const QStringList& fields)
+{
+    QStringList cells;
+    for (const QString& field : fields)
+        cells << escaped(field);
+    return QStringLiteral("| ") + cells.join(QStringLiteral(" | ")) + QStringLiteral(" |\n");
+}
+
+} // namespace
+
+/// Pipe tables, with facts and notes as a list below.
+QString markdownText(std::span<const Table> tables)
+{
+    QString text;
+    for (const Table& table : tables) {
+        if (&table != &tables.front())
+            text += u'\n';
+        if (!table.title.isEmpty())
+            text += QStringLiteral("## ") + escaped(table.title) + QStringLiteral("\n\n");
+        text += lineOf(table.names) + u'|';
+        for (const bool numeric : numericColumns(table))
+            text += numeric ? QStringLiteral("---:|") : QStringLiteral(":---|");
+        text += u'\n';
+        for (const QStringList& row : table.rows)
+            text += lineOf(row);
+        if (!table.facts.empty() || !table.notes.isEmpty())
+            text += u'\n';
+        for (const auto& [name, value] : table.facts)
+            text += QStringLiteral("- ") + escaped(name) + QStringLiteral(": ") + escaped(value)
+                    + u'\n';
+        for (const QString& note : table.notes)
+            text += QStringLiteral("- ") + escaped(note) + u'\n';
+    }
+    return text;
+}
+
+} // namespace app

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/csv/text.h"
+#include "app/tables/table.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+/// All that could be taken for markup.
+const QString hostile = QStringLiteral("a\\b{c}_d^e~f%g&h$i#j|k*l`m<n>o[p],\"q\"");
+
+std::vector<app::Table> twoTables()
+{
+    return {{.names = {"who", "ns", "share_%"},
+             .rows = {{hostile, "1.50", ""}, {"cs", "-12", "7"}},
+             .title = "Times & more_",
+             .key = "times",
+             .facts = {{"seed", "1"}, {"window", "-1,-2,3,4"}, {"flags", "-O3 50% _x"}},
+             .notes = {"One 100 % sure <note>."}},
+            {.names = {"x"}, .rows = {{"tie a"}, {"2"}}}};
+}
+
+QString textAs(QStringView key, const std::vector<app::Table>& tables)
+{
+    for (const app::TableFormat& format : app::tableFormats())
+        if (format.key == key)
+            return format.text(tables);
+    qFatal("no such format");
+}
+
+} // namespace
+
+class FormatsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyRowIsItsOwn()
+    {
+        QSet<QString> keys, endings;
+        for (const app::TableFormat& format : app::tableFormats()) {
+            keys << format.key;
+            endings << format.ending;
+            QVERIFY(!format.name.isEmpty());
+            QVERIFY(format.text(twoTables()).endsWith('\n'));
+        }
+        QCOMPARE(std::size_t(keys.size()), app::tableFormats().size());
+        QCOMPARE(endings.size(), keys.size());
+        QCOMPARE(app::tableFormats()[0].key, "text");
+    }
+
+    void textStandsInColumns()
+    {
+        const app::Table table{.names = {"name", "ns"},
+                               .rows = {{"a", "5.00"}, {"long", "12.00"}, {"c", ""}},
+                               .facts = {{"seed", "1"}},
+                               .notes = {"A note."}};
+        QCOMPARE(textAs(u"text", {table}), "name     ns\n"
+                                           "a      5.00\n"
+                                           "long  12.00\n"
+                                           "c\n"
+                                           "\n"
+                                           "A note.\n"
+                                           "\n"
+                                           "seed:       1\n");
+        QCOMPARE(textAs(u"text", {table, table}).count("seed:"), 1);
+        QCOMPARE(textAs(u"text", {table, table}).count("A note."), 2);
+    }
+
+    void csvReadsBack()
+    {
+        QByteArray bytes = textAs(u"csv", twoTables()).toUtf8();
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::ReadOnly);
+        app::csv::Text text(buffer);
+        app::csv::Record record;
+        std::vector<std::vector<std::string>> records;
+        while (text.next(record))
+            records.push_back(record.fields);
+        QCOMPARE(records.size(), 6u);
+        using Fields = std::vector<std::string>;
+        QCOMPARE(records[0], (Fields{"who", "ns", "share_%", "seed", "window", "flags"}));
+        QCOMPARE(records[1],
+                 (Fields{hostile.toStdString(), "1.50", "", "1", "-1,-2,3,4", "-O3 50% _x"}));
+        QCOMPARE(records[3], Fields{"x"});
+    }
+
+    void jsonIsTyped()
+    {
+        const auto all = QJsonDocument::fromJson(textAs(u"json", twoTables()).toUtf8()).array();
+        QCOMPARE(all.size(), 2);
+        const QJsonObject table = all[0].toObject(), row = table["rows"][0].toObject();
+        QCOMPARE(row["who"].toString(), hostile);
+        QCOMPARE(row["ns"].toDouble(), 1.5);
+        QVERIFY(row["share_%"].isNull());
+        QCOMPARE(table["columns"].toArray().size(), 3);
+        QCOMPARE(table["facts"]["seed"].toInt(), 1);
+        QCOMPARE(table["table"].toString(), "times");
+        QCOMPARE(table["notes"][0].toString(), "One 100 % sure <note>.");
+        QVERIFY(all[1].toObject()["rows"][1]["x"].isString()); // not a column of numbers
+        // No number is changed: 2^64 - 1 is none that a double holds.
+        const app::Table big{.names = {"n"}, .rows = {{"18446744073709551615"}}};
+        const auto text = textAs(u"json", {big});
+        QVERIFY(text.contains("\"18446744073709551615\""));
+    }
+
+    void markdownHasPipesWhereColumnsAre()
+    {
+        const auto lines = textAs(u"markdown", twoTables()).split('\n');
+        QCOMPARE(lines[0], "## Times & more\\_");
+        static const QRegularExpression bare("(?<!\\\\)\\|");
+        for (const int i : {2, 3, 4, 5})
+            QCOMPARE(lines[i].count(bare), 4);
+        QCOMPARE(lines[3], "|:---|---:|---:|");
+        QVERIFY(lines.contains("- One 100 % sure \\<note\\>."));
+        QVERIFY(lines.contains("- seed: 1"));
+    }
+
+    void latexIsWellFormed()
+    {
+        const QString text = textAs(u"latex", twoTables());
+        QVERIFY(text.startsWith("\\documentclass"));
+        QVERIFY(text.endsWith("\\end{document}\n"));
+        QStringList open;
+        static const QRegularExpression environments("\\\\(begin|end)\\{(\\w+)\\}");
+        for (auto all = environments.globalMatch(text); all.hasNext();) {
+            const auto one = all.next();
+            if (one.captured(1) == "begin")
+                open << one.captured(2);
+            else
+                QCOMPARE(open.isEmpty() ? QString() : open.takeLast(), one.captured(2));
+        }
+        QVERIFY(open.isEmpty());
+        int braces = 0;
+        for (qsizetype i = 0; i < text.size(); ++i) {
+            const bool escaped = i > 0 && text[i - 1] == '\\';
+            braces += escaped ? 0 : (text[i] == '{') - (text[i] == '}');
+            QVERIFY(braces >= 0);
+        }
+        QCOMPARE(braces, 0);
+        for (const char* rule : {"\\toprule", "\\midrule", "\\bottomrule"})
+            QCOMPARE(text.count(rule), 2);
+        // As many cells in each row as columns.
+        const auto rows = text.split('\n').filter(QRegularExpression(" \\\\\\\\$"));
+        QCOMPARE(rows.size(), 6);
+        static const QRegularExpression ampersand("(?<!\\\\)&");
+        for (int i = 0; i < 6; ++i)
+            QCOMPARE(rows[i].count(ampersand), i < 3 ? 2 : 0);
+        QVERIFY(text.contains("{@{}lrr@{}}") && text.contains("{@{}l@{}}"));
+        QVERIFY(text.contains("Times \\& more\\_"));
+    }
+
+    void latexCompiles()
+    {
+        QString program;
+        for (const char* name : {"pdflatex", "lualatex", "xelatex", "tectonic"})
+            if (program.isEmpty())
+                program = QStandardPaths::findExecutable(name);
+        if (program.isEmpty())
+            QSKIP("no LaTeX is installed: latexIsWellFormed looks at the structure instead");
+        QTemporaryDir folder;
+        QFile file(folder.filePath("tables.tex"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(textAs(u"latex", twoTables()).toUtf8());
+        file.close();
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        QStringList arguments{"tables.tex"};
+        if (!program.endsWith("tectonic"))
+            arguments.prepend("-interaction=nonstopmode");
+        process.start(program, arguments);
+        QVERIFY(process.waitForFinished(120'000));
+        QVERIFY2(process.exitCode() == 0, process.readAllStandardOutput().constData());
+        QVERIFY(QFile::exists(folder.filePath("tables.pdf")));
+    }
+};
+
+QTEST_GUILESS_MAIN(FormatsTest)
+#include "formats_test.moc"
