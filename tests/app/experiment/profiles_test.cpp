@@ -45,10 +45,12 @@ const Row& find(const std::vector<Row>& rows, std::string_view abbreviation, For
     qFatal("no such contestant");
 }
 
+oracle::Line lineOf(const Segment& s) { return {{s.a.x, s.a.y}, {s.b.x, s.b.y}}; }
+oracle::Box boxOf(const clipping::Window& w) { return {{w.min.x, w.min.y}, {w.max.x, w.max.y}}; }
+
 std::optional<oracle::Part> truthOf(const Segment& s, const clipping::Window& w)
 {
-    return oracle::inside({{s.a.x, s.a.y}, {s.b.x, s.b.y}},
-                          {{w.min.x, w.min.y}, {w.max.x, w.max.y}});
+    return oracle::inside(lineOf(s), boxOf(w));
 }
 
 double apart(const glm::dvec2& p, const oracle::Point& q)
@@ -78,9 +80,7 @@ app::Accuracy byOracle(const Contestant& contestant, std::span<const Segment> li
         const auto& [a, b] = truth->line;
         const double off = std::min(std::max(apart(found->a, a), apart(found->b, b)),
                                     std::max(apart(found->a, b), apart(found->b, a)));
-        const double ulps = off
-                            / oracle::ulp({{line.a.x, line.a.y}, {line.b.x, line.b.y}},
-                                          {{w.min.x, w.min.y}, {w.max.x, w.max.y}});
+        const double ulps = off / oracle::ulp(lineOf(line), boxOf(w));
         sum.mostUlps = std::max(sum.mostUlps, ulps);
     }
     return sum;

@@ -39,8 +39,8 @@ LineClass trueClass(const Segment& s, const clipping::Window& w)
         return LineClass::Inside;
     if (beyond(s.a.x, s.b.x, w.min.x, w.max.x) || beyond(s.a.y, s.b.y, w.min.y, w.max.y))
         return LineClass::Rejected;
-    return oracle::inside({{s.a.x, s.a.y}, {s.b.x, s.b.y}},
-                          {{w.min.x, w.min.y}, {w.max.x, w.max.y}})
+    return oracle::inside(oracle::Line{{s.a.x, s.a.y}, {s.b.x, s.b.y}},
+                          oracle::Box{{w.min.x, w.min.y}, {w.max.x, w.max.y}})
                ? LineClass::Cut
                : LineClass::Missed;
 }
