@@ -39,7 +39,7 @@ Window3 someBox(Random& r)
     }
 }
 
-constexpr int many = 100'000;
+constexpr int many = 50'000;
 
 template <class Make>
 std::vector<BoxInput> inputs(unsigned seed, Make make)
