@@ -70,14 +70,14 @@ enum class Form : std::uint8_t { Corrected, Published };
 /// One row of the catalogue. A null pointer: there is no such form.
 struct Algorithm {
     std::string_view key;                   ///< in files and on the command line; never changes
-    std::string_view abbreviation;          ///< CS LB CB NLN Skala KWC MD; any case is taken
+    std::string_view abbreviation;          ///< CS LB CB NLN Skala KWC MD MS SPY SB EX; any case is taken
     std::string_view name;                  ///< its authors' names, for people
     int year;                               ///< of its first publication
     std::string_view idea;                  ///< one sentence
     double ulps;                            ///< k of the contract
     Uses<Segment, Window> corrected;        ///< what everybody uses: keeps the contract
     const Uses<Segment, Window>* published; ///< as its authors printed it
-    const Uses<BasicSegment<float>, BasicWindow<float>>* single; ///< corrected, for float data
+    const Uses<BasicSegment<float>, BasicWindow<float>>* single; ///< corrected, on float data ///< corrected, for float data
     const Uses<Segment, ConvexPolygon>* polygon;         ///< a window that is a convex polygon
     const Uses<Segment, ConvexPolygon>* searchedPolygon; ///< the same bits, in O(log corners)
     const Uses<Segment3, Window3>* box; ///< in three dimensions; keeps the contract with `boxUlps`

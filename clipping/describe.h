@@ -54,7 +54,7 @@ constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegmen
 template <class Method, Form form, class T>
 constexpr bool framed()
 {
-    return form == Form::Corrected && std::is_same_v<T, double> && !requires { Method::ours; };
+    return form == Form::Corrected && std::is_floating_point_v<T> && !requires { Method::ours; };
 }
 
 /// What an algorithm is given for a segment and a window, and the frame if that is not they.
@@ -62,7 +62,7 @@ template <class T, glm::length_t N>
 struct Given {
     BasicSegment<T, N> segment;
     BasicWindow<T, N> window;
-    std::optional<Frame<N>> frame;
+    std::optional<Frame<T, N>> frame;
 };
 template <class Method, Form form, class T, glm::length_t N>
 std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
@@ -70,15 +70,15 @@ std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWind
     if (form == Form::Corrected && !withinContract(s, w))
         return std::nullopt;
     if constexpr (framed<Method, form, T>())
-        if (const Frame<N> frame(s); !ordinary(s) || !ordinary(w))
+        if (const Frame<T, N> frame(s); !ordinary(s) || !ordinary(w))
             return Given<T, N>{frame.into(s), frame.into(w), frame};
     return Given<T, N>{s, w, std::nullopt};
 }
 
 /// Whether a segment meets a window in one point at most: it runs across one that has no height, or
 /// no width, or no depth.
-template <glm::length_t N>
-constexpr bool meetsInAPoint(const BasicSegment<double, N>& s, const BasicWindow<double, N>& w)
+template <class T, glm::length_t N>
+constexpr bool meetsInAPoint(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {
     for (glm::length_t k = 0; k < N; ++k)
         if (w.min[k] == w.max[k] && s.a[k] != s.b[k])
@@ -232,16 +232,6 @@ constexpr const Uses<Segment, Window>* publishedUses()
         return &uses<Method, Form::Published>;
 }
 
-/// The form for float data; none unless the row says `single`.
-template <class Method>
-constexpr const Uses<BasicSegment<float>, BasicWindow<float>>* singleUses()
-{
-    if constexpr (requires { Method::single; })
-        return &uses<Method, Form::Corrected, float>;
-    else
-        return nullptr;
-}
-
 /// The forms for convex polygons (polygon/uses.h), where the row names them.
 template <class Method>
 constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
@@ -282,7 +272,7 @@ Algorithm describe()
             about.ulps,
             uses<Method, Form::Corrected>,
             publishedUses<Method>(),
-            singleUses<Method>(),
+            &uses<Method, Form::Corrected, float>,
             polygonOf<Method>(),
             searchedPolygonOf<Method>(),
             boxUses<Method>()};

@@ -75,8 +75,7 @@ struct Exact {
         .ulps = 0.5,
     };
 
-    static constexpr bool ours = true;   // nothing was published but this
-    static constexpr bool single = true; // float data too
+    static constexpr bool ours = true; // nothing was published but this
 
     template <class T>
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,

@@ -82,11 +82,11 @@ Truth<N> truthOf(const BasicInput<N>& input)
 
 template <glm::length_t N>
 double ulpsOff(const std::optional<BasicSegment<double, N>>& result, const BasicInput<N>& input,
-               const Truth<N>& truth)
+               const Truth<N>& truth, oracle::Number number)
 {
     if (!result || !truth)
         return 0;
-    const long double ulp = oracle::ulp(line(input.segment), box(input.window));
+    const long double ulp = oracle::ulp(line(input.segment), box(input.window), number);
     const BasicSegment<double, N> is{point(truth->line.a), point(truth->line.b)};
     long double most = 0;
     for (const auto end : {&BasicSegment<double, N>::a, &BasicSegment<double, N>::b})
@@ -97,24 +97,26 @@ double ulpsOff(const std::optional<BasicSegment<double, N>>& result, const Basic
 
 template <glm::length_t N>
 std::string fault(const std::optional<BasicSegment<double, N>>& result, const BasicInput<N>& input,
-                  const Truth<N>& truth, double k)
+                  const Truth<N>& truth, double k, oracle::Number number)
 {
     const auto& [s, w] = input;
     const auto ulps = static_cast<int>(k);
     if (!result)
-        return truth && oracle::meets(line(s), box(w), -ulps) ? "lost" : "";
+        return truth && oracle::meets(line(s), box(w), -ulps, number) ? "lost" : "";
     if (!within(result->a, w) || !within(result->b, w))
         return "outside the window: " + text(*result);
     if (!truth)
-        return oracle::meets(line(s), box(w), ulps)
+        return oracle::meets(line(s), box(w), ulps, number)
                    ? ""
                    : "seen where there is nothing: " + text(*result);
     if ((within(s.a, w) && !sameBits(result->a, s.a))
         || (within(s.b, w) && !sameBits(result->b, s.b)))
         return "an inner end has moved: " + text(*result);
-    if (ulpsOff(result, input, truth) > std::max(k - 1, 0.0)) // the truth is rounded, too
-        return "off by " + std::to_string(ulpsOff(result, input, truth))
-               + " ulps: " + text(*result);
+    // The truth is rounded, too: to a double.
+    const bool single = number == oracle::Number::Single;
+    const double off = ulpsOff(result, input, truth, number);
+    if (off > (single ? k + 1e-6 : std::max(k - 1, 0.0)))
+        return "off by " + std::to_string(off) + " ulps: " + text(*result);
     return {};
 }
 
@@ -123,8 +125,8 @@ std::string fault(const std::optional<BasicSegment<double, N>>& result, const Ba
     template std::string exactly(const BasicInput<N>&);                                            \
     template Truth<N> truthOf(const BasicInput<N>&);                                               \
     template double ulpsOff(const std::optional<BasicSegment<double, N>>&, const BasicInput<N>&,   \
-                            const Truth<N>&);                                                      \
+                            const Truth<N>&, oracle::Number);                                      \
     template std::string fault(const std::optional<BasicSegment<double, N>>&,                      \
-                               const BasicInput<N>&, const Truth<N>&, double)
+                               const BasicInput<N>&, const Truth<N>&, double, oracle::Number)
 FOR_DIMENSIONS(2);
 FOR_DIMENSIONS(3);

@@ -26,7 +26,8 @@ Truth<N> truthOf(const BasicInput<N>& input);
 /// How a result breaks the contract of clipping/algorithm.h with this k; empty if it keeps it.
 template <glm::length_t N>
 std::string fault(const std::optional<clipping::BasicSegment<double, N>>& result,
-                  const BasicInput<N>& input, const Truth<N>& truth, double k);
+                  const BasicInput<N>& input, const Truth<N>& truth, double k,
+                  oracle::Number number = oracle::Number::Double);
 
 /// Whether two numbers are the same bits.
 template <glm::length_t N>
@@ -36,4 +37,5 @@ bool sameBits(const clipping::BasicSegment<double, N>& s,
 /// How far a result is off the truth, in ulps of the largest |coordinate|; 0 unless both are seen.
 template <glm::length_t N>
 double ulpsOff(const std::optional<clipping::BasicSegment<double, N>>& result,
-               const BasicInput<N>& input, const Truth<N>& truth);
+               const BasicInput<N>& input, const Truth<N>& truth,
+               oracle::Number number = oracle::Number::Double);

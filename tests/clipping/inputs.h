@@ -23,6 +23,9 @@ using Family = BasicFamily<2>;
 
 std::span<const Family> families();
 
+/// The same kinds of input in numbers that are all floats.
+std::span<const Family> singleFamilies();
+
 /// Every segment between points of a small grid, with windows of area, without height, width or
 /// both, and of the whole grid.
 std::vector<Input> grid();

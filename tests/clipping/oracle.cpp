@@ -16,9 +16,11 @@ using Int = boost::multiprecision::number<
 constexpr int leastExponent = -1074; // of a double's last place
 
 /// The exponent of x's last place.
-int lastPlace(double x)
+int lastPlace(double x, Number number = Number::Double)
 {
-    return x == 0 ? leastExponent : std::max(std::ilogb(x) - 52, leastExponent);
+    const bool single = number == Number::Single;
+    const int least = single ? -149 : leastExponent;
+    return x == 0 ? least : std::max(std::ilogb(x) - (single ? 23 : 52), least);
 }
 
 /// A parameter of the line: numerator over a positive denominator.
@@ -43,13 +45,13 @@ template <int n>
 struct Given {
     Coordinates<n> a, b, min, max;
 
-    double ulp() const
+    double ulp(Number number) const
     {
         double largest = 0;
         for (const auto* p : {&a, &b, &min, &max})
             for (const double x : *p)
                 largest = std::max(largest, std::abs(x));
-        return std::ldexp(1.0, lastPlace(largest));
+        return std::ldexp(1.0, lastPlace(largest, number));
     }
     bool isBeyondASide() const
     {
@@ -74,9 +76,9 @@ struct Whole {
     int exponent;
     Int a[n], d[n], low[n], high[n];
 
-    Whole(const Given<n>& all, int ulps)
+    Whole(const Given<n>& all, int ulps, Number number)
     {
-        const int unit = std::ilogb(all.ulp());
+        const int unit = std::ilogb(all.ulp(number));
         exponent = unit;
         for (const auto* p : {&all.a, &all.b, &all.min, &all.max})
             for (const double x : *p)
@@ -163,7 +165,7 @@ std::optional<BasicPart<P>> insideOf(const BasicLine<P>& l, const BasicBox<P>& b
     const auto all = given(l, box);
     if (all.isBeyondASide())
         return std::nullopt;
-    const Whole whole(all, 0);
+    const Whole whole(all, 0, Number::Double);
     const auto found = whole.interval();
     if (!found)
         return std::nullopt;
@@ -177,19 +179,19 @@ std::optional<BasicPart<P>> insideOf(const BasicLine<P>& l, const BasicBox<P>& b
 
 } // namespace
 
-double ulp(const Line& l, const Box& b) { return given(l, b).ulp(); }
-double ulp(const Line3& l, const Box3& b) { return given(l, b).ulp(); }
+double ulp(const Line& l, const Box& b, Number number) { return given(l, b).ulp(number); }
+double ulp(const Line3& l, const Box3& b, Number number) { return given(l, b).ulp(number); }
 
 std::optional<Part> inside(const Line& l, const Box& b) { return insideOf(l, b); }
 std::optional<Part3> inside(const Line3& l, const Box3& b) { return insideOf(l, b); }
 
-bool meets(const Line& l, const Box& b, int ulps)
+bool meets(const Line& l, const Box& b, int ulps, Number number)
 {
-    return Whole(given(l, b), ulps).interval().has_value();
+    return Whole(given(l, b), ulps, number).interval().has_value();
 }
-bool meets(const Line3& l, const Box3& b, int ulps)
+bool meets(const Line3& l, const Box3& b, int ulps, Number number)
 {
-    return Whole(given(l, b), ulps).interval().has_value();
+    return Whole(given(l, b), ulps, number).interval().has_value();
 }
 
 } // namespace oracle

@@ -41,17 +41,20 @@ using Line3 = BasicLine<Point3>;
 using Box3 = BasicBox<Point3>;
 using Part3 = BasicPart<Point3>;
 
+/// The numbers whose last place is one ulp: those of 53 digits, or of 24.
+enum class Number { Double, Single };
+
 /// Nothing if line and box have no common point. All numbers are finite.
 std::optional<Part> inside(const Line& line, const Box& box);
 std::optional<Part3> inside(const Line3& line, const Box3& box);
 
 /// Whether they have one after every side of the box has moved out by `ulps` of the largest
 /// |coordinate| (in, if negative; a box that is turned inside out has none).
-bool meets(const Line& line, const Box& box, int ulps);
-bool meets(const Line3& line, const Box3& box, int ulps);
+bool meets(const Line& line, const Box& box, int ulps, Number number = Number::Double);
+bool meets(const Line3& line, const Box3& box, int ulps, Number number = Number::Double);
 
 /// One unit in the last place of the largest |coordinate|.
-double ulp(const Line& line, const Box& box);
-double ulp(const Line3& line, const Box3& box);
+double ulp(const Line& line, const Box& box, Number number = Number::Double);
+double ulp(const Line3& line, const Box3& box, Number number = Number::Double);
 
 } // namespace oracle

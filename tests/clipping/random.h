@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <type_traits>
 
 /// Numbers of a fixed seed; the distributions are our own, so that they are the same everywhere.
 class Random {
@@ -24,33 +25,63 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// So many numbers further up, or down.
-inline double nudged(double x, int ulps)
+template <class T>
+using Limits = std::numeric_limits<T>;
+
+/// The T nearest to x, and so many numbers further up, or down, from there.
+template <class T = double>
+T nudged(double x, int ulps)
 {
-    const double towards = ulps < 0 ? -INFINITY : INFINITY;
+    T nudged = T(x);
     for (int i = 0; i < std::abs(ulps); ++i)
-        x = std::nextafter(x, towards);
-    return x;
+        nudged = std::nextafter(nudged, T(ulps < 0 ? -INFINITY : INFINITY));
+    return nudged;
 }
 
+/// The powers of two that a T can be.
+template <class T>
+constexpr int leastExponent = Limits<T>::min_exponent - Limits<T>::digits;
+template <class T>
+constexpr int mostExponent = Limits<T>::max_exponent - 1;
+
 /// A number of any size: plain, huge, tiny, denormal, far off zero.
-inline double anyNumber(Random& r)
+template <class T = double>
+T anyNumber(Random& r)
 {
-    constexpr std::array special{0.0,           -0.0,      1.0,    -1.0,    0x1p-1074, -0x1p-1074,
-                                 3 * 0x1p-1074, 0x1p-1022, 1e-300, -1e-300, 1e-160,    1e15,
-                                 1e154,         -1e154,    1e300,  -1e300,  0x1p-53,   1 + 0x1p-52};
+    constexpr bool single = std::is_same_v<T, float>;
+    constexpr T denormal = Limits<T>::denorm_min(), epsilon = Limits<T>::epsilon();
+    constexpr T small = T(single ? 1e-36 : 1e-300), large = T(single ? 1e37 : 1e300);
+    constexpr T root = T(single ? 1e18 : 1e154), smallRoot = T(single ? 1e-19 : 1e-160);
+    constexpr std::array special{T(0),
+                                 -T(0),
+                                 T(1),
+                                 T(-1),
+                                 denormal,
+                                 -denormal,
+                                 3 * denormal,
+                                 Limits<T>::min(),
+                                 small,
+                                 -small,
+                                 root,
+                                 smallRoot,
+                                 T(single ? 1e7 : 1e15),
+                                 -root,
+                                 large,
+                                 -large,
+                                 epsilon / 2,
+                                 1 + epsilon};
     switch (r.whole(0, 5)) {
     case 0:
         return r.of(special);
     case 1:
-        return r.between(-1, 1) * std::ldexp(1.0, r.whole(-1074, 1023));
+        return T(r.between(-1, 1) * std::ldexp(1.0, r.whole(leastExponent<T>, mostExponent<T>)));
     case 2:
-        return r.between(-1, 1) * std::numeric_limits<double>::max();
+        return T(r.between(-1, 1) * Limits<T>::max());
     case 3:
-        return r.whole(-9, 9) * 0x1p-1074;
+        return T(r.whole(-9, 9) * denormal);
     case 4:
-        return nudged(r.of(special), r.whole(-4, 4));
+        return nudged<T>(r.of(special), r.whole(-4, 4));
     default:
-        return r.between(-10, 10);
+        return T(r.between(-10, 10));
     }
 }
