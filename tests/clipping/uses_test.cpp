@@ -226,6 +226,24 @@ private slots:
         }
     }
 
+    // A new end of a line along an axis has the line's own coordinate, bit for bit.
+    void staysStraight_data() { everyAlgorithm(); }
+    void staysStraight()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const auto [segments, window] = batches(2'000).back(); // the paper's scene
+        for (Segment s : segments) {
+            s.b.x = s.a.x = s.a.x / 12;
+            const auto upright = algorithm->corrected.clip(s, window);
+            QVERIFY2(!upright || (upright->a.x == s.a.x && upright->b.x == s.a.x),
+                     exactly({s, window}).c_str());
+            const Window turned{{window.min.y, window.min.x}, {window.max.y, window.max.x}};
+            const auto level = algorithm->corrected.clip(exchange(s), turned);
+            QVERIFY2(!level || (level->a.y == s.a.x && level->b.y == s.a.x),
+                     exactly({s, window}).c_str());
+        }
+    }
+
 private:
     static bool on(Edge edge, const glm::dvec2& p, const Window& w)
     {
