@@ -143,6 +143,8 @@ private slots:
             QTest::keyClick(canvas, Qt::Key(Qt::Key_1 + int(i)));
             QCOMPARE(session.display().algorithm, &clipping::algorithms()[i]);
         }
+        QTest::keyClick(canvas, Qt::Key_0); // the last
+        QCOMPARE(session.display().algorithm, &clipping::algorithms().back());
 
         while (session.history.index() > 1)
             QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);

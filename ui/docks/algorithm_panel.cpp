@@ -14,7 +14,7 @@ namespace ui {
 namespace {
 
 constexpr int idleMilliseconds = 400;
-constexpr std::size_t mostLinesUnasked = 150'000; // some 50 ms with seven algorithms
+constexpr std::size_t mostLinesUnasked = 150'000; // some 60 ms with every algorithm
 
 } // namespace
 

@@ -64,6 +64,9 @@ const Mark& markOf(const clipping::Algorithm& algorithm)
         Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
         Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
         Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
+        Mark{"MS", 0x7A3B12, 0xE8955A, star(4, 0.45, 0)},
+        Mark{"SPY", 0x0B6E8C, 0x4FC3E0, polygon(5, 0)},
+        Mark{"SB", 0x5B5F12, 0xB9BE6A, cross(45)},
         Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row that nobody gave a mark yet
     };
     const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
