@@ -112,11 +112,14 @@ void printTargets(std::span<const Race> races)
                 "| |\n|---|---|---|---|---|---|\n",
                 fastestSet().name.data());
     for (const Target& t : targets) {
+        std::printf("| %s | %s, %zu M, %s | %.2f | %.2f |", t.what, t.scene, t.count / million,
+                    t.numbers, t.least, t.aim);
         const Race* const race = raceOf(races, t);
         if (const auto r = race ? t.measured(*race) : std::nullopt)
-            std::printf("| %s | %s, %zu M, %s | %.2f | %.2f | %.2f (%.2f-%.2f) | %s |\n", t.what,
-                        t.scene, t.count / million, t.numbers, t.least, t.aim, r->middle, r->low,
-                        r->high, verdict(r->middle, t.least, t.aim));
+            std::printf(" %.2f (%.2f-%.2f) | %s |\n", r->middle, r->low, r->high,
+                        verdict(r->middle, t.least, t.aim));
+        else
+            std::printf(" not measured | |\n");
     }
 }
 

@@ -5,8 +5,7 @@
 
 #include "tests/benchmarks/clip/race.h"
 
-/// What issue 3 asks of `exact` and of the scalar rows, each with what was measured: met, or not.
-/// A target whose race was not run is left out.
+/// What is asked of `exact`, each with what was measured in these races: met, or not.
 void printTargets(std::span<const Race> races);
 
 /// Each scalar row beside the fastest peer that implements the same algorithm, on the paper's
