@@ -358,7 +358,8 @@ private slots:
                                    "--runs", "2", "--form", "both", "--format", "json"});
         QCOMPARE(run.err, "");
         QStringList keys;
-        for (const auto& table : QJsonDocument::fromJson(run.out).array())
+        const QJsonArray tables = QJsonDocument::fromJson(run.out).array();
+        for (const QJsonValue& table : tables)
             keys << table["table"].toString();
         QStringList expected;
         for (const char* table : {"table1", "table2"}) {
