@@ -59,7 +59,8 @@ void addShortcuts(QString& rows, const QMenu& menu)
         if (action->shortcut().isEmpty())
             continue;
         QString name = action->text();
-        rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td>%2</td></tr>")
+        rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td "
+                               "style='padding:2px 0'>%2</td></tr>")
                     .arg(name.remove(u'&').remove(u'…').toHtmlEscaped(),
                          keysOf(*action).join(tr(" or ")));
     }
