@@ -134,13 +134,15 @@ private slots:
                 for (std::size_t i = 0; i < segments.size(); ++i) {
                     const auto piece = usesOf(*algorithm, form)->clip(segments[i], window);
                     const bool written = next != out.end() && next->source == i;
-                    const auto text = exactly({segments[i], window});
-                    QVERIFY2(written == piece.has_value(), text.c_str());
+                    if (written != piece.has_value())
+                        QFAIL(exactly({segments[i], window}).c_str());
                     if (!piece)
                         continue;
-                    QVERIFY2(sameBits(*piece, next->segment), text.c_str());
+                    if (!sameBits(*piece, next->segment))
+                        QFAIL(exactly({segments[i], window}).c_str());
                     if (form == Form::Corrected)
-                        QVERIFY2(saysWhereItIsCut(*next, segments[i], window), text.c_str());
+                        if (!saysWhereItIsCut(*next, segments[i], window))
+                            QFAIL(exactly({segments[i], window}).c_str());
                     ++next;
                 }
                 QVERIFY(next == out.end());
@@ -154,20 +156,23 @@ private slots:
         for (const Form form : formsOf(*algorithm))
             for (const auto& [segments, window] : batches(3'000))
                 for (const Segment& s : segments) {
-                    const auto text = exactly({s, window});
                     const auto* uses = usesOf(*algorithm, form);
                     const auto piece = uses->clip(s, window);
                     const Trace trace = uses->trace(s, window);
-                    QVERIFY2(piece.has_value() == (trace.outcome == Outcome::Visible),
-                             text.c_str());
-                    QVERIFY2(!piece || sameBits(*piece, trace.visible), text.c_str());
+                    if (piece.has_value() != (trace.outcome == Outcome::Visible))
+                        QFAIL(exactly({s, window}).c_str());
+                    if (piece && !sameBits(*piece, trace.visible))
+                        QFAIL(exactly({s, window}).c_str());
                     OperationCounts last;
                     for (const Step& step : trace.steps) {
-                        QVERIFY2(notLess(step.cost, last), text.c_str());
+                        if (!notLess(step.cost, last))
+                            QFAIL(exactly({s, window}).c_str());
                         last = step.cost;
                     }
-                    QVERIFY2(!trace.steps.empty(), text.c_str());
-                    QVERIFY2(notLess(uses->count({&s, 1}, window), last), text.c_str());
+                    if (trace.steps.empty())
+                        QFAIL(exactly({s, window}).c_str());
+                    if (!notLess(uses->count({&s, 1}, window), last))
+                        QFAIL(exactly({s, window}).c_str());
                 }
     }
 
@@ -183,7 +188,8 @@ private slots:
             for (const Input& input : grid())
                 for (const Step& step :
                      usesOf(*algorithm, form)->trace(input.segment, input.window).steps)
-                    QVERIFY2(lines.contains(step.line), qPrintable(QString::number(step.line)));
+                    if (!lines.contains(step.line))
+                        QFAIL(qPrintable(QString::number(step.line)));
     }
 
     void countsAddUp_data() { everyAlgorithm(); }
@@ -221,7 +227,8 @@ private slots:
             const auto inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size() && i < 20'000; ++i) {
                 const auto wrong = disagreement(*algorithm, symmetry, inputs[i], !whole);
-                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
+                if (!wrong.empty())
+                    QFAIL((wrong + " for " + exactly(inputs[i])).c_str());
             }
         }
     }
