@@ -24,15 +24,19 @@ namespace clipping {
 ///
 /// `published` is what the authors printed, faults included, and is exempt from 1 to 3, but its
 /// iterations are capped: then nothing is visible and the trace says DidNotEnd.
-template <class S, class W>
+///
+/// Lines and rays keep the same contract, where M counts the two points that they are given by;
+/// what is left of them is a segment.
+template <class S, class W, class Piece = S>
 struct Uses {
     /// The part of one segment inside the window; nothing if there is none.
-    std::optional<S> (*clip)(const S& segment, const W& window);
+    std::optional<Piece> (*clip)(const S& segment, const W& window);
 
     /// Clips many into the caller's buffer: `out.size() >= in.size()`, no overlap. Keeps the
     /// order, drops the invisible, returns how many were written. Allocates nothing, but what
     /// a polygon is prepared with, once a call.
-    std::size_t (*clipAll)(std::span<const S> in, const W& window, std::span<BasicClipped<S>> out);
+    std::size_t (*clipAll)(std::span<const S> in, const W& window,
+                           std::span<BasicClipped<Piece>> out);
 
     /// The arithmetic that clipping these segments takes.
     OperationCounts (*count)(std::span<const S> in, const W& window);
@@ -81,6 +85,8 @@ struct Algorithm {
     const Uses<Segment, ConvexPolygon>* polygon;         ///< a window that is a convex polygon
     const Uses<Segment, ConvexPolygon>* searchedPolygon; ///< the same bits, in O(log corners)
     const Uses<Segment3, Window3>* box; ///< in three dimensions; keeps the contract with `boxUlps`
+    const Uses<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
+    const Uses<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
 };
 
 /// What a row does in one form; null if there is no such form.

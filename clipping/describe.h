@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/algorithm.h"
-#include "clipping/frame.h"
+#include "clipping/endless.h"
 #include "clipping/outcode.h"
 
 #include <cassert>
@@ -26,27 +25,6 @@ template <class T, glm::length_t N>
 constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {
     return legal(s) && legal(w);
-}
-
-/// The edge of the window on which a new end lies.
-template <class T, glm::length_t N>
-constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
-{
-    for (glm::length_t k = 0; k < N; ++k)
-        if (p[k] == w.min[k])
-            return lowerEdge(k);
-        else if (p[k] == w.max[k])
-            return upperEdge(k);
-    return Edge::None;
-}
-
-/// Which ends of `piece` are not those of `whole`, and on which edges they lie.
-template <class T, glm::length_t N>
-constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegment<T, N>& piece,
-                              const BasicWindow<T, N>& w)
-{
-    return cutAt(piece.a == whole.a ? Edge::None : edgeAt(piece.a, w),
-                 piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
 }
 
 /// Whether a form works in a frame where there is no overflow. Published forms take what comes, and
@@ -73,17 +51,6 @@ std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWind
         if (const Frame<T, N> frame(s); !ordinary(s) || !ordinary(w))
             return Given<T, N>{frame.into(s), frame.into(w), frame};
     return Given<T, N>{s, w, std::nullopt};
-}
-
-/// Whether a segment meets a window in one point at most: it runs across one that has no height, or
-/// no width, or no depth.
-template <class T, glm::length_t N>
-constexpr bool meetsInAPoint(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
-{
-    for (glm::length_t k = 0; k < N; ++k)
-        if (w.min[k] == w.max[k] && s.a[k] != s.b[k])
-            return true;
-    return false;
 }
 
 /// What an algorithm found for what it was given, as the answer about `segment` and `window`.
@@ -275,7 +242,9 @@ Algorithm describe()
             &uses<Method, Form::Corrected, float>,
             polygonOf<Method>(),
             searchedPolygonOf<Method>(),
-            boxUses<Method>()};
+            boxUses<Method>(),
+            endlessOf<Method, Reach::BothWays>(),
+            endlessOf<Method, Reach::OneWay>()};
 }
 
 } // namespace clipping

@@ -30,6 +30,17 @@ struct BasicWindow {
 };
 
 using Segment = BasicSegment<double>;
+
+/// The line through two points, without ends, directed from a to b. `a == b` is no line, and
+/// nothing of it is ever visible.
+struct Line {
+    glm::dvec2 a, b; ///< two of its points
+};
+/// The ray from a through b and on. `a == b` has no direction, and nothing of it is ever visible.
+struct Ray {
+    glm::dvec2 a, b; ///< two of its points
+};
+
 using Window = BasicWindow<double>;
 using Segment3 = BasicSegment<double, 3>;
 using Window3 = BasicWindow<double, 3>;

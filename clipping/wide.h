@@ -8,7 +8,7 @@ namespace clipping {
 
 /// A double whose exponent has no limits that products of differences of doubles could reach: what
 /// an algorithm runs with where double itself would overflow, or lose digits to underflow. Rounds
-/// as double does; finite numbers only.
+/// as double does; infinity may be compared with, no more.
 class Wide {
 public:
     Wide() = default;
@@ -42,7 +42,7 @@ private:
     static Wide of(double fraction, int exponent)
     {
         Wide result;
-        int shift;
+        int shift = 0; // which stays so for infinity
         result.fraction_ = std::frexp(fraction, &shift);
         result.exponent_ = result.fraction_ == 0 ? 0 : exponent + shift;
         return result;

@@ -29,6 +29,7 @@ struct CyrusBeck {
             "last entry and the first exit bound what is visible.",
         .ulps = 24, // README.md, "How far off"
     };
+    static constexpr bool endless = true; // lines and rays too
     static constexpr const auto* polygon = &cyrusBeckPolygon;
     static constexpr auto box = &cyrusBeckBox;
     static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
@@ -48,13 +49,13 @@ struct CyrusBeck {
         return {T(unit[i].x), T(unit[i].y)};
     }
 
-    template <Form form, class T, class Watch>
+    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
         const Corners<T> corners{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
         const T dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
-        T entry(0), exit(1);
+        T entry = beginning<reach, T>(), exit = ending<reach, T>();
         Edge entryEdge = Edge::None, exitEdge = Edge::None;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto normal = innerNormal<form>(corners, i);
@@ -83,12 +84,12 @@ struct CyrusBeck {
             return std::nullopt;
         }
         BasicSegment<T> visible = s;
-        if (exit < T(1)) {
+        if (reach != Reach::Bounded || exit < T(1)) {
             visible.b = along<form>(s, {dx, dy}, exit, exitEdge, w);
             watch("cut b", 11, visible, exitEdge, Named{"tL", exit});
         } else if constexpr (form == Form::Corrected)
             visible.b = clamped(s.b, w);
-        if (entry > T(0)) {
+        if (reach == Reach::BothWays || entry > T(0)) {
             visible.a = along<form>(s, {dx, dy}, entry, entryEdge, w);
             if constexpr (form == Form::Corrected)
                 if (exitEdge != Edge::None && entry == exit)

@@ -37,11 +37,11 @@ struct Computing<Counted<T>> {
 
 /// The line through a segment's ends.
 template <class T>
-struct Line {
+struct LineThrough {
     using Numbers = Computing<T>;
     typename Numbers::Number ax, ay, bx, by;
 
-    explicit Line(const BasicSegment<T>& s)
+    explicit LineThrough(const BasicSegment<T>& s)
         : ax(Numbers::from(s.a.x)), ay(Numbers::from(s.a.y)), bx(Numbers::from(s.b.x)),
           by(Numbers::from(s.b.y))
     {
@@ -103,7 +103,7 @@ struct Exact {
         const bool leaveX = right ? b.x > farX : b.x < farX;
         const bool leaveY = up ? b.y > farY : b.y < farY;
 
-        const Line line(s);
+        const LineThrough line(s);
         if ((enterX && leaveY && line.passes(nearX, farY) > 0)
             || (enterY && leaveX && line.passes(farX, nearY) < 0)) {
             watch("reject", 4, s, Edge::None);

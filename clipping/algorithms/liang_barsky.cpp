@@ -26,6 +26,7 @@ struct LiangBarsky {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr auto box = &liangBarskyBox;
+    static constexpr bool endless = true; // lines and rays too
 
     /// The part of the segment that is left: from `start` to `stop`, and the edges that said so.
     template <class T>
@@ -63,11 +64,11 @@ struct LiangBarsky {
         return true;
     }
 
-    template <Form form, class T, class Watch>
+    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
-        Part<T> part{T(0), T(1)};
+        Part<T> part{beginning<reach, T>(), ending<reach, T>()};
         const T dx = s.b.x - s.a.x;
         if (!cut(part, -dx, s.a.x - w.min.x, Edge::Left, s, watch)
             || !cut(part, dx, w.max.x - s.a.x, Edge::Right, s, watch))
@@ -78,12 +79,12 @@ struct LiangBarsky {
             return std::nullopt;
 
         BasicSegment<T> visible = s;
-        if (part.stop < T(1)) {
+        if (reach != Reach::Bounded || part.stop < T(1)) {
             visible.b = along<form>(s, {dx, dy}, part.stop, part.stopEdge, w);
             watch("cut b", 13, visible, part.stopEdge, Named{"u", part.stop});
         } else if constexpr (form == Form::Corrected)
             visible.b = clamped(s.b, w);
-        if (part.start > T(0)) {
+        if (reach == Reach::BothWays || part.start > T(0)) {
             visible.a = along<form>(s, {dx, dy}, part.start, part.startEdge, w);
             if constexpr (form == Form::Corrected)
                 if (part.stopEdge != Edge::None && part.start == part.stop)

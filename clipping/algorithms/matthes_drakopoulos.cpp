@@ -27,6 +27,8 @@ struct MatthesDrakopoulos {
     };
     static constexpr auto box = &matthesDrakopoulosBox;
 
+    static constexpr bool endless = true; // lines and rays too
+
     /// How far the line rises, and runs, from `p` to the edge at x, or at y.
     template <Form form, class T>
     static constexpr T rise(const BasicSegment<T>& s, const glm::vec<2, T>& d, T x, T from)
@@ -45,15 +47,21 @@ struct MatthesDrakopoulos {
             return d.x * (y - from) / d.y;
     }
 
-    /// Pushes one end of `visible` to the edges it is beyond; returns the last of them.
-    template <Form form, class T, class Watch>
+    /// Pushes one end of `visible` to the edges it is beyond; returns the last of them. An end that
+    /// lies at infinity, before a or behind b, is beyond the sides that the line comes from or goes
+    /// to.
+    template <Form form, bool infinite, class T, class Watch>
     static constexpr Edge push(glm::vec<2, T> BasicSegment<T>::*end, BasicSegment<T>& visible,
                                const BasicSegment<T>& s, const glm::vec<2, T>& d,
                                const BasicWindow<T>& w, Watch& watch)
     {
         const glm::vec<2, T>& from = form == Form::Published ? s.a : s.*end;
         glm::vec<2, T>& p = visible.*end;
-        Edge edge = p.x < w.min.x ? Edge::Left : p.x > w.max.x ? Edge::Right : Edge::None;
+        const bool backwards = infinite && end == &BasicSegment<T>::a;
+        Edge edge = infinite        ? side(d.x, backwards, Edge::Left, Edge::Right)
+                    : p.x < w.min.x ? Edge::Left
+                    : p.x > w.max.x ? Edge::Right
+                                    : Edge::None;
         T risen(0);
         if (edge != Edge::None) {
             const T x = edge == Edge::Left ? w.min.x : w.max.x;
@@ -62,7 +70,9 @@ struct MatthesDrakopoulos {
             watch("cut", edge == Edge::Left ? 4 : 6, visible, edge, Named{"rise", risen});
         }
         const bool ask = form == Form::Corrected && edge != Edge::None; // not the rounded height
-        const Edge next = (ask ? risen < w.min.y - from.y : p.y < w.min.y)   ? Edge::Bottom
+        const Edge next = infinite && edge == Edge::None
+                              ? side(d.y, backwards, Edge::Bottom, Edge::Top)
+                          : (ask ? risen < w.min.y - from.y : p.y < w.min.y) ? Edge::Bottom
                           : (ask ? risen > w.max.y - from.y : p.y > w.max.y) ? Edge::Top
                                                                              : Edge::None;
         if (next == Edge::None)
@@ -74,13 +84,32 @@ struct MatthesDrakopoulos {
         return next;
     }
 
-    template <Form form, class T, class Watch>
+    /// The side at which infinity lies, along the line or backwards, that runs by d on one axis.
+    template <class T>
+    static constexpr Edge side(T d, bool backwards, Edge low, Edge high)
+    {
+        return d == T(0) ? Edge::None : (d > T(0)) != backwards ? high : low;
+    }
+
+    /// Whether it lies wholly beyond one edge.
+    template <Reach reach, class T>
+    static constexpr bool isBeyond(T a, T b, T low, T high)
+    {
+        if constexpr (reach == Reach::Bounded)
+            return (a < low && b < low) || (a > high && b > high);
+        else if constexpr (reach == Reach::OneWay)
+            return (a < low && b <= a) || (a > high && b >= a);
+        else
+            return a == b && (a < low || a > high);
+    }
+
+    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
         const auto& [a, b] = s;
-        if ((a.x < w.min.x && b.x < w.min.x) || (a.x > w.max.x && b.x > w.max.x)
-            || (a.y < w.min.y && b.y < w.min.y) || (a.y > w.max.y && b.y > w.max.y)) {
+        if (isBeyond<reach>(a.x, b.x, w.min.x, w.max.x)
+            || isBeyond<reach>(a.y, b.y, w.min.y, w.max.y)) {
             watch("reject", 1, s, Edge::None);
             return std::nullopt;
         }
@@ -88,10 +117,11 @@ struct MatthesDrakopoulos {
         if constexpr (form == Form::Corrected)
             d = {b.x - a.x, b.y - a.y};
         BasicSegment<T> visible = s;
-        const Edge edgeA = push<form>(&BasicSegment<T>::a, visible, s, d, w, watch);
-        const Edge edgeB = push<form>(&BasicSegment<T>::b, visible, s, d, w, watch);
-        if ((visible.a.x < w.min.x && visible.b.x < w.min.x)
-            || (visible.a.x > w.max.x && visible.b.x > w.max.x)) {
+        const Edge edgeA =
+            push<form, reach == Reach::BothWays>(&BasicSegment<T>::a, visible, s, d, w, watch);
+        const Edge edgeB =
+            push<form, reach != Reach::Bounded>(&BasicSegment<T>::b, visible, s, d, w, watch);
+        if (isBeyond<Reach::Bounded>(visible.a.x, visible.b.x, w.min.x, w.max.x)) {
             watch("reject", 11, visible, Edge::None);
             return std::nullopt;
         }

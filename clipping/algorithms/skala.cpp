@@ -31,6 +31,7 @@ struct Skala {
         .ulps = 24, // README.md, "How far off"
     };
 
+    static constexpr bool endless = true; // lines and rays too
     static constexpr const auto* polygon = &skalaPolygon;
     static constexpr const auto* searchedPolygon = &skalaSearchedPolygon;
 
@@ -80,10 +81,12 @@ struct Skala {
         return {x / z, y / z};
     }
 
-    template <Form form, class T, class Watch>
+    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
+        if constexpr (reach != Reach::Bounded)
+            return clipEndless<reach>(s, w, watch);
         const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
         watch("outcodes", 1, s, Edge::None, Named{"a", codeA}, Named{"b", codeB});
         if ((codeA | codeB) == 0) {
@@ -98,6 +101,26 @@ struct Skala {
             return crossed(s, w, codeA, codeB, watch);
         else
             return crossedFromA(s, w, codeA, codeB, watch);
+    }
+
+    /// A line has no ends to encode, a ray one; where there is none, there is a cut.
+    template <Reach reach, class T, class Watch>
+    static constexpr std::optional<BasicSegment<T>>
+    clipEndless(const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
+    {
+        constexpr unsigned none = ~0U;
+        if constexpr (reach == Reach::BothWays)
+            return crossedFromA(s, w, none, none, watch);
+        const unsigned code = outcodeOf(s.a, w);
+        watch("outcodes", 1, s, Edge::None, Named{"a", code});
+        if (((code & outcode::left) && s.b.x <= s.a.x)
+            || ((code & outcode::right) && s.b.x >= s.a.x)
+            || ((code & outcode::bottom) && s.b.y <= s.a.y)
+            || ((code & outcode::top) && s.b.y >= s.a.y)) {
+            watch("reject", 3, s, Edge::None);
+            return std::nullopt;
+        }
+        return crossedFromA(s, w, code, none, watch);
     }
 
     template <class T, class Watch>

@@ -22,12 +22,6 @@ std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPo
     return polygon.flat ? clipFlat<Method>(s, in, watch) : Method::clip(s, in, watch);
 }
 
-template <class T>
-BasicSegment<T> segmentOf(const Segment& s)
-{
-    return {pointOf<T>(s.a), pointOf<T>(s.b)};
-}
-
 /// Whether double is enough; else the same algorithm runs with Wide.
 inline bool easy(const Segment& s, const PreparedPolygon& polygon)
 {
@@ -53,7 +47,7 @@ std::optional<PolygonPiece<double>> clipPrepared(const Segment& s, const Prepare
         const auto piece = clipIn<Method>(s, polygon, Unwatched{});
         return piece ? std::optional(named(*piece, s)) : std::nullopt;
     }
-    const auto piece = clipIn<Method>(segmentOf<Wide>(s), polygon, Unwatched{});
+    const auto piece = clipIn<Method>(segmentIn<Wide>(s), polygon, Unwatched{});
     if (!piece)
         return std::nullopt;
     return named({inDouble(piece->segment), piece->numberOfA, piece->numberOfB}, s);
@@ -88,7 +82,7 @@ template <class Method, class Watch>
 std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& polygon, Watch& watch)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
-        const auto piece = clipIn<Method>(segmentOf<Counted<T>>(s), polygon, watch);
+        const auto piece = clipIn<Method>(segmentIn<Counted<T>>(s), polygon, watch);
         return piece ? std::optional(inDouble(plain(piece->segment))) : std::nullopt;
     };
     return easy(s, polygon) ? run(double{}) : run(Wide{});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/counted.h"
-#include "clipping/wide.h"
+#include "clipping/numbers.h"
 
 #include <optional>
 
@@ -26,21 +25,6 @@ struct PreparedPolygon {
 /// clockwise, not convex, or going round more than once. The decision is exact.
 std::optional<PreparedPolygon> prepared(const ConvexPolygon& polygon);
 
-/// A double as another number of the library.
-template <class T>
-struct NumberOf {
-    static T from(double x) { return T(x); }
-};
-template <class T>
-struct NumberOf<Counted<T>> {
-    static Counted<T> from(double x) { return Counted<T>(T(x)); }
-};
-template <class T>
-glm::vec<2, T> pointOf(const glm::dvec2& p)
-{
-    return {NumberOf<T>::from(p.x), NumberOf<T>::from(p.y)};
-}
-
 /// A prepared polygon in the numbers of T.
 template <class T>
 class PolygonIn {
@@ -49,11 +33,11 @@ public:
 
     std::size_t size() const { return polygon_->corners.size(); }
     std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
-    glm::vec<2, T> corner(std::size_t i) const { return pointOf<T>(polygon_->corners[i]); }
+    glm::vec<2, T> corner(std::size_t i) const { return pointIn<T>(polygon_->corners[i]); }
     glm::vec<2, T> edge(std::size_t i) const
     {
         if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Counted<double>>)
-            return pointOf<T>(polygon_->edges[i]);
+            return pointIn<T>(polygon_->edges[i]);
         else {
             const auto from = corner(i), to = corner(after(i));
             return {to.x - from.x, to.y - from.y};
@@ -62,7 +46,7 @@ public:
     std::uint32_t number(std::size_t i) const { return polygon_->numbers[i]; }
     BasicWindow<T> box() const
     {
-        return {pointOf<T>(polygon_->box.min), pointOf<T>(polygon_->box.max)};
+        return windowIn<T>(polygon_->box);
     }
 
 private:

@@ -42,6 +42,8 @@ struct Interval {
 /// Segment and polygon in units of a power of two in which all coordinates are whole.
 template <class Int>
 class Truth {
+    static constexpr bool small = std::is_integral_v<Int>; // no questions about ulps
+
 public:
     Truth(const clipping::Segment& s, const clipping::ConvexPolygon& p)
     {
@@ -51,7 +53,7 @@ public:
         const auto size = [](double x) { return std::abs(x); };
         ulpExponent_ = lastPlace(std::abs(*std::ranges::max_element(all, {}, size)));
         // Results have finer bits than the input; 2^-8 ulp is fine enough for them.
-        unit_ = small ? 1023 : ulpExponent_ - 8;
+        unit_ = small ? 0 : ulpExponent_ - 8;
         for (const double x : all)
             if (x != 0)
                 unit_ = std::min(unit_, lowestBit(x));
@@ -61,6 +63,9 @@ public:
             corners.push_back(whole(c));
         build(corners);
     }
+
+    /// The same polygon and another segment, where all are small whole numbers.
+    void ask(const clipping::Segment& s) requires(small) { a_ = whole(s.a), b_ = whole(s.b); }
 
     /// The parameters of the segment inside the polygon, its edges moved out by `ulps` (in if < 0).
     std::optional<Interval<Int>> inside(int ulps) const
@@ -112,8 +117,6 @@ public:
     }
 
 private:
-    static constexpr bool small =
-        std::is_integral_v<Int>; // whole numbers, and no questions about ulps
     static Int abs(const Int& x) { return x < 0 ? Int(-x) : x; }
     static int lastPlace(double x) { return x == 0 ? -1074 : std::max(std::ilogb(x) - 52, -1074); }
     static long long mantissa(double x, int place) // the scaling is exact in two steps
