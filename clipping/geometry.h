@@ -31,6 +31,10 @@ struct BasicWindow {
 
 using Segment = BasicSegment<double>;
 
+using Window = BasicWindow<double>;
+using Segment3 = BasicSegment<double, 3>;
+using Window3 = BasicWindow<double, 3>;
+
 /// The line through two points, without ends, directed from a to b. `a == b` is no line, and
 /// nothing of it is ever visible.
 struct Line {
@@ -40,10 +44,6 @@ struct Line {
 struct Ray {
     glm::dvec2 a, b; ///< two of its points
 };
-
-using Window = BasicWindow<double>;
-using Segment3 = BasicSegment<double, 3>;
-using Window3 = BasicWindow<double, 3>;
 
 /// A closed convex window: its corners, counter-clockwise where y points up. Edge i runs from
 /// corner i to the next, the last one to the first. A corner may be there twice, or lie between two

@@ -13,8 +13,9 @@ build=$root/build/release
 testsOf() { # KEY
     case $1 in
     box/*) echo box.box ;;
+    polygon/* | exact/turn*) echo polygon.polygon ;;
     polyline) echo polyline ;;
-    *) echo published contract uses ;;
+    *) echo published contract uses endless ;;
     esac
 }
 isWanted() { # KEY: on the command line, or nothing is there
