@@ -38,11 +38,13 @@ using Window3 = BasicWindow<double, 3>;
 /// The line through two points, without ends, directed from a to b. `a == b` is no line, and
 /// nothing of it is ever visible.
 struct Line {
-    glm::dvec2 a, b; ///< two of its points
+    glm::dvec2 a; ///< one of its points
+    glm::dvec2 b; ///< another one, further on
 };
 /// The ray from a through b and on. `a == b` has no direction, and nothing of it is ever visible.
 struct Ray {
-    glm::dvec2 a, b; ///< two of its points
+    glm::dvec2 a; ///< where it starts
+    glm::dvec2 b; ///< another one, further on
 };
 
 /// A closed convex window: its corners, counter-clockwise where y points up. Edge i runs from
