@@ -178,6 +178,21 @@ struct SobkowPospisilYang {
         return true;
     }
 
+    /// Follows a script to its end; false: nothing is visible.
+    template <Form form, auto script, std::size_t i, class T>
+    static constexpr bool followFrom(Run<T>& run, auto& watch)
+    {
+        if constexpr (i == script.size) {
+            return true;
+        } else if constexpr (script.instructions[i].kind == Kind::RejectIfBeyond) {
+            return follow<form, script, i>(run, watch)
+                   && followFrom<form, script, i + 1>(run, watch);
+        } else {
+            follow<form, script, i>(run, watch);
+            return followFrom<form, script, i + 1>(run, watch);
+        }
+    }
+
     template <Form form, auto script, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> play(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch& watch)
@@ -185,12 +200,7 @@ struct SobkowPospisilYang {
         Run<T> run{s, w, s, {}};
         if constexpr (form == Form::Corrected && script.size != 0)
             run.d = {s.b.x - s.a.x, s.b.y - s.a.y};
-        const bool seen = [&]<std::size_t... i>(std::index_sequence<i...>)
-        {
-            return (follow<form, script, i>(run, watch) && ...);
-        }
-        (std::make_index_sequence<script.size>{});
-        if (!seen)
+        if (!followFrom<form, script, 0>(run, watch))
             return std::nullopt;
         watch("accept", 8, run.visible, Edge::None);
         return run.visible;
