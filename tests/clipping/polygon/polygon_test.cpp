@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "tests/clipping/contract.h"
-#include "tests/clipping/polygon/oracle.h"
+#include "tests/clipping/polygon/contract.h"
 #include "tests/clipping/polygon/shapes.h"
 
 using namespace clipping;
@@ -15,11 +15,6 @@ using namespace clipping;
 namespace {
 
 using Small = polygon_oracle::Truth<long long>;
-using Any =
-    polygon_oracle::Truth<boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                                        boost::multiprecision::et_off>>;
-
-constexpr int k = int(polygonUlps);
 
 std::vector<glm::dvec2> gridPoints(int low, int high)
 {
@@ -61,12 +56,6 @@ bool isPolygon(const ConvexPolygon& polygon)
         round += turn;
     }
     return flat ? !c.empty() : round > 6 && round < 7;
-}
-
-std::optional<Clipped> clipOne(const PolygonUses& uses, const Segment& s, const ConvexPolygon& p)
-{
-    std::array<Clipped, 1> out;
-    return uses.clipAll({&s, 1}, p, out) == 1 ? std::optional(out[0]) : std::nullopt;
 }
 
 /// On small whole numbers everything is certain: what is seen, and where its ends are.
@@ -112,57 +101,6 @@ void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
             QFAIL((wrong + " for " + exactly(segments[i], polygon)).c_str());
         next += seen;
     }
-}
-
-/// Whether p is, by k ulps, on the line of the edge with that number.
-bool isOnEdge(const glm::dvec2& p, std::uint32_t number, const Segment& s,
-              const ConvexPolygon& polygon)
-{
-    const auto& c = polygon.corners;
-    const auto &from = c[number - 1], &to = c[number % c.size()];
-    long double largest = 0;
-    for (const auto& q : c)
-        largest = std::max({largest, (long double)std::abs(q.x), (long double)std::abs(q.y)});
-    for (const auto& q : {s.a, s.b})
-        largest = std::max({largest, (long double)std::abs(q.x), (long double)std::abs(q.y)});
-    const long double ex = (long double)to.x - from.x, ey = (long double)to.y - from.y;
-    const long double depth = ex * ((long double)p.y - from.y) - ey * ((long double)p.x - from.x);
-    const long double ulp = std::max(largest * 0x1p-52L, 0x1p-1074L);
-    return std::abs(depth) <= ulp * k * (std::abs(ex) + std::abs(ey));
-}
-
-/// How a result breaks the promise; empty if it keeps it.
-std::string fault(const std::optional<Clipped>& found, const Segment& s,
-                  const ConvexPolygon& polygon, bool decidesExactly)
-{
-    const Any truth(s, polygon);
-    const auto part = truth.inside(0), least = truth.inside(-k);
-    if (!found)
-        return part && (decidesExactly || least) ? "lost" : "";
-    const auto& [a, b] = found->segment;
-    if (!part && (decidesExactly || !truth.inside(k)))
-        return "seen where there is nothing";
-    for (const auto& p : {a, b}) {
-        const auto [lowX, highX] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::x);
-        const auto [lowY, highY] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::y);
-        if (!(p.x >= lowX.x && p.x <= highX.x && p.y >= lowY.y && p.y <= highY.y))
-            return "outside the box";
-        if (!truth.has(p, k))
-            return "outside the polygon";
-        if (!truth.isNear(p, k))
-            return "off the segment";
-    }
-    if ((truth.has(s.a) && !sameBits(a, s.a)) || (truth.has(s.b) && !sameBits(b, s.b)))
-        return "an inner end has moved";
-    if (least && (truth.isAfter(least->from, a, k) || truth.isBefore(least->to, b, k)))
-        return "a part is missing";
-    const auto edgeA = polygonEdgeOfA(found->cut), edgeB = polygonEdgeOfB(found->cut);
-    if ((edgeA == 0 && a != s.a) || (edgeB == 0 && b != s.b))
-        return "not said to be cut";
-    if ((edgeA != 0 && !isOnEdge(a, edgeA, s, polygon))
-        || (edgeB != 0 && !isOnEdge(b, edgeB, s, polygon)))
-        return "not on the edge that is said to have cut it";
-    return {};
 }
 
 /// A segment that has to do with the polygon: through it, by a corner, along an edge, to a corner.
