@@ -134,12 +134,12 @@ template <class Search>
 struct SkalaPolygon {
     static constexpr int rejectLine = 6, acceptLine = 11;
 
-    /// Whether p is strictly outside edge i.
+    /// 1 if p is on the inner side of edge i, 0 if it is on it, -1 if it is outside.
     template <class T>
-    static bool isOutside(const glm::vec<2, T>& p, std::size_t i, const PolygonIn<T>& polygon)
+    static int sideOf(const glm::vec<2, T>& p, std::size_t i, const PolygonIn<T>& polygon)
     {
         const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
-        return cross(polygon.edge(i), from, to, from, p).sign < 0;
+        return cross(polygon.edge(i), from, to, from, p).sign;
     }
 
     template <class T>
@@ -163,17 +163,20 @@ struct SkalaPolygon {
         const auto [enter, leave] = *crossed;
         watch("line", 7, s, Edge::None, Named{"i", unsigned(polygon.number(enter))},
               Named{"j", unsigned(polygon.number(leave))});
-        if (isOutside(s.b, enter, polygon) || isOutside(s.a, leave, polygon)) {
+        const int bEnters = sideOf(s.b, enter, polygon);
+        const int aLeaves = bEnters < 0 ? -1 : sideOf(s.a, leave, polygon);
+        if (bEnters < 0 || aLeaves < 0) {
             watch("reject", 3, s, Edge::None);
             return std::nullopt;
         }
         PolygonPiece<T> piece{s};
-        if (isOutside(s.a, enter, polygon)) {
-            piece.segment.a = meet(line, enter, polygon);
+        // Where a segment only reaches an edge, both ends are the one that does.
+        if (sideOf(s.a, enter, polygon) < 0) {
+            piece.segment.a = bEnters == 0 ? s.b : meet(line, enter, polygon);
             piece.numberOfA = polygon.number(enter);
         }
-        if (isOutside(s.b, leave, polygon)) {
-            piece.segment.b = meet(line, leave, polygon);
+        if (sideOf(s.b, leave, polygon) < 0) {
+            piece.segment.b = aLeaves == 0 ? s.a : meet(line, leave, polygon);
             piece.numberOfB = polygon.number(leave);
         }
         watch("cut", 8, piece.segment, Edge::None);

@@ -111,6 +111,8 @@ inline std::string fault(const std::optional<clipping::Clipped>& found, const cl
     const auto& [a, b] = found->segment;
     if (!part && (decidesExactly || !truth.inside(k)))
         return "seen where there is nothing";
+    if (part && !(part->from < part->to) && decidesExactly && a != b)
+        return "a contact that is no point";
     for (const auto& p : {a, b}) {
         const auto [lowX, highX] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::x);
         const auto [lowY, highY] = std::ranges::minmax(polygon.corners, {}, &glm::dvec2::y);
