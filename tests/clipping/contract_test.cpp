@@ -6,6 +6,7 @@
 #include <ranges>
 
 #include "tests/clipping/contract.h"
+#include "tests/clipping/random.h"
 #include "tests/clipping/rows.h"
 
 using namespace clipping;
@@ -134,6 +135,30 @@ private slots:
             if (truth && truth->line.a.x == truth->line.b.x && truth->line.a.y == truth->line.b.y
                 && result->a != result->b)
                 QFAIL(exactly(input).c_str());
+        }
+    }
+
+    // What meets a window at a corner alone, on whole numbers too large for the grid.
+    void contactsAtCornersArePoints_data() { everyAlgorithm(); }
+    void contactsAtCornersArePoints()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        Random random(1);
+        for (int i = 0; i < 50'000; ++i) {
+            const glm::dvec2 low(random.whole(-250, 230), random.whole(-250, 230));
+            const Window w{low, low + glm::dvec2(random.whole(0, 20), random.whole(0, 20))};
+            // Falling past the upper right corner or the lower left one, or rising past the others.
+            const bool falls = i % 2 == 0, high = i % 4 < 2;
+            const glm::dvec2 corner(high ? w.max.x : w.min.x, high == falls ? w.max.y : w.min.y);
+            const glm::dvec2 step(random.whole(1, 40), random.whole(1, 40) * (falls ? -1 : 1));
+            const int most = int(250 / std::max(std::abs(step.x), std::abs(step.y)));
+            Segment s{corner - double(random.whole(1, most)) * step,
+                      corner + double(random.whole(1, most)) * step};
+            if (i % 8 < 4)
+                std::swap(s.a, s.b);
+            const auto result = algorithm->corrected.clip(s, w);
+            QVERIFY2(result && result->a == result->b,
+                     exactly(Input{s, w}).c_str());
         }
     }
 

@@ -15,6 +15,7 @@ testsOf() { # KEY
     box/*) echo box.box ;;
     polygon/* | exact/turn*) echo polygon.polygon ;;
     polyline) echo polyline ;;
+    halving.h) echo box.box published contract ;;
     *) echo published contract uses endless ;;
     esac
 }
@@ -43,7 +44,7 @@ done
 # The file of a key: an algorithm's, or with its folder and, if a header, its ending.
 fileOf() { # KEY
     local path=${1//-/_}
-    [[ $path == */* || $path == polyline ]] || path=algorithms/$path
+    [[ $path == */* || $path == *.h || $path == polyline ]] || path=algorithms/$path
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
 
