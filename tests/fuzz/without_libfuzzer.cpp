@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in for libFuzzer where there is no clang: NAME [RUNS] FOLDER... runs every file of the
-// folders, and then RUNS changed copies of them, the same ones every time.
+// Stands in for libFuzzer where there is no clang: NAME RUNS FOLDER runs every file of the folder,
+// and then RUNS changed copies of them, the same ones every time.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
