@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every form for convex polygons, against whole numbers: the hull of the corners keeps the
+// contract; the corners as they come, which are mostly no polygon, are survived, and searching them
+// gives the same bits.
+#include "tests/clipping/polygon/contract.h"
+#include "tests/fuzz/one_input.h"
+
+using namespace clipping;
+
+namespace {
+
+constexpr std::size_t most = 12; // corners: the truth takes its time
+
+bool isFinite(const Segment& s, const ConvexPolygon& polygon)
+{
+    const auto finite = [](const glm::dvec2& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y);
+    };
+    return finite(s.a) && finite(s.b) && std::ranges::all_of(polygon.corners, finite);
+}
+
+bool same(const std::optional<Segment>& s, const std::optional<Segment>& t)
+{
+    return s.has_value() == t.has_value() && (!s || sameBits<2>(*s, *t));
+}
+
+/// What all the ways to ask for one segment say, which is the same.
+std::optional<Clipped> agreed(const PolygonUses& uses, const Segment& s,
+                              const ConvexPolygon& polygon, const std::string& who)
+{
+    const auto one = clipOne(uses, s, polygon);
+    const auto piece = one ? std::optional(one->segment) : std::nullopt;
+    if (!same(uses.clip(s, polygon), piece))
+        found(who + ": clipAll differs from clip for " + exactly(s, polygon));
+    const Trace trace = uses.trace(s, polygon);
+    const bool traced = trace.outcome == Outcome::Visible;
+    if (!same(traced ? std::optional(trace.visible) : std::nullopt, piece))
+        found(who + ": the trace differs from clip for " + exactly(s, polygon));
+    uses.count({&s, 1}, polygon);
+    if (one && !isFinite(s, polygon))
+        found(who + ": seen where the contract says nothing for " + exactly(s, polygon));
+    return one;
+}
+
+void tryForm(const PolygonUses& uses, const Segment& s, const ConvexPolygon& raw,
+             const ConvexPolygon& hull, const std::string& who)
+{
+    agreed(uses, s, raw, who);
+    const auto one = agreed(uses, s, hull, who);
+    if (!isFinite(s, hull))
+        return;
+    const bool decidesExactly = !who.starts_with("cyrus-beck");
+    if (const auto wrong = fault(one, s, hull, decidesExactly); !wrong.empty())
+        found(who + ": " + wrong + " for " + exactly(s, hull));
+}
+
+void trySearched(const Algorithm& a, const Segment& s, const ConvexPolygon& polygon)
+{
+    const auto one = clipOne(*a.polygon, s, polygon), two = clipOne(*a.searchedPolygon, s, polygon);
+    if (one.has_value() != two.has_value()
+        || (one && (!sameBits<2>(one->segment, two->segment) || one->cut != two->cut)))
+        found(std::string(a.key) + ": searched differs for " + exactly(s, polygon));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    Bytes bytes(data, size);
+    const glm::dvec2 from = pointOf<2>(bytes), to = pointOf<2>(bytes);
+    const Segment s{from, to};
+    ConvexPolygon raw;
+    while (!bytes.ended() && raw.corners.size() < most)
+        raw.corners.push_back(pointOf<2>(bytes));
+    const ConvexPolygon hull = isFinite(s, raw) ? hullOf(raw.corners) : raw;
+    for (const Algorithm& a : algorithms()) {
+        if (a.polygon)
+            tryForm(*a.polygon, s, raw, hull, std::string(a.key));
+        if (!a.searchedPolygon)
+            continue;
+        tryForm(*a.searchedPolygon, s, raw, hull, std::string(a.key) + ", searched");
+        trySearched(a, s, raw);
+        trySearched(a, s, hull);
+    }
+    return 0;
+}
