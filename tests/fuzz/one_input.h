@@ -47,20 +47,22 @@ bool legalInput(const BasicInput<N>& input)
     return legal;
 }
 
-/// The three ways to ask for one segment say the same, in the order of a and b.
-template <glm::length_t N>
-void agree(const FormUses<N>& uses, const BasicInput<N>& input, const std::string& who)
+/// The three ways to ask for one say the same, in the order of a and b.
+template <glm::length_t N, class S>
+void agree(const clipping::Uses<S, clipping::BasicWindow<double, N>,
+                                clipping::BasicSegment<double, N>>& uses,
+           const S& segment, const BasicInput<N>& input, const std::string& who)
 {
-    using S = clipping::BasicSegment<double, N>;
-    const auto same = [](const std::optional<S>& s, const std::optional<S>& t) {
+    using Piece = clipping::BasicSegment<double, N>;
+    const auto same = [](const std::optional<Piece>& s, const std::optional<Piece>& t) {
         return s.has_value() == t.has_value() && (!s || sameBits<N>(*s, *t));
     };
-    const auto one = uses.clip(input.segment, input.window);
-    std::array<clipping::BasicClipped<S>, 1> out;
-    const bool seen = uses.clipAll({&input.segment, 1}, input.window, out) != 0;
+    const auto one = uses.clip(segment, input.window);
+    std::array<clipping::BasicClipped<Piece>, 1> out;
+    const bool seen = uses.clipAll({&segment, 1}, input.window, out) != 0;
     if (!same(one, seen ? std::optional(out[0].segment) : std::nullopt))
         found(who + ": clipAll differs from clip for " + exactly<N>(input));
-    const auto trace = uses.trace(input.segment, input.window);
+    const auto trace = uses.trace(segment, input.window);
     const bool traced = trace.outcome == clipping::Outcome::Visible;
     if (!same(one, traced ? std::optional(trace.visible) : std::nullopt))
         found(who + ": the trace differs from clip for " + exactly<N>(input));
@@ -71,7 +73,7 @@ template <glm::length_t N>
 void keepContract(const FormUses<N>& uses, const BasicInput<N>& input, const Truth<N>& truth,
                   double ulps, const std::string& who)
 {
-    agree<N>(uses, input, who);
+    agree<N>(uses, input.segment, input, who);
     const auto result = uses.clip(input.segment, input.window);
     if (!legalInput<N>(input)) {
         if (result)
