@@ -42,9 +42,12 @@ private:
     static Wide of(double fraction, int exponent)
     {
         Wide result;
-        int shift = 0; // which stays so for infinity
+        result.fraction_ = fraction, result.exponent_ = 0;
+        if (fraction == 0 || !std::isfinite(fraction)) // frexp leaves infinity's exponent open
+            return result;
+        int shift;
         result.fraction_ = std::frexp(fraction, &shift);
-        result.exponent_ = result.fraction_ == 0 ? 0 : exponent + shift;
+        result.exponent_ = exponent + shift;
         return result;
     }
     double fraction_; // uninitialised on purpose: GLM keeps it in a union
