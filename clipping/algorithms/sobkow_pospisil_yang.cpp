@@ -85,11 +85,7 @@ struct SobkowPospisilYang {
     }
 
     static constexpr unsigned bitOf(Edge edge) { return 1U << (static_cast<int>(edge) - 1); }
-    static constexpr int axisOf(Edge edge)
-    {
-        return edge == Edge::Left || edge == Edge::Right ? 0 : 1;
-    }
-    static constexpr bool isLow(Edge edge) { return edge == Edge::Left || edge == Edge::Bottom; }
+    static constexpr bool isLow(Edge edge) { return edge == lowerEdge(axisOf(edge)); }
 
     /// Whether the move of instruction `at` may leave the end beyond `edge`, as far as rounding
     /// goes: not if the script asks about it later, nor if the end comes from this side of the edge
@@ -114,11 +110,6 @@ struct SobkowPospisilYang {
         const BasicWindow<T>& window;
         BasicSegment<T> visible;
         glm::vec<2, T> d, way{};
-
-        constexpr T at(Edge edge) const
-        {
-            return (isLow(edge) ? window.min : window.max)[axisOf(edge)];
-        }
     };
 
     /// Moves an end to an edge, along the segment.
@@ -126,9 +117,9 @@ struct SobkowPospisilYang {
     static constexpr void move(Run<T>& run)
     {
         constexpr Instruction what = script.instructions[i];
-        constexpr int axis = axisOf(what.edge), across = 1 - axis;
+        constexpr glm::length_t axis = axisOf(what.edge), across = 1 - axis;
         glm::vec<2, T>& p = what.ofB ? run.visible.b : run.visible.a;
-        const T edge = run.at(what.edge);
+        const T edge = levelOf(what.edge, run.window);
         if constexpr (form == Form::Published) {
             const glm::vec<2, T>& other = what.ofB ? run.visible.a : run.visible.b;
             p[across] += (other[across] - p[across]) * (edge - p[axis]) / (other[axis] - p[axis]);
@@ -137,12 +128,11 @@ struct SobkowPospisilYang {
             const T way = run.d[across] * (edge - from[axis]) / run.d[axis];
             run.way[what.ofB] = way;
             p[across] = from[across] + way;
-            constexpr Edge low = across == 0 ? Edge::Left : Edge::Bottom;
-            constexpr Edge high = across == 0 ? Edge::Right : Edge::Top;
-            if constexpr (mayEndBeyond(script, i, low))
-                p[across] = p[across] < run.at(low) ? run.at(low) : p[across];
-            if constexpr (mayEndBeyond(script, i, high))
-                p[across] = p[across] > run.at(high) ? run.at(high) : p[across];
+            const T low = run.window.min[across], high = run.window.max[across];
+            if constexpr (mayEndBeyond(script, i, lowerEdge(across)))
+                p[across] = p[across] < low ? low : p[across];
+            if constexpr (mayEndBeyond(script, i, upperEdge(across)))
+                p[across] = p[across] > high ? high : p[across];
         }
         p[axis] = edge;
     }
@@ -151,8 +141,8 @@ struct SobkowPospisilYang {
     template <Form form, Instruction what, class T>
     static constexpr bool beyond(const Run<T>& run)
     {
-        constexpr int axis = axisOf(what.edge);
-        const T edge = run.at(what.edge);
+        constexpr glm::length_t axis = axisOf(what.edge);
+        const T edge = levelOf(what.edge, run.window);
         const T place = (what.ofB ? run.visible.b : run.visible.a)[axis];
         const auto side = place <=> edge;
         if (form == Form::Published || side != 0)
