@@ -43,6 +43,12 @@ std::span<const Algorithm> algorithms()
     return all;
 }
 
+const Algorithm& exactAlgorithm()
+{
+    static const Algorithm& exact = *findAlgorithm("exact");
+    return exact;
+}
+
 const Algorithm* findAlgorithm(std::string_view wanted)
 {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -14,6 +15,7 @@ namespace clipping {
 /// means a single point.
 template <class T, glm::length_t N = 2>
 struct BasicSegment {
+    static constexpr glm::length_t dimensions = N;
     glm::vec<N, T> a; ///< where it begins
     glm::vec<N, T> b; ///< where it ends
     /// Whether both ends are equal; -0 equals 0, a NaN nothing.
@@ -30,7 +32,6 @@ struct BasicWindow {
 };
 
 using Segment = BasicSegment<double>;
-
 using Window = BasicWindow<double>;
 using Segment3 = BasicSegment<double, 3>;
 using Window3 = BasicWindow<double, 3>;
@@ -105,7 +106,13 @@ constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numb
 constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) { return cut & 0xffff; }
 constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) { return cut >> 16; }
 
-static_assert(sizeof(Segment) == 32 && std::is_trivially_copyable_v<Segment>);
-static_assert(sizeof(Clipped) == 40 && std::is_trivially_copyable_v<Clipped>);
+template <class S, std::size_t bytes>
+constexpr bool isPlain = sizeof(S) == bytes&& std::is_trivially_copyable_v<S>;
+static_assert(
+    isPlain<
+        Segment,
+        32> && isPlain<Segment3, 48> && isPlain<BasicSegment<float>, 16> && isPlain<Clipped, 40>,
+    "a segment is its numbers and no more: GLM_FORCE_CTOR_INIT, GLM_FORCE_CXX98 and "
+    "aligned vectors by default change that");
 
 } // namespace clipping

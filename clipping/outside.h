@@ -12,7 +12,7 @@ namespace clipping {
 /// (`inside`, for the same input and window). Writes to `out`, which does not overlap and holds
 /// at least `in.size() + inside.size()` pieces; returns how many were written, in input order,
 /// the piece at a's side first. The pieces reuse the inside's cut points bit for bit: inside and
-/// outside together are the whole. A segment that touches the window in a single point comes
+/// outside together are the whole. A segment of which a single point is inside comes
 /// back whole, once; a piece of a published form may run the other way; a part along an edge
 /// belongs to the inside. Allocates nothing.
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,

@@ -14,7 +14,7 @@ struct VisibleRun {
     std::size_t first;    ///< of its points in PolylineRuns::points
     std::size_t count;    ///< of its points; at least one
     std::uint32_t source; ///< the segment it begins on: from point `source` to the next
-    Edge begin;           ///< the edge where it was cut at its begin; None: an end of the polyline
+    Edge begin;           ///< where it was cut; None: an end, or beside what is not finite
     Edge end;             ///< the same at its end
 };
 
@@ -26,7 +26,8 @@ struct PolylineRuns {
 
 /// The part of the polyline through `points` inside the closed window, as the row `exact` clips its
 /// segments: no wrong decision, new ends rounded once and on the window, bit for bit. Replaces what
-/// is in `out`, in the order of the polyline; allocates only where `out` has to grow.
+/// is in `out`, in the order of the polyline; allocates only where `out` has to grow, which is why
+/// it is handed in. `points` must not lie in `out`.
 ///
 /// A run goes on through every point of the polyline that is in the window, its edges included;
 /// such points come back bit for bit and as often as they are there, so that what is wholly inside

@@ -19,7 +19,7 @@ LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& win
 
 LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& window)
 {
-    static const auto* const exact = clipping::findAlgorithm("exact");
+    static const auto* const exact = &clipping::exactAlgorithm();
     return lineClassOf(line, window, exact->corrected.clip(line, window).has_value());
 }
 

@@ -11,7 +11,7 @@ namespace app {
 
 static bool clipsExactly(const clipping::Uses<clipping::Segment, clipping::Window>& algorithm)
 {
-    static const auto* const exact = clipping::findAlgorithm("exact");
+    static const auto* const exact = &clipping::exactAlgorithm();
     return algorithm.clipAll == exact->corrected.clipAll;
 }
 

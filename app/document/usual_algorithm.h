@@ -6,6 +6,6 @@
 namespace app {
 
 /// What clips unless somebody asks for another: the row that is never wrong.
-inline const clipping::Algorithm& usualAlgorithm() { return *clipping::findAlgorithm("exact"); }
+inline const clipping::Algorithm& usualAlgorithm() { return clipping::exactAlgorithm(); }
 
 } // namespace app

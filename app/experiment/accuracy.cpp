@@ -104,7 +104,7 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     std::vector<Accuracy> all;
     for (const Contestant& contestant : contestants)
         all.push_back({.contestant = contestant});
-    const Contestant exact{clipping::findAlgorithm("exact"), clipping::Form::Corrected};
+    const Contestant exact{&clipping::exactAlgorithm(), clipping::Form::Corrected};
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
     Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));

@@ -115,7 +115,7 @@ void Bench::fill(const LineSource& source, std::uint64_t first)
 void Bench::tellTruth()
 {
     block_.truth.resize(block_.lines.size());
-    block_.truth.resize(clipping::findAlgorithm("exact")->corrected.clipAll(
+    block_.truth.resize(clipping::exactAlgorithm().corrected.clipAll(
         block_.lines, options_.field.window, block_.truth));
 }
 

@@ -15,15 +15,16 @@ template <class V, class T>
 CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::size_t first,
                                         std::size_t last, const Box<T>& box, std::uint32_t* indices)
 {
-    constexpr std::size_t ahead = 2048 / sizeof(BasicSegment<T>); // 2 KiB
+    constexpr std::size_t ahead = 2048, row = V::width * sizeof(BasicSegment<T>); // bytes
     const auto w = inEveryLane<V>(box.window);
     const V centreX = V::of(box.centreX), centreY = V::of(box.centreY);
     const V halfWidth = V::of(box.halfWidth), halfHeight = V::of(box.halfHeight);
     const V relative = V::of(missBound<T>), absolute = V::of(missTiny<T>);
     std::size_t count = 0, i = first;
     for (; i + V::width <= last; i += V::width) {
-        for (std::size_t line = 0; line < V::width; line += 64 / sizeof(BasicSegment<T>))
-            __builtin_prefetch(segments + i + ahead + line);
+        for (std::size_t line = 0; line < row; line += 64) // a number: it may lie behind the array
+            __builtin_prefetch(reinterpret_cast<const void*>(
+                reinterpret_cast<std::uintptr_t>(segments + i) + ahead + line));
         const Ends<V> s = V::load(segments + i);
         const auto beyond = (max(s.ax, s.bx) < w.minX) | (min(s.ax, s.bx) > w.maxX)
                             | (max(s.ay, s.by) < w.minY) | (min(s.ay, s.by) > w.maxY);

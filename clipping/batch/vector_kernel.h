@@ -43,11 +43,11 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* 
     BatchResult result{};
     for (std::size_t lane = count; lane < count + V::width; ++lane)
         indices[lane] = static_cast<std::uint32_t>(batch.begin);
-    const char* line = reinterpret_cast<const char*>(next);
-    const char* const end = reinterpret_cast<const char*>(next + blockSize);
+    auto line = reinterpret_cast<std::uintptr_t>(next); // a number: it may lie behind the array
+    const std::uintptr_t end = line + blockSize * sizeof *next;
     for (std::size_t i = 0; i < count; i += V::width) {
         for (int ahead = 0; ahead < 8 && line < end; ++ahead, line += 64)
-            __builtin_prefetch(line);
+            __builtin_prefetch(reinterpret_cast<const void*>(line));
         const std::size_t lanes = count - i < V::width ? count - i : V::width;
         const unsigned used = (1u << lanes) - 1;
         const auto clip = clipLanes<usualCare<T>>(V::gather(batch.segments, indices + i), w);

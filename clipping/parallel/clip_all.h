@@ -19,4 +19,17 @@ template <class T>
 std::size_t clipAllInParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
                               std::span<BasicClipped<BasicSegment<T>>> out);
 
+/// So that a vector is taken for a span.
+inline std::size_t clipAllInParallel(std::span<const Segment> in, const Window& window,
+                                     std::span<Clipped> out)
+{
+    return clipAllInParallel<double>(in, window, out);
+}
+inline std::size_t clipAllInParallel(std::span<const BasicSegment<float>> in,
+                                     const BasicWindow<float>& window,
+                                     std::span<BasicClipped<BasicSegment<float>>> out)
+{
+    return clipAllInParallel<float>(in, window, out);
+}
+
 } // namespace clipping

@@ -16,7 +16,7 @@ template <class T>
 auto clippedAll(const Scene<T>& scene)
 {
     std::vector<BasicClipped<BasicSegment<T>>> out(scene.segments.size());
-    const Algorithm& exact = *findAlgorithm("exact");
+    const Algorithm& exact = exactAlgorithm();
     if constexpr (sizeof(T) == sizeof(double))
         out.resize(exact.corrected.clipAll(scene.segments, scene.window, out));
     else

@@ -101,7 +101,7 @@ private slots:
         t.window->files().open(t.twoLines());
         t.show();
         const auto all = clipping::algorithms();
-        QCOMPARE(t.window->session().display().algorithm, clipping::findAlgorithm("exact"));
+        QCOMPARE(t.window->session().display().algorithm, &clipping::exactAlgorithm());
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
         QCOMPARE(t.window->session().display().algorithm, &all[1]);
         auto* field = t.window->findChild<QDoubleSpinBox*>();

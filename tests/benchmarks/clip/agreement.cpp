@@ -24,7 +24,7 @@ bool holds(const clipping::Window& w, const glm::dvec2& p)
 
 Agreement agreementOf(const PeerData& peer, const clipping::Window& window, std::size_t count)
 {
-    const auto exact = clipping::findAlgorithm("exact")->corrected.clip;
+    const auto exact = clipping::exactAlgorithm().corrected.clip;
     Agreement result;
     result.compared = std::min(count, peer.size());
     for (std::size_t i = 0; i < result.compared; ++i) {

@@ -138,7 +138,7 @@ void compareEnds(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
 class ExactTest : public QObject {
     Q_OBJECT
 
-    const Algorithm& exact_ = *findAlgorithm("exact");
+    const Algorithm& exact_ = exactAlgorithm();
 
 private slots:
     void decidesRightAndRoundsOnce() { compareWithTruth(exact_.corrected); }

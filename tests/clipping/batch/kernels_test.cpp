@@ -28,9 +28,9 @@ template <class T>
 const Uses<BasicSegment<T>, BasicWindow<T>>& exactUses()
 {
     if constexpr (sizeof(T) == sizeof(double))
-        return findAlgorithm("exact")->corrected;
+        return exactAlgorithm().corrected;
     else
-        return *findAlgorithm("exact")->single;
+        return *exactAlgorithm().single;
 }
 
 /// What `exact` finds, one segment after the other.
@@ -204,7 +204,7 @@ private slots:
     {
         const auto scene = paperScene<double>(3000);
         std::vector<Clipped> out(scene.segments.size());
-        out.resize(findAlgorithm("exact")->corrected.clipAll(scene.segments, scene.window, out));
+        out.resize(exactAlgorithm().corrected.clipAll(scene.segments, scene.window, out));
         QVERIFY(sameBits(out, clipped(instructionSets().front(), scene, 0, scene.segments.size())));
     }
 };
