@@ -71,7 +71,7 @@ link() { # TEST
 killer() { # KEY
     local test found
     for test in $(testsOf "$1"); do
-        link "$test"
+        link "$test" || { echo "does not link: $1" >&2; exit 1; }
         found=$(timeout 120 "$work/$test" 2>&1 | grep -m 1 -o 'FAIL! *: [^(]*([^)]*)' || true)
         if [[ $found ]]; then
             echo "${found#*: }"
