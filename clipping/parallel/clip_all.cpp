@@ -36,11 +36,9 @@ Plan planFor(std::size_t count)
     return {slots, partSize, worthwhile ? count - slots * partSize : 0};
 }
 
-} // namespace
-
 template <class T>
-std::size_t clipAllInParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
-                              std::span<BasicClipped<BasicSegment<T>>> out)
+std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
+                       std::span<BasicClipped<BasicSegment<T>>> out)
 {
     assert(out.size() >= in.size());
     const Plan plan = planFor(in.size());
@@ -75,9 +73,19 @@ std::size_t clipAllInParallel(std::span<const BasicSegment<T>> in, const BasicWi
     return pieces + clipBatch(rest).pieces;
 }
 
-template std::size_t clipAllInParallel(std::span<const Segment>, const Window&, std::span<Clipped>);
-template std::size_t clipAllInParallel(std::span<const BasicSegment<float>>,
-                                       const BasicWindow<float>&,
-                                       std::span<BasicClipped<BasicSegment<float>>>);
+} // namespace
+
+std::size_t clipAllInParallel(std::span<const Segment> in, const Window& window,
+                              std::span<Clipped> out)
+{
+    return inParallel(in, window, out);
+}
+
+std::size_t clipAllInParallel(std::span<const BasicSegment<float>> in,
+                              const BasicWindow<float>& window,
+                              std::span<BasicClipped<BasicSegment<float>>> out)
+{
+    return inParallel(in, window, out);
+}
 
 } // namespace clipping

@@ -15,21 +15,10 @@ constexpr std::size_t parallelThreshold = 100'000;
 /// calling task arena (oneTBB; limit them with tbb::task_arena or tbb::global_control). Fewer
 /// segments than `parallelThreshold` are clipped by the caller alone. All of `out` may be written
 /// to, not only the pieces that are returned.
-template <class T>
-std::size_t clipAllInParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
-                              std::span<BasicClipped<BasicSegment<T>>> out);
-
-/// So that a vector is taken for a span.
-inline std::size_t clipAllInParallel(std::span<const Segment> in, const Window& window,
-                                     std::span<Clipped> out)
-{
-    return clipAllInParallel<double>(in, window, out);
-}
-inline std::size_t clipAllInParallel(std::span<const BasicSegment<float>> in,
-                                     const BasicWindow<float>& window,
-                                     std::span<BasicClipped<BasicSegment<float>>> out)
-{
-    return clipAllInParallel<float>(in, window, out);
-}
+std::size_t clipAllInParallel(std::span<const Segment> in, const Window& window,
+                              std::span<Clipped> out);
+std::size_t clipAllInParallel(std::span<const BasicSegment<float>> in,
+                              const BasicWindow<float>& window,
+                              std::span<BasicClipped<BasicSegment<float>>> out);
 
 } // namespace clipping

@@ -21,6 +21,8 @@ private slots:
         QCOMPARE(found, clipping::findAlgorithm("Matthes-Drakopoulos"));
         QVERIFY(!clipping::findAlgorithm("nobody"));
     }
+
+    void namesTheExactOne() { QCOMPARE(clipping::exactAlgorithm().key, std::string_view("exact")); }
 };
 
 QTEST_APPLESS_MAIN(CatalogueTest)

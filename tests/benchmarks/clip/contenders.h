@@ -75,7 +75,7 @@ std::vector<Contender> threadContenders(Data<T>& data)
             {"exact, 2 threads", [&] {
                  return two.execute([&] {
                      return std::uint64_t(
-                         clipping::clipAllInParallel<T>(data.in(), data.scene.window, data.out));
+                         clipping::clipAllInParallel(data.in(), data.scene.window, data.out));
                  });
              }}};
 }

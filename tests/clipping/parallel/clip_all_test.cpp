@@ -31,7 +31,7 @@ void compareThreads()
             for (const int threads : {1, 2, 3, 8}) {
                 tbb::task_arena arena(threads);
                 const std::size_t pieces = arena.execute(
-                    [&] { return clipAllInParallel<T>(scene.segments, scene.window, out); });
+                    [&] { return clipAllInParallel(scene.segments, scene.window, out); });
                 QCOMPARE(pieces, expected.size());
                 QVERIFY2(std::memcmp(out.data(), expected.data(), pieces * sizeof(Piece)) == 0
                              || pieces == 0,
