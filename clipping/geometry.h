@@ -15,7 +15,7 @@ namespace clipping {
 /// means a single point.
 template <class T, glm::length_t N = 2>
 struct BasicSegment {
-    static constexpr glm::length_t dimensions = N;
+    static constexpr glm::length_t dimensions = N; ///< how many coordinates a point has
     glm::vec<N, T> a; ///< where it begins
     glm::vec<N, T> b; ///< where it ends
     /// Whether both ends are equal; -0 equals 0, a NaN nothing.
@@ -106,8 +106,9 @@ constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numb
 constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) { return cut & 0xffff; }
 constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) { return cut >> 16; }
 
+/// Whether an S is its numbers, in so many bytes, and may be copied as bytes.
 template <class S, std::size_t bytes>
-constexpr bool isPlain = sizeof(S) == bytes&& std::is_trivially_copyable_v<S>;
+inline constexpr bool isPlain = sizeof(S) == bytes&& std::is_trivially_copyable_v<S>;
 static_assert(
     isPlain<
         Segment,
