@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -17,9 +18,12 @@ struct NamedAgreement {
     std::string name;
     Agreement agreement;
     double endsWithin; ///< of the peer
+    /// Whether it differs by at most 1 % of what can be seen, or of 1 % of all where that is less.
     bool plausible() const
     {
-        return 100 * (agreement.onlyPeer + agreement.onlyExact) <= agreement.compared
+        const std::size_t visible = agreement.visible + agreement.onlyExact - agreement.onlyPeer;
+        return 100 * (agreement.onlyPeer + agreement.onlyExact)
+                   <= std::max(visible, agreement.compared / 100)
                && agreement.largest <= endsWithin;
     }
 };
