@@ -39,20 +39,17 @@ struct MidpointSubdivisionBox {
         const Fractions<T, 3> points(s, w);
         BasicSegment<T, 3> visible = s;
         std::optional<Bracket<T>> last, first;
-        if (codeB != 0) {
-            last = halved<Form::Corrected>(points, Bracket<T>{T(0), T(1), codeA, codeB}, watch);
-            if (!last)
-                return std::nullopt;
-            visible.b = points.at(last->near, last->codes());
-            watch("cut", 3, visible, sideOf(last->farCode));
-        }
-        if (codeA != 0) {
-            first = halved<Form::Corrected>(points, Bracket<T>{T(1), T(0), codeB, codeA}, watch);
-            if (!first)
-                return std::nullopt;
-            visible.a = points.at(first->near, first->codes());
-            watch("cut", 4, visible, sideOf(first->farCode));
-        }
+        const auto cut = [&](const Bracket<T>& bracket, int line, auto& end) {
+            const auto found = halved<Form::Corrected>(points, bracket, watch);
+            if (found) {
+                end = points.at(found->near, found->codes());
+                watch("cut", line, visible, sideOf(found->farCode));
+            }
+            return found;
+        };
+        if ((codeB != 0 && !(last = cut({T(0), T(1), codeA, codeB}, 3, visible.b)))
+            || (codeA != 0 && !(first = cut({T(1), T(0), codeB, codeA}, 4, visible.a))))
+            return std::nullopt;
         if (first && last && points.areNeighbours(first->near, last->near)) {
             const auto touch = points.at(last->near, last->codes() | first->codes());
             visible = {touch, touch};
