@@ -3,6 +3,8 @@
 
 #include "clipping/geometry.h"
 
+#include <concepts>
+
 namespace clipping {
 
 /// The sides of the window that a point lies strictly beyond: a sum of these bits, 0 inside.
@@ -20,6 +22,17 @@ constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w
                 : p[k] > w.max[k] ? outcode::right << 2 * k
                                   : 0;
     return code;
+}
+
+/// The same for plain numbers in the plane, without a branch, which nothing would foretell.
+template <std::floating_point T>
+constexpr unsigned outcodeOf(const glm::vec<2, T>& p, const BasicWindow<T, 2>& w)
+{
+    const auto axis = [](T v, T low, T high) {
+        const unsigned below = v < low, above = v > high;
+        return below | (above & ~below) << 1;
+    };
+    return axis(p.x, w.min.x, w.max.x) | axis(p.y, w.min.y, w.max.y) << 2;
 }
 
 } // namespace clipping
