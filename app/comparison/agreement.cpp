@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
 
+#include "app/comparison/difference.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace app {
 
@@ -16,82 +15,35 @@ using namespace clipping;
 
 namespace {
 
-/// What one form leaves of every segment: an index into `pieces`, or `invisible`.
-struct Answer {
-    static constexpr std::uint32_t invisible = std::numeric_limits<std::uint32_t>::max();
-    std::vector<Clipped> pieces;
-    std::vector<std::uint32_t> pieceOf;
+// Two rows keep their contract (at most 64 ulps each) if they are no farther apart.
+constexpr double contractOfTwo = 128;
 
-    const clipping::Segment* visible(std::size_t segment) const
-    {
-        return pieceOf[segment] == invisible ? nullptr : &pieces[pieceOf[segment]].segment;
-    }
-};
-
-Answer answerOf(const Uses<Segment, Window>& uses, std::span<const Segment> segments,
-                const Window& window)
+/// What more than half of the answers keep, as the first of them has it.
+std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, std::size_t segments)
 {
-    Answer answer{std::vector<Clipped>(segments.size()),
-                  std::vector<std::uint32_t>(segments.size(), Answer::invisible)};
-    answer.pieces.resize(uses.clipAll(segments, window, answer.pieces));
-    for (std::uint32_t i = 0; i < answer.pieces.size(); ++i)
-        answer.pieceOf[answer.pieces[i].source] = i;
-    return answer;
-}
-
-double magnitude(const Segment& s, const Window& w)
-{
-    return std::max({std::abs(s.a.x), std::abs(s.a.y), std::abs(s.b.x), std::abs(s.b.y),
-                     std::abs(w.min.x), std::abs(w.min.y), std::abs(w.max.x), std::abs(w.max.y)});
-}
-
-bool apart(const Segment& one, const Segment& other, double allowed)
-{
-    const auto far = [&](double x, double y) { return !(std::abs(x - y) <= allowed); };
-    return far(one.a.x, other.a.x) || far(one.a.y, other.a.y) || far(one.b.x, other.b.x)
-           || far(one.b.y, other.b.y);
-}
-
-/// What the majority of the corrected forms says, segment by segment.
-class Majority {
-public:
-    explicit Majority(const std::vector<Answer>& answers) : answers_(answers) {}
-
-    const Segment* visible(std::size_t segment) const
-    {
-        std::size_t votes = 0;
-        const Segment* first = nullptr;
-        for (const Answer& answer : answers_)
-            if (const Segment* piece = answer.visible(segment)) {
-                first = first ? first : piece;
-                ++votes;
+    std::vector<std::size_t> votes(segments, 0);
+    for (const auto& answer : answers)
+        for (const Clipped& piece : answer)
+            ++votes[piece.source];
+    std::vector<Clipped> kept;
+    std::vector<bool> has(segments, false);
+    for (const auto& answer : answers)
+        for (const Clipped& piece : answer)
+            if (2 * votes[piece.source] > answers.size() && !has[piece.source]) {
+                has[piece.source] = true;
+                kept.push_back(piece);
             }
-        return 2 * votes > answers_.size() ? first : nullptr;
-    }
+    std::ranges::sort(kept, {}, &Clipped::source); // the first answer has nearly all
+    return kept;
+}
 
-private:
-    const std::vector<Answer>& answers_;
-};
-
-Difference differenceOf(const Algorithm& algorithm, Form form, const Answer& answer,
-                        const Majority& majority, std::span<const Segment> segments,
-                        const Window& window)
+Dissent dissentOf(const Clipper& clipper, std::span<const Difference> fromMajority)
 {
-    Difference result{&algorithm, form};
-    for (std::uint32_t i = 0; i < segments.size(); ++i) {
-        const Segment* truth = majority.visible(i);
-        const Segment* piece = answer.visible(i);
-        // Both rows keep their contract (at most 64 ulps each) if they are no farther apart.
-        const double allowed =
-            128 * std::numeric_limits<double>::epsilon() * magnitude(segments[i], window);
-        const bool moved = truth && piece && apart(*truth, *piece, allowed);
-        result.lost += truth && !piece;
-        result.shown += !truth && piece;
-        result.moved += moved;
-        if (!truth != !piece || moved)
-            result.segments.push_back(i);
-    }
-    return result;
+    const DifferenceCounts counts = counted(fromMajority);
+    Dissent dissent{clipper, counts.onlyB, counts.onlyA, counts.endsApart};
+    for (const Difference& difference : fromMajority)
+        dissent.segments.push_back(difference.source);
+    return dissent;
 }
 
 QString counted(const char* one, const char* many, std::size_t count)
@@ -100,55 +52,55 @@ QString counted(const char* one, const char* many, std::size_t count)
                       : QCoreApplication::translate("agreement", many).arg(countText(count));
 }
 
-QString sentence(const Difference& difference)
+QString sentence(const Dissent& dissent)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("agreement", text); };
-    const QLatin1StringView name(difference.algorithm->abbreviation.data(),
-                                 qsizetype(difference.algorithm->abbreviation.size()));
-    const QString who =
-        difference.form == Form::Published ? tr("%1 as published").arg(name) : QString(name);
     QStringList faults;
-    if (difference.lost)
+    if (dissent.lost)
         faults << counted("loses 1 line that is visible", "loses %1 lines that are visible",
-                          difference.lost);
-    if (difference.shown)
+                          dissent.lost);
+    if (dissent.shown)
         faults << counted("keeps 1 line that is not visible", "keeps %1 lines that are not visible",
-                          difference.shown);
-    if (difference.moved)
+                          dissent.shown);
+    if (dissent.moved)
         faults << counted("misplaces the ends of 1 line", "misplaces the ends of %1 lines",
-                          difference.moved);
-    return who + u' ' + faults.join(tr(", "));
+                          dissent.moved);
+    return nameOf(dissent.clipper) + u' '
+           + faults.join(QCoreApplication::translate("agreement", ", "));
 }
 
 } // namespace
 
-std::vector<Difference> differences(std::span<const Segment> segments, const Window& window,
-                                    const Algorithm& chosen, Form form)
+std::vector<Dissent> dissents(std::span<const Segment> segments, const Window& window,
+                              const Algorithm& chosen, Form form)
 {
-    std::vector<Answer> answers;
+    std::vector<std::vector<Clipped>> answers;
     for (const Algorithm& algorithm : algorithms())
-        answers.push_back(answerOf(algorithm.corrected, segments, window));
-    const Majority majority(answers);
-    std::vector<Difference> found;
-    const auto judge = [&](const Algorithm& algorithm, Form which, const Answer& answer) {
-        auto result = differenceOf(algorithm, which, answer, majority, segments, window);
-        if (!result.none())
-            found.push_back(std::move(result));
+        answers.push_back(clipped(Clipper{&algorithm}, segments, window));
+    const auto majority = majorityOf(answers, segments.size());
+    const Clipper corrected{&chosen}; // stands for the majority: what it promises is the same
+    std::vector<Dissent> found;
+    const auto judge = [&](const Clipper& clipper, std::span<const Clipped> answer) {
+        auto dissent = dissentOf(clipper, differences(segments, window, answer, majority,
+                                                      {contractOfTwo, endsOf(clipper, corrected)}));
+        if (!dissent.none())
+            found.push_back(std::move(dissent));
     };
-    if (const auto* uses = usesOf(chosen, form); uses && form == Form::Published)
-        judge(chosen, form, answerOf(*uses, segments, window));
+    if (form == Form::Published && chosen.published) {
+        const Clipper published{&chosen, form};
+        judge(published, clipped(published, segments, window));
+    }
     for (std::size_t i = 0; i < answers.size(); ++i)
-        judge(algorithms()[i], Form::Corrected, answers[i]);
+        judge(Clipper{&algorithms()[i]}, answers[i]);
     return found;
 }
 
-QString sentence(std::span<const Difference> differences)
+QString sentence(std::span<const Dissent> dissents)
 {
-    if (differences.empty())
+    if (dissents.empty())
         return QCoreApplication::translate("agreement", "All algorithms agree here");
     QStringList sentences;
-    for (const Difference& difference : differences)
-        sentences << sentence(difference);
+    for (const Dissent& dissent : dissents)
+        sentences << sentence(dissent);
     return sentences.join(QStringLiteral("; "));
 }
 

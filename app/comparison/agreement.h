@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/algorithm.h"
+#include "app/comparison/clipper.h"
 
 #include <QString>
 
@@ -11,9 +11,8 @@
 namespace app {
 
 /// What one form of an algorithm does on many segments that is not what most algorithms do.
-struct Difference {
-    const clipping::Algorithm* algorithm = nullptr;
-    clipping::Form form = clipping::Form::Corrected;
+struct Dissent {
+    Clipper clipper;
     std::size_t lost = 0;  ///< segments that are visible and that it drops
     std::size_t shown = 0; ///< segments that are not visible and that it keeps
     std::size_t moved = 0; ///< visible ones with an end farther off than both rows' ulps allow
@@ -25,11 +24,11 @@ struct Difference {
 /// The verdict on a drawing and a window: one entry for each corrected form of the catalogue that
 /// differs from what the majority of them says, and one for `chosen` in `form` if that is the
 /// published one. Empty: they agree. Takes as long as clipping once with every algorithm.
-std::vector<Difference> differences(std::span<const clipping::Segment> segments,
-                                    const clipping::Window& window,
-                                    const clipping::Algorithm& chosen, clipping::Form form);
+std::vector<Dissent> dissents(std::span<const clipping::Segment> segments,
+                              const clipping::Window& window, const clipping::Algorithm& chosen,
+                              clipping::Form form);
 
 /// "All algorithms agree here", or "KWC as published loses 456 lines that are visible".
-QString sentence(std::span<const Difference> differences);
+QString sentence(std::span<const Dissent> dissents);
 
 } // namespace app

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
+#include "app/comparison/ulps.h"
 #include "app/experiment/pace.h"
 
 #include <QCoreApplication>
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace app {
 namespace {
@@ -23,23 +21,6 @@ struct Experiments {
 };
 
 constexpr std::uint64_t blockSize = 100'000;
-
-double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
-double apart(const glm::dvec2& p, const glm::dvec2& q) { return largest(p - q); }
-
-double ulpFor(const Segment& line, const Window& window)
-{
-    const double most =
-        std::max({largest(line.a), largest(line.b), largest(window.min), largest(window.max)});
-    return std::nextafter(most, std::numeric_limits<double>::infinity()) - most;
-}
-
-/// The farther end, with the ends put together as they fit best.
-double distanceOf(const Segment& s, const Segment& t)
-{
-    return std::min(std::max(apart(s.a, t.a), apart(s.b, t.b)),
-                    std::max(apart(s.a, t.b), apart(s.b, t.a)));
-}
 
 /// Not a number is outside, too.
 bool isInside(const Segment& s, const Window& w)
@@ -63,8 +44,8 @@ void add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> 
         if (next == truth.end() || next->source != line.source)
             continue;
         ++agreed;
-        const double ulps =
-            distanceOf(line.segment, next->segment) / ulpFor(lines[line.source], window);
+        const double ulps = endsApart(line.segment, next->segment, Ends::EitherWay)
+                            / ulpFor(lines[line.source], window);
         if (!std::isfinite(ulps))
             continue; // it counts as outside
         to.meanUlps += ulps;

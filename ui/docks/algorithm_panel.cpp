@@ -74,9 +74,9 @@ void AlgorithmPanel::compare()
 {
     idle_.stop();
     const auto& display = session_.display();
-    differences_ = app::differences(session_.scene.segments(), session_.sheet().window,
-                                    *display.algorithm, display.usedForm());
-    verdict_->setText(app::sentence(differences_));
+    dissents_ = app::dissents(session_.scene.segments(), session_.sheet().window,
+                              *display.algorithm, display.usedForm());
+    verdict_->setText(app::sentence(dissents_));
     verdict_->show();
     tick_->show();
     ask_->hide();
@@ -111,7 +111,7 @@ void AlgorithmPanel::follow()
 void AlgorithmPanel::paintVerdict()
 {
     const Look& look = lookOf(palette());
-    const bool good = differences_.empty();
+    const bool good = dissents_.empty();
     const QColor colour = good ? look.good : look.differs;
     verdict_->setFont(good ? font() : semiBold(font()));
     verdict_->setStyleSheet(QStringLiteral("color: ") + colour.name());

@@ -21,7 +21,7 @@ public:
 
     void compare(); ///< now
     QString verdict() const { return verdict_->text(); }
-    const std::vector<app::Difference>& differences() const { return differences_; }
+    const std::vector<app::Dissent>& dissents() const { return dissents_; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -37,7 +37,7 @@ private:
     QLabel *tick_, *verdict_;
     QPushButton* ask_;
     QTimer idle_;
-    std::vector<app::Difference> differences_;
+    std::vector<app::Dissent> dissents_;
 };
 
 } // namespace ui

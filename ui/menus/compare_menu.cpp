@@ -19,8 +19,8 @@ void selectDiffering(MainWindow& window)
     panel.compare();
     const app::Session& session = window.session();
     std::set<std::size_t> shapes;
-    for (const app::Difference& difference : panel.differences())
-        for (const std::uint32_t segment : difference.segments)
+    for (const app::Dissent& dissent : panel.dissents())
+        for (const std::uint32_t segment : dissent.segments)
             shapes.insert(session.scene.shapeOf(segment));
     window.tell({shapes.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
     std::erase_if(shapes, [&](std::size_t shape) {

@@ -18,8 +18,8 @@ private slots:
         std::vector<Segment> segments(20000);
         for (Segment& s : segments)
             s = {{x(random), y(random)}, {x(random), y(random)}};
-        const auto found = app::differences(segments, {{-100, -75}, {100, 75}},
-                                            *findAlgorithm("md"), Form::Corrected);
+        const auto found = app::dissents(segments, {{-100, -75}, {100, 75}}, *findAlgorithm("md"),
+                                         Form::Corrected);
         QCOMPARE(app::sentence(found), "All algorithms agree here");
     }
     /// Published KWC takes a line with |dx| < 1 for a vertical one at x1 (algorithms.md).
@@ -27,17 +27,16 @@ private slots:
     {
         const std::vector<Segment> segments{{{-0.2, -10}, {0.6, 10}}, {{0, 0}, {1, 1}}};
         const Window window{{0, -5}, {10, 5}};
-        const auto found =
-            app::differences(segments, window, *findAlgorithm("kwc"), Form::Published);
+        const auto found = app::dissents(segments, window, *findAlgorithm("kwc"), Form::Published);
         QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(found[0].form, Form::Published);
+        QCOMPARE(found[0].clipper.form, Form::Published);
         QCOMPARE(found[0].lost + found[0].moved, std::size_t(1));
         QCOMPARE(found[0].segments, std::vector<std::uint32_t>{0});
         QVERIFY(app::sentence(found).startsWith("KWC as published "));
     }
     void nothingToCompare()
     {
-        QVERIFY(app::differences({}, {{0, 0}, {1, 1}}, algorithms()[0], Form::Published).empty());
+        QVERIFY(app::dissents({}, {{0, 0}, {1, 1}}, algorithms()[0], Form::Published).empty());
     }
 };
 

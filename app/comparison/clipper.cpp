@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/clipper.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Clipped;
+using clipping::Form;
+using clipping::Segment;
+using clipping::Window;
+
+std::vector<Clipper> clippers()
+{
+    std::vector<Clipper> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        for (const Form form : {Form::Corrected, Form::Published})
+            if (clipping::usesOf(algorithm, form))
+                all.push_back({&algorithm, form});
+    for (const Exhibit& exhibit : exhibits())
+        all.push_back({exhibit.meant, Form::Published, &exhibit});
+    return all;
+}
+
+Clipper exactClipper() { return {&clipping::exactAlgorithm(), Form::Corrected}; }
+
+QString nameOf(const Clipper& clipper)
+{
+    if (clipper.exhibit)
+        return clipper.exhibit->name;
+    const std::string_view word =
+        clipper == exactClipper() ? clipper.algorithm->key : clipper.algorithm->abbreviation;
+    const auto name = QString::fromUtf8(word.data(), qsizetype(word.size()));
+    return clipper.form == Form::Corrected
+               ? name
+               : QCoreApplication::translate("Clipper", "%1 as published").arg(name);
+}
+
+std::size_t clipAll(const Clipper& clipper, std::span<const Segment> in, const Window& window,
+                    std::span<Clipped> out)
+{
+    return clipper.exhibit
+               ? clipper.exhibit->clipAll(in, window, out)
+               : clipping::usesOf(*clipper.algorithm, clipper.form)->clipAll(in, window, out);
+}
+
+std::vector<Clipped> clipped(const Clipper& clipper, std::span<const Segment> in,
+                             const Window& window)
+{
+    std::vector<Clipped> out(in.size());
+    out.resize(clipAll(clipper, in, window, out));
+    return out;
+}
+
+std::optional<Segment> clipped(const Clipper& clipper, const Segment& line, const Window& window)
+{
+    Clipped piece{};
+    if (clipAll(clipper, {&line, 1}, window, {&piece, 1}) == 0)
+        return std::nullopt;
+    return piece.segment;
+}
+
+Ends endsOf(const Clipper& one, const Clipper& other)
+{
+    const bool both = one.form == Form::Corrected && other.form == Form::Corrected;
+    return both ? Ends::InOrder : Ends::EitherWay;
+}
+
+double contractUlps(const Clipper& one, const Clipper& other)
+{
+    return one.algorithm->ulps + other.algorithm->ulps;
+}
+
+} // namespace app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/ulps.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace app {
+namespace {
+
+using clipping::Segment;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+
+double apart(const glm::dvec2& p, const glm::dvec2& q)
+{
+    const glm::dvec2 d = p - q;
+    return std::isfinite(d.x) && std::isfinite(d.y) ? largest(d) : infinity;
+}
+
+} // namespace
+
+double ulpFor(const Segment& line, const clipping::Window& window)
+{
+    const double most =
+        std::max({largest(line.a), largest(line.b), largest(window.min), largest(window.max)});
+    const double next = std::nextafter(most, infinity);
+    return std::isfinite(next) ? next - most : most - std::nextafter(most, 0.0);
+}
+
+double endsApart(const Segment& one, const Segment& other, Ends ends)
+{
+    const double straight = std::max(apart(one.a, other.a), apart(one.b, other.b));
+    if (ends == Ends::InOrder)
+        return straight;
+    return std::min(straight, std::max(apart(one.a, other.b), apart(one.b, other.a)));
+}
+
+double extentOf(const Segment& piece) { return apart(piece.a, piece.b); }
+
+} // namespace app
