@@ -29,7 +29,8 @@ template <std::floating_point T>
 constexpr unsigned outcodeOf(const glm::vec<2, T>& p, const BasicWindow<T, 2>& w)
 {
     const auto axis = [](T v, T low, T high) {
-        const unsigned below = v < low, above = v > high;
+        const unsigned below = v < low ? 1 : 0;
+        const unsigned above = v > high ? 1 : 0;
         return below | (above & ~below) << 1;
     };
     return axis(p.x, w.min.x, w.max.x) | axis(p.y, w.min.y, w.max.y) << 2;

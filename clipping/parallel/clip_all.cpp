@@ -30,7 +30,7 @@ Plan planFor(std::size_t count)
 {
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t slots = 2 * threads;
-    const std::size_t partSize = std::clamp<std::size_t>(count / (64 * slots), 1024, 8192);
+    const std::size_t partSize = std::clamp<std::size_t>(count / (32 * slots), 1024, 32768);
     const bool worthwhile =
         threads > 1 && count >= parallelThreshold && 2 * slots * partSize < count;
     return {slots, partSize, worthwhile ? count - slots * partSize : 0};
