@@ -57,7 +57,9 @@ private slots:
         QVERIFY(contrast(look.good, look.panel) >= 4.5);
         QVERIFY(contrast(look.differs, look.panel) >= 4.5);
         for (const auto& algorithm : clipping::algorithms())
-            QVERIFY2(contrast(algorithmColour(algorithm, QApplication::palette()), look.panel) >= 3,
+            QVERIFY2(contrast(app::algorithmColour(algorithm, groundOf(QApplication::palette())),
+                              look.panel)
+                         >= 3,
                      algorithm.abbreviation.data());
     }
     void everyToolAndCommandHasItsIcon()

@@ -51,7 +51,8 @@ public:
         x += 17;
         const auto form = usesOf(row, session_.display().form) ? session_.display().form
                                                                : clipping::Form::Corrected;
-        drawMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), row, form, option.palette);
+        app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), row, form,
+                         groundOf(option.palette));
         x += 20;
         text(x, abbreviation, look.text, semiBold(option.font), latin(row.abbreviation));
         x += abbreviation;

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/algorithm.h"
-
-#include <QPainter>
-#include <QPainterPath>
+#include "app/view/algorithm_mark.h"
+#include "ui/look.h"
 
 namespace ui {
 
-/// The colour of an algorithm: told apart by all kinds of sight, together with its marker.
-QColor algorithmColour(const clipping::Algorithm& algorithm, const QPalette& palette);
-
-/// Its marker, filled for the corrected form, hollow for the published one.
-void drawMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
-                clipping::Form form, const QPalette& palette);
+/// What the colours of algorithms (app/view/algorithm_mark.h) are seen on in a widget.
+inline app::Ground groundOf(const QPalette& palette)
+{
+    return lookOf(palette).dark ? app::Ground::Dark : app::Ground::Light;
+}
 
 } // namespace ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/chart.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace app {
+namespace {
+
+/// The number at a share of the way through sorted ones, between two where it falls between.
+double quantile(std::span<const double> sorted, double share)
+{
+    const double place = share * double(sorted.size() - 1);
+    const auto below = std::size_t(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], place - double(below));
+}
+
+} // namespace
+
+double Bar::length() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
+
+Box boxOf(std::span<const double> numbers)
+{
+    std::vector<double> sorted(numbers.begin(), numbers.end());
+    std::ranges::sort(sorted);
+    const Interval quartiles{quantile(sorted, 0.25), quantile(sorted, 0.75)};
+    const double reach = 1.5 * (quartiles.high - quartiles.low);
+    const auto within = [&](double x) {
+        return quartiles.low - reach <= x && x <= quartiles.high + reach;
+    };
+    Box box{{}, quartiles, quantile(sorted, 0.5)};
+    std::ranges::copy_if(sorted, std::back_inserter(box.outliers),
+                         [&](double x) { return !within(x); });
+    std::erase_if(sorted, [&](double x) { return !within(x); });
+    box.whiskers = {std::min(sorted.front(), quartiles.low),
+                    std::max(sorted.back(), quartiles.high)};
+    return box;
+}
+
+QString textOf(const Chart& chart)
+{
+    QStringList lines(chart.title);
+    for (const ChartRow& row : chart.rows)
+        lines << QString(row.detail).replace(u'\n', QStringLiteral("; "));
+    for (const Tie& tie : chart.ties) {
+        QStringList names;
+        for (std::size_t i = tie.first; i <= tie.last; ++i)
+            names << chart.rows[i].name;
+        lines << QCoreApplication::translate("Charts", "%1 tie: too close to call.")
+                     .arg(names.join(QStringLiteral(", ")));
+    }
+    return (lines + chart.notes).join(u'\n');
+}
+
+} // namespace app

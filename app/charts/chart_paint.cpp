@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/chart_paint.h"
+
+#include "app/charts/figure_paint.h"
+#include "app/view/numbers.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+struct Canvas {
+    QPainter& painter;
+    const Chart& chart;
+    const ChartLook& look;
+    const ChartLayout& layout;
+
+    void text(const QRectF& area, int flags, const QFont& font, const QColor& colour,
+              const QString& words) const
+    {
+        painter.setFont(font);
+        painter.setPen(colour);
+        painter.drawText(area, flags, words);
+    }
+    /// On one line, cut with "…" where it has no room.
+    void line(const QRectF& area, int alignment, const QFont& font, const QColor& colour,
+              const QString& words) const
+    {
+        text(area, alignment | Qt::AlignVCenter | Qt::TextSingleLine, font, colour,
+             QFontMetricsF(font).elidedText(words, Qt::ElideRight, area.width() + 1));
+    }
+};
+
+QColor colourOf(const ChartRow& row, const ChartLook& look)
+{
+    return row.algorithm ? algorithmColour(*row.algorithm, look.ground) : look.text;
+}
+
+/// A text's height around a line.
+QRectF around(double left, double right, double middle, double unit)
+{
+    return {left, middle - 10 * unit, right - left, 20 * unit};
+}
+
+/// The marker that stands for all of them.
+const clipping::Algorithm* sampleOf(const Chart& chart)
+{
+    const auto found = std::ranges::find_if(
+        chart.rows, [](const ChartRow& row) { return row.algorithm && row.other.has_value(); });
+    return found == chart.rows.end() ? &clipping::exactAlgorithm() : found->algorithm;
+}
+
+void paintSymbol(const Canvas& c, const QRectF& area, const LegendBar& bar)
+{
+    const double height = 10 * c.layout.unit;
+    paintBar(c.painter, {area.left(), area.center().y() - height / 2, area.width(), height},
+             bar.pattern, bar.form, c.look.muted, c.layout.unit);
+}
+
+void paintSymbol(const Canvas& c, const QRectF& area, const LegendMark&)
+{
+    const double size = 12 * c.layout.unit;
+    paintMarker(c.painter, {area.left(), area.center().y() - size / 2, size, size},
+                *sampleOf(c.chart), clipping::Form::Published, c.look.ground);
+}
+
+void paintSymbol(const Canvas& c, const QRectF& area, const LegendBox&)
+{
+    const double height = 10 * c.layout.unit;
+    paintBoxSymbol(c.painter, {area.left(), area.center().y() - height / 2, area.width(), height},
+                   c.look.muted, c.layout.unit);
+}
+
+void paintHead(const Canvas& c)
+{
+    c.text(c.layout.title, Qt::TextWordWrap, semiBoldFont(c.look), c.look.text, c.chart.title);
+    const QFont caption = captionFont(c.look);
+    for (std::size_t i = 0; i < c.chart.legend.size(); ++i) {
+        const auto& place = c.layout.legend[i];
+        std::visit([&](const auto& symbol) { paintSymbol(c, place.symbol, symbol); },
+                   c.chart.legend[i].symbol);
+        c.line(place.text, Qt::AlignLeft, caption, c.look.muted, c.chart.legend[i].text);
+    }
+    const QRectF& line = c.layout.headings;
+    for (std::size_t p = 0; p < c.chart.panels.size(); ++p)
+        c.line(
+            {c.layout.panels[p].left(), line.top(), c.layout.panels[p].width() + 40, line.height()},
+            Qt::AlignLeft, caption, c.look.muted, c.chart.panels[p]);
+    for (std::size_t i = 0; i < c.layout.columnRights.size(); ++i)
+        c.line({line.left(), line.top(), c.layout.columnRights[i] - line.left(), line.height()},
+               Qt::AlignRight, caption, c.look.muted, c.chart.columns[qsizetype(i)]);
+}
+
+void paintGrid(const Canvas& c)
+{
+    const double u = c.layout.unit;
+    for (std::size_t p = 0; p < c.layout.panels.size(); ++p) {
+        const QRectF& panel = c.layout.panels[p];
+        for (const double tick : c.layout.axis.ticks) {
+            const double x = c.layout.x(p, tick);
+            c.painter.setPen(QPen(c.look.rule, u));
+            c.painter.drawLine(QPointF(x, panel.top()), QPointF(x, panel.bottom()));
+            c.text({x - 100 * u, panel.bottom() + 5 * u, 200 * u, 18 * u}, Qt::AlignHCenter,
+                   captionFont(c.look), c.look.muted, numberText(tick, c.layout.axis.decimals));
+        }
+    }
+    const QRectF& first = c.layout.panels.front();
+    c.line({first.left(), c.layout.unitText.top(), c.layout.panels.back().right() - first.left(),
+            c.layout.unitText.height()},
+           Qt::AlignHCenter, captionFont(c.look), c.look.muted, c.chart.unit);
+    c.text(c.layout.sentences, Qt::TextWordWrap, captionFont(c.look), c.look.muted,
+           c.chart.notes.join(u'\n'));
+}
+
+void paintReference(const Canvas& c)
+{
+    if (!c.chart.reference)
+        return;
+    c.painter.setPen(QPen(c.look.muted, 1.2 * c.layout.unit, Qt::CustomDashLine, Qt::FlatCap));
+    QPen pen = c.painter.pen();
+    pen.setDashPattern({2, 2.5});
+    c.painter.setPen(pen);
+    for (std::size_t p = 0; p < c.layout.panels.size(); ++p) {
+        const double x = c.layout.x(p, *c.chart.reference);
+        c.painter.drawLine(QPointF(x, c.layout.panels[p].top()),
+                           QPointF(x, c.layout.panels[p].bottom()));
+    }
+}
+
+void paintNames(const Canvas& c, const ChartRow& row, double middle)
+{
+    const double u = c.layout.unit, left = c.layout.rows.front().left();
+    if (row.algorithm)
+        paintMarker(c.painter, {left, middle - 6 * u, 12 * u, 12 * u}, *row.algorithm, row.form,
+                    c.look.ground);
+    const QFont bold = semiBoldFont(c.look), caption = captionFont(c.look);
+    c.line(around(c.layout.nameLeft, c.layout.nameRight, middle, u), Qt::AlignLeft, bold,
+           c.look.text, row.name);
+    const double end = c.layout.nameLeft + QFontMetricsF(bold).horizontalAdvance(row.name) + 6 * u;
+    if (c.layout.notes)
+        c.line(around(end, c.layout.nameRight, middle, u), Qt::AlignLeft, caption, c.look.muted,
+               row.note);
+    if (c.layout.values)
+        c.line(around(c.layout.nameRight, c.layout.valueRight, middle, u), Qt::AlignRight, caption,
+               c.look.muted, row.value);
+}
+
+/// The hollow marker in its own lane, on a dotted line that leads to it.
+void paintOther(const Canvas& c, const ChartRow& row, double top)
+{
+    if (!row.other)
+        return;
+    const double u = c.layout.unit, y = top + c.layout.laneMiddle, x = c.layout.x(0, *row.other),
+                 size = 11 * u;
+    QPen pen(c.look.muted, u, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({1, 3});
+    c.painter.setPen(pen);
+    c.painter.drawLine(QPointF(c.layout.panels.front().left(), y),
+                       QPointF(x - size / 2 - 2 * u, y));
+    const QRectF box(x - size / 2, y - size / 2, size, size);
+    if (row.algorithm)
+        paintMarker(c.painter, box, *row.algorithm, clipping::Form::Published, c.look.ground);
+}
+
+void paintRow(const Canvas& c, std::size_t r)
+{
+    const ChartRow& row = c.chart.rows[r];
+    const double middle = c.layout.rows[r].top() + c.layout.barMiddle;
+    paintNames(c, row, middle);
+    for (std::size_t p = 0; p < row.figures.size(); ++p)
+        paintFigure(c.painter, {c.layout, c.look, p, middle, colourOf(row, c.look), row.form},
+                    row.figures[p]);
+    paintOther(c, row, c.layout.rows[r].top());
+    for (std::size_t i = 0; i < c.layout.columnRights.size(); ++i)
+        if (qsizetype(i) < row.numbers.size())
+            c.line(around(c.layout.panels.back().right(), c.layout.columnRights[i], middle,
+                          c.layout.unit),
+                   Qt::AlignRight, captionFont(c.look), i == 0 ? c.look.text : c.look.muted,
+                   row.numbers[qsizetype(i)]);
+}
+
+void paintTie(const Canvas& c, const Tie& tie)
+{
+    const double u = c.layout.unit, left = c.layout.bracket, right = left + 5 * u,
+                 reach = c.layout.thickness / 2,
+                 top = c.layout.rows[tie.first].top() + c.layout.barMiddle - reach,
+                 bottom = c.layout.rows[tie.last].top() + c.layout.barMiddle + reach;
+    c.painter.setPen(QPen(c.look.muted, 1.2 * u, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    const QPointF corners[] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+    c.painter.drawPolyline(corners, 4);
+    c.line(around(right + 4 * u, right + 100 * u, (top + bottom) / 2, u), Qt::AlignLeft,
+           captionFont(c.look), c.look.muted, tieWord());
+}
+
+} // namespace
+
+void paint(QPainter& painter, const QRectF& area, const Chart& chart, const ChartLook& look)
+{
+    const ChartLayout layout = layoutOf(chart, area, look);
+    const Canvas canvas{painter, chart, look, layout};
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintHead(canvas);
+    paintGrid(canvas);
+    for (std::size_t r = 0; r < chart.rows.size(); ++r)
+        paintRow(canvas, r);
+    paintReference(canvas);
+    for (const Tie& tie : chart.ties)
+        paintTie(canvas, tie);
+    painter.restore();
+}
+
+std::optional<ChartHit> hitAt(const QPointF& point, const QRectF& area, const Chart& chart,
+                              const ChartLook& look)
+{
+    const ChartLayout layout = layoutOf(chart, area, look);
+    const auto row = std::ranges::find_if(layout.rows, [&](const QRectF& r) {
+        return r.top() <= point.y() && point.y() < r.bottom();
+    });
+    if (row == layout.rows.end() || point.x() < area.left() || point.x() > area.right())
+        return std::nullopt;
+    ChartHit hit{std::size_t(row - layout.rows.begin()), {}, {}};
+    for (std::size_t p = 0; p < layout.panels.size(); ++p)
+        if (const QRectF& panel = layout.panels[p];
+            panel.left() <= point.x() && point.x() <= panel.right()) {
+            const Interval& range = layout.axis.range;
+            hit.panel = p;
+            hit.value =
+                std::lerp(range.low, range.high, (point.x() - panel.left()) / panel.width());
+        }
+    return hit;
+}
+
+} // namespace app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/figure_paint.h"
+
+#include "app/charts/pattern.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double outline = 1.5; // of hollow things, logical pixels
+
+QPen flatPen(const QColor& colour, double width)
+{
+    return {colour, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin};
+}
+
+/// Whiskers from end to end, on a casing that shows them on the bar as well.
+void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& whiskers)
+{
+    const double u = place.layout.unit, low = place.layout.x(place.panel, whiskers.low),
+                 high = place.layout.x(place.panel, whiskers.high), y = place.middle,
+                 cap = place.layout.thickness * 0.22;
+    if (high - low < 3 * u)
+        return; // narrower than its own ends: the bar's end says it all
+    for (const auto& [colour, width] :
+         {std::pair{place.look.paper, 3 * u}, std::pair{place.look.text, 1.2 * u}}) {
+        painter.setPen(flatPen(colour, width));
+        painter.drawLine(QPointF(low, y), QPointF(high, y));
+        painter.drawLine(QPointF(low, y - cap), QPointF(low, y + cap));
+        painter.drawLine(QPointF(high, y - cap), QPointF(high, y + cap));
+    }
+}
+
+void paint(QPainter&, const FigurePlace&, const std::monostate&) {}
+
+void paint(QPainter& painter, const FigurePlace& place, const Bar& bar)
+{
+    const ChartLayout& layout = place.layout;
+    const double top = place.middle - layout.thickness / 2;
+    double from = 0;
+    for (std::size_t p = 0; p < bar.parts.size(); ++p) {
+        const double left = layout.x(place.panel, from),
+                     right = layout.x(place.panel, from + bar.parts[p]);
+        paintBar(painter, {left, top, right - left, layout.thickness}, p, place.form, place.colour,
+                 layout.unit);
+        from += bar.parts[p];
+    }
+    double end = layout.x(place.panel, from);
+    if (bar.whiskers) {
+        paintWhiskers(painter, place, *bar.whiskers);
+        end = std::max(end, layout.x(place.panel, bar.whiskers->high));
+    }
+    if (bar.text.isEmpty())
+        return;
+    painter.setPen(place.look.text);
+    painter.setFont(captionFont(place.look));
+    painter.drawText(QRectF(end + 4 * layout.unit, place.middle - 20, 1000, 40),
+                     int(Qt::AlignLeft | Qt::AlignVCenter), bar.text);
+}
+
+void paint(QPainter& painter, const FigurePlace& place, const Box& box)
+{
+    const ChartLayout& layout = place.layout;
+    const double u = layout.unit, y = place.middle, half = layout.thickness / 2;
+    const auto x = [&](double value) { return layout.x(place.panel, value); };
+    const bool hollow = place.form == clipping::Form::Published;
+    painter.setPen(flatPen(place.colour, outline * u));
+    painter.drawLine(QPointF(x(box.whiskers.low), y), QPointF(x(box.quartiles.low), y));
+    painter.drawLine(QPointF(x(box.quartiles.high), y), QPointF(x(box.whiskers.high), y));
+    for (const double end : {box.whiskers.low, box.whiskers.high})
+        painter.drawLine(QPointF(x(end), y - half * 0.5), QPointF(x(end), y + half * 0.5));
+    QColor fill = place.colour;
+    fill.setAlphaF(hollow ? 0.0F : 0.35F);
+    painter.setBrush(fill);
+    const double least = 2 * u, left = x(box.quartiles.low);
+    const double width = std::max(x(box.quartiles.high) - left, least);
+    painter.drawRect(QRectF(left, y - half, width, 2 * half));
+    painter.setPen(flatPen(place.look.text, 2 * u));
+    painter.drawLine(QPointF(x(box.median), y - half), QPointF(x(box.median), y + half));
+    painter.setPen(QPen(place.colour, 1.2 * u));
+    painter.setBrush(Qt::NoBrush);
+    for (const double outlier : box.outliers)
+        painter.drawEllipse(QPointF(x(outlier), y), 2.5 * u, 2.5 * u);
+}
+
+} // namespace
+
+void paintFigure(QPainter& painter, const FigurePlace& place, const Figure& figure)
+{
+    std::visit([&](const auto& f) { paint(painter, place, f); }, figure);
+}
+
+void paintBar(QPainter& painter, const QRectF& area, std::size_t pattern, clipping::Form form,
+              const QColor& colour, double unit)
+{
+    const bool hollow = form == clipping::Form::Published;
+    if (!hollow || pattern > 0)
+        paintPattern(painter, area, patterns()[pattern % patterns().size()], colour, unit);
+    if (!hollow && pattern == 0)
+        return;
+    const double inset = std::min(outline * unit, area.width()) / 2;
+    painter.setPen(flatPen(colour, 2 * inset));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(area.adjusted(inset, inset, -inset, -inset));
+}
+
+void paintBoxSymbol(QPainter& painter, const QRectF& area, const QColor& colour, double unit)
+{
+    const double y = area.center().y(), inset = area.width() / 4;
+    painter.setPen(flatPen(colour, outline * unit));
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.left() + inset, y));
+    painter.drawLine(QPointF(area.right() - inset, y), QPointF(area.right(), y));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(area.adjusted(inset, 0, -inset, 0));
+    painter.drawLine(QPointF(area.center().x(), area.top()),
+                     QPointF(area.center().x(), area.bottom()));
+}
+
+} // namespace app

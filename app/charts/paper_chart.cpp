@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/record_chart.h"
+#include "app/charts/words.h"
+#include "app/view/numbers.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+ChartRow rowOf(const PaperColumn& column, const Summary& runs, double fastest)
+{
+    const double average = column.printedAverage;
+    ChartRow row = rowFor({column.algorithm, clipping::Form::Published});
+    row.name = column.name;
+    row.note.clear(); // all of them are
+    row.figures = {Bar{{average}, runs.confidence}};
+    row.numbers = {numberText(average, 3), numberText(average / fastest, 2)};
+    row.detail = QStringList{fullName({column.algorithm, clipping::Form::Corrected}),
+                             Charts::tr("average %1 s").arg(numberText(average, 3)),
+                             Charts::tr("the middle of its runs with 95 % confidence %1 to %2 s")
+                                 .arg(numberText(runs.confidence.low, 3),
+                                      numberText(runs.confidence.high, 3))}
+                     .join(u'\n');
+    return row;
+}
+
+} // namespace
+
+Chart chartOf(const PaperTable& paper)
+{
+    std::vector<Summary> runs;
+    for (const PaperColumn& column : paper.columns)
+        runs.push_back(summaryOf(column.runs));
+    const double fastest =
+        std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
+    std::vector<std::size_t> order(paper.columns.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return paper.columns[i].printedAverage; });
+    Chart chart{.key = paper.key + QStringLiteral("-paper"),
+                .title = Charts::tr("The paper's %1: %2 lines, generated, clipped and drawn")
+                             .arg(nameOf(paper), countText(paper.lines)),
+                .legend = {{LegendBar{0, clipping::Form::Published},
+                            Charts::tr("the paper's averages, in seconds")}},
+                .columns = {Charts::tr("seconds"), Charts::tr("fastest = 1")},
+                .rows = {},
+                .ties = tiesOf(runs, order),
+                .unit = Charts::tr("seconds")};
+    for (const std::size_t i : order)
+        chart.rows.push_back(rowOf(paper.columns[i], runs[i], fastest));
+    return chart;
+}
+
+} // namespace app

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/record_chart.h"
+#include "app/charts/words.h"
+#include "app/view/numbers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+using clipping::OperationCounts;
+
+/// One kind of arithmetic, in the order of a bar's parts.
+struct Kind {
+    const char* name;
+    std::uint64_t OperationCounts::*count;
+};
+constexpr std::array kinds{
+    Kind{QT_TRANSLATE_NOOP("Charts", "comparisons"), &OperationCounts::comparisons},
+    Kind{QT_TRANSLATE_NOOP("Charts", "additions"), &OperationCounts::additions},
+    Kind{QT_TRANSLATE_NOOP("Charts", "multiplications"), &OperationCounts::multiplications},
+    Kind{QT_TRANSLATE_NOOP("Charts", "divisions"), &OperationCounts::divisions},
+    Kind{QT_TRANSLATE_NOOP("Charts", "negations"), &OperationCounts::negations},
+};
+
+ChartRow rowOf(const ContestantOperations& operations, std::uint64_t lines)
+{
+    ChartRow row = rowFor(operations.contestant);
+    const OperationCounts scene = operations.scene();
+    QStringList detail{fullName(operations.contestant)};
+    Bar bar;
+    for (const Kind& kind : kinds) {
+        bar.parts.push_back(double(scene.*kind.count) / double(lines));
+        detail << Charts::tr("%1 %2 a line")
+                      .arg(numberText(bar.parts.back(), 2), Charts::tr(kind.name));
+    }
+    row.numbers = {numberText(bar.length(), 1)};
+    row.detail = detail.join(u'\n');
+    row.figures = {std::move(bar)};
+    return row;
+}
+
+double lengthOf(const ChartRow& row) { return std::get<Bar>(row.figures.front()).length(); }
+
+/// Of one contestant: a bar a class, and what a line of the scene costs.
+struct ClassRow {
+    ChartRow row;
+    double weighted = 0;
+};
+
+void add(ClassRow& so, const ClassTimes& one, std::size_t contestant, const Measure& measure)
+{
+    const QString name = words(one.of.lineClass);
+    if (one.record.timings.empty()) {
+        so.row.figures.push_back({});
+        so.row.detail += u'\n' + Charts::tr("%1: none in this scene").arg(name);
+        return;
+    }
+    const Summary times = summaryOf(measure.times(one.record.timings[contestant]));
+    so.weighted += one.of.share * times.median;
+    so.row.figures.push_back(Bar{{times.median}, {}, numberText(times.median, 1)});
+    so.row.detail += u'\n' + QStringLiteral("%1: %2").arg(name, nanosecondsText(times.median));
+}
+
+std::vector<Contestant> contestantsOf(const ClassProfile& profile)
+{
+    std::vector<Contestant> all;
+    const auto measured = std::ranges::find_if(
+        profile.classes, [](const ClassTimes& one) { return !one.record.timings.empty(); });
+    if (measured != profile.classes.end())
+        for (const Timing& timing : measured->record.timings)
+            all.push_back(timing.contestant);
+    return all;
+}
+
+QStringList standInsOf(const ClassProfile& profile)
+{
+    QStringList notes;
+    for (const ClassTimes& one : profile.classes)
+        if (!one.of.standIn.isEmpty())
+            notes << Charts::tr("Lines of class “%1” are too rare in the scene: those of the scene "
+                                "“%2” stand in for them.")
+                         .arg(words(one.of.lineClass), one.of.standIn);
+    return notes;
+}
+
+} // namespace
+
+Chart chartOf(const OperationProfile& profile)
+{
+    Chart chart{.key = QStringLiteral("%1-operations").arg(profile.options.scene.key),
+                .title = Charts::tr("Operations a line: %1").arg(profile.options.scene.name),
+                .columns = {Charts::tr("all")},
+                .rows = {},
+                .unit = Charts::tr("operations a line")};
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
+    for (const ContestantOperations& operations : profile.rows)
+        chart.rows.push_back(rowOf(operations, profile.options.lines));
+    std::ranges::stable_sort(chart.rows, {}, lengthOf);
+    return chart;
+}
+
+Chart chartOf(const ClassProfile& profile)
+{
+    Chart chart{
+        .key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
+        .title =
+            Charts::tr("Nanoseconds a line, by class of line: %1").arg(profile.options.scene.name),
+        .panels = {},
+        .columns = {Charts::tr("scene")},
+        .rows = {},
+        .unit = Charts::tr("nanoseconds a line"),
+        .notes = standInsOf(profile)};
+    for (const ClassTimes& one : profile.classes)
+        chart.panels.push_back(
+            Charts::tr("%1, %2").arg(words(one.of.lineClass), percentText(one.of.share)));
+    const Measure clip = measures().front();
+    std::vector<ClassRow> rows;
+    for (const Contestant& contestant : contestantsOf(profile)) {
+        ClassRow so{rowFor(contestant)};
+        so.row.detail = fullName(contestant);
+        for (const ClassTimes& one : profile.classes)
+            add(so, one, rows.size(), clip);
+        so.row.numbers = {numberText(so.weighted, 1)};
+        rows.push_back(std::move(so));
+    }
+    std::ranges::stable_sort(rows, {}, &ClassRow::weighted);
+    for (ClassRow& so : rows)
+        chart.rows.push_back(std::move(so.row));
+    return chart;
+}
+
+} // namespace app

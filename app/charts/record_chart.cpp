@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/record_chart.h"
+
+#include "app/charts/words.h"
+#include "app/view/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+const PaperColumn* columnOf(const PaperTable& paper, const clipping::Algorithm* algorithm)
+{
+    const auto found = std::ranges::find(paper.columns, algorithm, &PaperColumn::algorithm);
+    return found == paper.columns.end() ? nullptr : &*found;
+}
+
+double fastestOf(const PaperTable& paper)
+{
+    return std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
+}
+
+/// Whether this timing is the one of its algorithm that the paper's is set beside.
+bool comparable(const Record& record, const Timing& timing)
+{
+    return std::ranges::none_of(record.timings, [&](const Timing& other) {
+        return other.contestant.algorithm == timing.contestant.algorithm
+               && other.contestant.form < timing.contestant.form;
+    });
+}
+
+QString detailOf(const Contestant& contestant, const Summary& times)
+{
+    QStringList lines{fullName(contestant),
+                      Charts::tr("median %1 a line").arg(nanosecondsText(times.median))};
+    if (std::isfinite(times.confidence.low) && std::isfinite(times.confidence.high))
+        lines << Charts::tr("with 95 % confidence %1 to %2")
+                     .arg(nanosecondsText(std::max(times.confidence.low, 0.0)),
+                          nanosecondsText(times.confidence.high));
+    lines << Charts::tr("spread %1, mean %2")
+                 .arg(nanosecondsText(times.spread), nanosecondsText(times.mean));
+    return lines.join(u'\n');
+}
+
+/// Over the fastest; none where one run says nothing of where the middle lies.
+std::optional<Interval> relative(const Interval& confidence, double fastest)
+{
+    if (!std::isfinite(confidence.low) || !std::isfinite(confidence.high))
+        return std::nullopt;
+    return Interval{std::max(confidence.low, 0.0) / fastest, confidence.high / fastest};
+}
+
+QString ratioText(double ratio) { return numberText(ratio, 2); }
+
+ChartRow rowOf(const Contestant& contestant, const Summary& times, double fastest)
+{
+    ChartRow row = rowFor(contestant);
+    row.value = nanosecondsText(times.median);
+    row.figures = {Bar{{times.median / fastest}, relative(times.confidence, fastest)}};
+    row.numbers = {ratioText(times.median / fastest)};
+    row.detail = detailOf(contestant, times);
+    return row;
+}
+
+void compare(ChartRow& row, const PaperTable& paper)
+{
+    const PaperColumn* column = columnOf(paper, row.algorithm);
+    if (!column)
+        return;
+    row.other = column->printedAverage / fastestOf(paper);
+    row.numbers << ratioText(*row.other);
+    row.detail += u'\n'
+                  + Charts::tr("in the paper %1 s, %2 times its fastest")
+                        .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
+}
+
+std::vector<LegendEntry> legendOf(const Record& record, const Measure& measure)
+{
+    const auto has = [&](clipping::Form form) {
+        return std::ranges::any_of(
+            record.timings, [&](const Timing& timing) { return timing.contestant.form == form; });
+    };
+    const QString here = Charts::tr("here, median of %1, %2")
+                             .arg(countText(record.options.runs), measure.name.toLower());
+    std::vector<LegendEntry> legend;
+    if (has(clipping::Form::Corrected))
+        legend.push_back({LegendBar{}, here});
+    if (has(clipping::Form::Published))
+        legend.push_back({LegendBar{0, clipping::Form::Published},
+                          legend.empty() ? Charts::tr("%1, as published").arg(here)
+                                         : Charts::tr("as published")});
+    return legend;
+}
+
+} // namespace
+
+Chart chartOf(const Record& record, const Measure& measure, const std::optional<PaperTable>& paper)
+{
+    const auto times = summaries(record, measure);
+    const auto order = sortedByMedian(times);
+    Chart chart{
+        .key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
+        .title = Charts::tr("%1, fastest = 1: %2, %3 lines")
+                     .arg(measure.name, record.options.scene.name, countText(record.options.lines)),
+        .legend = legendOf(record, measure),
+        .columns = {Charts::tr("here")},
+        .rows = {},
+        .ties = tiesOf(times, order),
+        .reference = 1};
+    for (const std::size_t i : order) {
+        chart.rows.push_back(
+            rowOf(record.timings[i].contestant, times[i], times[order.front()].median));
+        if (paper && comparable(record, record.timings[i]))
+            compare(chart.rows.back(), *paper);
+    }
+    if (paper) {
+        chart.key = QStringLiteral("%1-%2").arg(paper->key, measure.key);
+        chart.columns << Charts::tr("paper");
+        chart.legend.push_back(
+            {LegendMark{}, Charts::tr("hollow: the paper, %1, total time").arg(nameOf(*paper))});
+    }
+    return chart;
+}
+
+Chart boxPlotOf(const Record& record, const Measure& measure)
+{
+    const auto times = summaries(record, measure);
+    const auto order = sortedByMedian(times);
+    Chart chart{
+        .key = QStringLiteral("%1-%2-runs").arg(record.options.scene.key, measure.key),
+        .title = Charts::tr("%1, run by run: %2, %3 lines")
+                     .arg(measure.name, record.options.scene.name, countText(record.options.lines)),
+        .legend = {{LegendBox{}, Charts::tr("quartiles and median of %1 runs; circles: "
+                                            "outliers")
+                                     .arg(countText(record.options.runs))}},
+        .columns = {Charts::tr("median")},
+        .rows = {},
+        .ties = tiesOf(times, order),
+        .unit = Charts::tr("nanoseconds a line"),
+        .fromZero = false};
+    for (const std::size_t i : order) {
+        const Timing& timing = record.timings[i];
+        ChartRow row = rowFor(timing.contestant);
+        row.figures = {boxOf(measure.times(timing))};
+        row.numbers = {nanosecondsText(times[i].median)};
+        row.detail = detailOf(timing.contestant, times[i]);
+        chart.rows.push_back(std::move(row));
+    }
+    return chart;
+}
+
+} // namespace app

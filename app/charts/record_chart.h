@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/charts/chart.h"
+#include "app/experiment/class_profile.h"
+#include "app/experiment/operation_profile.h"
+#include "app/experiment/paper_runs.h"
+#include "app/experiment/record.h"
+
+namespace app {
+
+/// What was measured, from the fastest to the slowest by median: bars in times of the fastest, with
+/// their 95 % confidence, ties in brackets. With a table of the paper, its averages in times of its
+/// own fastest, as hollow markers and a second column; algorithms that it has not have none. An
+/// algorithm that comes in both forms is compared in its corrected one.
+Chart chartOf(const Record& record, const Measure& measure,
+              const std::optional<PaperTable>& paper = {});
+
+/// How the single runs lie: a box a contestant, in the order of the medians, nanoseconds a line.
+Chart boxPlotOf(const Record& record, const Measure& measure);
+
+/// The chart that the paper draws of a table: its own averages in seconds, from low to high, with
+/// the ties of its runs, which the paper does not tell.
+Chart chartOf(const PaperTable& paper);
+
+/// Comparisons, additions, multiplications, divisions and negations a line of the scene, as parts
+/// of one bar, the fewest first.
+Chart chartOf(const OperationProfile& profile);
+
+/// Nanoseconds a line of each class, a panel a class, all on one scale; in the order of what a line
+/// of the scene costs.
+Chart chartOf(const ClassProfile& profile);
+
+} // namespace app

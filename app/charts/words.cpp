@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/words.h"
+
+#include "app/view/numbers.h"
+
+namespace app {
+
+ChartRow rowFor(const Contestant& contestant)
+{
+    const std::string_view name = contestant.algorithm->abbreviation;
+    const bool published = contestant.form == clipping::Form::Published;
+    return {.algorithm = contestant.algorithm,
+            .form = contestant.form,
+            .name = QString::fromUtf8(name.data(), qsizetype(name.size())),
+            .note = published ? Charts::tr("as published") : QString(),
+            .figures = {}};
+}
+
+QString fullName(const Contestant& contestant)
+{
+    const std::string_view name = contestant.algorithm->name;
+    const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
+    return contestant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
+                                                        : text;
+}
+
+QString nanosecondsText(double nanoseconds)
+{
+    const int decimals = nanoseconds < 10 ? 2 : nanoseconds < 100 ? 1 : 0;
+    return Charts::tr("%1 ns").arg(numberText(nanoseconds, decimals));
+}
+
+QString nameOf(const PaperTable& paper) { return Charts::tr("Table %1").arg(paper.key.back()); }
+
+std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order)
+{
+    const auto places = standings(things);
+    std::vector<Tie> ties;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        const auto tie = places[order[i]].tie;
+        if (!tie || tie != places[order[i - 1]].tie)
+            continue;
+        if (!ties.empty() && ties.back().last == i - 1)
+            ties.back().last = i;
+        else
+            ties.push_back({i - 1, i});
+    }
+    return ties;
+}
+
+} // namespace app

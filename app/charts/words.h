@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/charts/chart.h"
+#include "app/experiment/experiment.h"
+#include "app/experiment/paper_runs.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+/// The context of what charts say.
+struct Charts {
+    Q_DECLARE_TR_FUNCTIONS(Charts)
+};
+
+/// A row without figures: name, marker and form of a contestant.
+ChartRow rowFor(const Contestant& contestant);
+/// "Cohen-Sutherland, as published".
+QString fullName(const Contestant& contestant);
+/// "23.9 ns": as many decimals as times in milliseconds have.
+QString nanosecondsText(double nanoseconds);
+/// "Table 1".
+QString nameOf(const PaperTable& paper);
+
+/// Which rows are too close to call, where row r shows thing order[r].
+std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order);
+
+} // namespace app

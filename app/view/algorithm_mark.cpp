@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/algorithm_mark.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+/// A figure around (0, 0) that fits into the circle of radius 1.
+QPainterPath star(int points, double inner, double turn)
+{
+    QPolygonF corners;
+    for (int i = 0; i < 2 * points; ++i) {
+        const double angle = turn + std::numbers::pi * i / points;
+        const double radius = i % 2 == 0 ? 1 : inner;
+        corners << QPointF(radius * std::sin(angle), -radius * std::cos(angle));
+    }
+    QPainterPath path;
+    path.addPolygon(corners);
+    path.closeSubpath();
+    return path;
+}
+
+QPainterPath polygon(int corners, double turn)
+{
+    return star(corners, std::cos(std::numbers::pi / corners), turn);
+}
+
+QPainterPath disc()
+{
+    QPainterPath path;
+    path.addEllipse(QPointF(), 0.9, 0.9);
+    return path;
+}
+
+QPainterPath cross(double turn)
+{
+    QPainterPath one, other;
+    one.addRect(-0.32, -0.95, 0.64, 1.9);
+    other.addRect(-0.95, -0.32, 1.9, 0.64);
+    return QTransform().rotate(turn).map(one.united(other)).simplified();
+}
+
+/// A gate with a round top.
+QPainterPath arch()
+{
+    QPainterPath path;
+    path.moveTo(-0.9, 0.85);
+    path.lineTo(-0.9, 0);
+    path.arcTo(-0.9, -0.9, 1.8, 1.8, 180, -180);
+    path.lineTo(0.9, 0.85);
+    path.lineTo(0.36, 0.85);
+    path.lineTo(0.36, 0);
+    path.arcTo(-0.36, -0.36, 0.72, 0.72, 0, 180);
+    path.lineTo(-0.36, 0.85);
+    path.closeSubpath();
+    return path;
+}
+
+QPainterPath bar()
+{
+    QPainterPath path;
+    path.addRect(-0.95, -0.4, 1.9, 0.8);
+    return path;
+}
+
+struct Mark {
+    std::string_view abbreviation;
+    QRgb light, dark;
+    QPainterPath path;
+    LinePattern line;
+};
+
+const Mark& markOf(const clipping::Algorithm& algorithm)
+{
+    constexpr double half = std::numbers::pi;
+    static const std::array marks{
+        Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0), {}},
+        Mark{"CS", 0x091C86, 0x8194FF, disc(), {{6, 2}}},
+        Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4), {{2, 2}}},
+        Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0), {{8, 2, 2, 2}}},
+        Mark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0), {{4, 2}}},
+        Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half), {{10, 3}}},
+        Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0), {{4, 2, 1, 2}}},
+        Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6), {{}, 1.5}},
+        Mark{"SPY", 0x8348FA, 0x865EE6, cross(45), {{1, 2}}},
+        Mark{"SB", 0x545ABA, 0xC684B5, arch(), {{8, 2, 1, 2, 1, 2}}},
+        Mark{"MS", 0x7C3908, 0x968A38, bar(), {{12, 2}}},
+        Mark{"", 0x1B1E23, 0xE7E9EC, disc(), {}}, // a row that nobody gave a mark yet
+    };
+    const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
+    return found == marks.end() ? marks.back() : *found;
+}
+
+} // namespace
+
+QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground)
+{
+    const Mark& mark = markOf(algorithm);
+    return QColor(ground == Ground::Dark ? mark.dark : mark.light);
+}
+
+QPainterPath markerPath(const clipping::Algorithm& algorithm) { return markOf(algorithm).path; }
+
+LinePattern linePattern(const clipping::Algorithm& algorithm) { return markOf(algorithm).line; }
+
+void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
+                 clipping::Form form, Ground ground)
+{
+    const double radius = box.width() / 2;
+    const bool hollow = form == clipping::Form::Published;
+    const double scale = hollow ? 0.86 * radius : radius; // its pen is half outside
+    const QColor colour = algorithmColour(algorithm, ground);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(hollow
+                       ? QPen(colour, 1.5 * radius / 6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
+                       : QPen(Qt::NoPen));
+    painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(colour));
+    painter.translate(box.center());
+    painter.drawPath(QTransform::fromScale(scale, scale).map(markOf(algorithm).path));
+    painter.restore();
+}
+
+} // namespace app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+#include <QColor>
+#include <QPainterPath>
+
+class QPainter;
+
+namespace app {
+
+/// What is painted on: each has its own colours.
+enum class Ground : std::uint8_t { Light, Dark };
+
+/// The colour of an algorithm: told apart by all kinds of sight, together with its marker.
+QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground);
+
+/// Its marker, around (0, 0) in the circle of radius 1.
+QPainterPath markerPath(const clipping::Algorithm& algorithm);
+
+/// Paints the marker into a square, filled for the corrected form, hollow for the published one.
+void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
+                 clipping::Form form, Ground ground);
+
+/// How its lines look in charts of curves, so that nobody needs the colour.
+struct LinePattern {
+    QList<qreal> dashes; ///< dash, gap ... in widths; empty: solid
+    double width = 1;    ///< times the usual
+};
+LinePattern linePattern(const clipping::Algorithm& algorithm);
+
+} // namespace app
