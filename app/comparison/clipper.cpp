@@ -10,6 +10,11 @@ using clipping::Form;
 using clipping::Segment;
 using clipping::Window;
 
+static QString text(std::string_view latin)
+{
+    return QString::fromUtf8(latin.data(), qsizetype(latin.size()));
+}
+
 std::vector<Clipper> clippers()
 {
     std::vector<Clipper> all;
@@ -28,12 +33,22 @@ QString nameOf(const Clipper& clipper)
 {
     if (clipper.exhibit)
         return clipper.exhibit->name;
-    const std::string_view word =
-        clipper == exactClipper() ? clipper.algorithm->key : clipper.algorithm->abbreviation;
-    const auto name = QString::fromUtf8(word.data(), qsizetype(word.size()));
+    const clipping::Algorithm& row = *clipper.algorithm;
+    const QString name = text(clipper == exactClipper() ? row.key : row.abbreviation);
     return clipper.form == Form::Corrected
                ? name
                : QCoreApplication::translate("Clipper", "%1 as published").arg(name);
+}
+
+QString titleOf(const Clipper& clipper)
+{
+    if (clipper.exhibit)
+        return clipper.exhibit->name;
+    const QString both = text(clipper.algorithm->abbreviation) + QStringLiteral("  ")
+                         + text(clipper.algorithm->name);
+    return clipper.form == Form::Corrected
+               ? both
+               : QCoreApplication::translate("Clipper", "%1, as published").arg(both);
 }
 
 std::size_t clipAll(const Clipper& clipper, std::span<const Segment> in, const Window& window,

@@ -21,6 +21,8 @@ Clipper exactClipper();
 
 /// "exact", "MD", "KWC as published", "MD with Step 2 as printed".
 QString nameOf(const Clipper& clipper);
+/// "KWC  Kodituwakku-Wijeweera-Chamikara, as published".
+QString titleOf(const Clipper& clipper);
 
 /// As in `clipping::Uses`.
 std::size_t clipAll(const Clipper& clipper, std::span<const clipping::Segment> in,

@@ -73,10 +73,14 @@ QString sentence(const Clipper& a, const Clipper& b, const DifferenceCounts& cou
                  std::size_t lines)
 {
     using Text = DifferenceText;
+    if (a == b)
+        return Text::tr("A and B are the same: choose two that are not");
+    if (lines == 0)
+        return Text::tr("There are no lines to compare");
     if (counts.all() == 0)
         return Text::tr("They agree on all %1 lines here").arg(countText(lines));
     // What is judged comes first: never `exact`.
-    if (a == exactClipper() && b != a)
+    if (a == exactClipper())
         return sentence(b, a, {counts.onlyB, counts.onlyA, counts.endsApart}, lines);
     const QString other = nameOf(b);
     QStringList faults;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/comparison/live_differences.h"
 #include "app/document/cut.h"
 #include "app/document/scene.h"
 #include "app/formats/format.h"
@@ -47,6 +48,7 @@ public:
     Drawing drawing;
     QUndoStack history;
     Scene scene{drawing};
+    LiveDifferences differences{drawing, scene}; ///< of two algorithms, while somebody looks
     Pen pen;
 
     const Sheet& sheet() const { return drawing.sheet(); }

@@ -171,6 +171,10 @@ private slots:
         QVERIFY(app::differences({}, paper, published("kwc"), corrected("md"), 0).empty());
         QCOMPARE(app::sentence(corrected("md"), corrected("lb"), {}, 9969),
                  "They agree on all 9,969 lines here");
+        QCOMPARE(app::sentence(corrected("md"), corrected("lb"), {}, 0),
+                 "There are no lines to compare");
+        QCOMPARE(app::sentence(corrected("md"), corrected("md"), {}, 9),
+                 "A and B are the same: choose two that are not");
     }
 
     void everySentence()

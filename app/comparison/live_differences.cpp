@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/live_differences.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+using clipping::Clipped;
+using clipping::Segment;
+using clipping::Window;
+
+namespace {
+
+constexpr std::size_t sliceLines = 20'000; // some milliseconds
+constexpr int idleMilliseconds = 150;      // many lines wait until a series of changes is over
+
+/// The pieces of the lines that differ; all three ascend by line.
+void appendPieces(std::vector<Segment>& to, std::span<const Difference> list,
+                  std::span<const Clipped> pieces)
+{
+    auto next = pieces.begin();
+    for (const Difference& difference : list) {
+        while (next != pieces.end() && next->source < difference.source)
+            ++next;
+        if (next != pieces.end() && next->source == difference.source)
+            to.push_back(next->segment);
+    }
+}
+
+bool isFinite(const Segment& s)
+{
+    return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x)
+           && std::isfinite(s.b.y);
+}
+
+} // namespace
+
+Differences extended(Differences so, const Comparison& comparison, std::span<const Segment> lines,
+                     std::size_t count)
+{
+    const auto first = std::uint32_t(so.lines);
+    const auto part = lines.subspan(so.lines, std::min(count, lines.size() - so.lines));
+    const auto a = clipped(comparison.a, part, so.window);
+    const auto b = clipped(comparison.b, part, so.window);
+    auto found = differences(part, so.window, a, b,
+                             {comparison.allowed(), endsOf(comparison.a, comparison.b)});
+    appendPieces(so.pieces, found, a);
+    appendPieces(so.pieces, found, b);
+    for (Difference& difference : found) {
+        difference.source += first;
+        so.list.push_back(difference);
+    }
+    so.lines += part.size();
+    return so;
+}
+
+Window placeOf(const Comparison& comparison, const Segment& line, const Window& window)
+{
+    std::optional<Window> place;
+    for (const Clipper& clipper : {comparison.a, comparison.b})
+        if (const auto piece = clipped(clipper, line, window); piece && isFinite(*piece)) {
+            const glm::dvec2 min = glm::min(piece->a, piece->b), max = glm::max(piece->a, piece->b);
+            place = place ? Window{glm::min(place->min, min), glm::max(place->max, max)}
+                          : Window{min, max};
+        }
+    if (!place)
+        place = Window{glm::min(line.a, line.b), glm::max(line.a, line.b)};
+    // Not closer than would still show where in the window it is.
+    const glm::dvec2 size = place->max - place->min, whole = window.max - window.min;
+    const double room = std::max({size.x, size.y, std::max(whole.x, whole.y) / 50}) / 2;
+    return {place->min - room, place->max + room};
+}
+
+LiveDifferences::LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent)
+    : QObject(parent), drawing_(drawing), scene_(scene)
+{
+    connect(&drawing, &Drawing::changed, this, &LiveDifferences::outdate);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &LiveDifferences::begin);
+    connect(&work_, &QTimer::timeout, this, &LiveDifferences::work);
+}
+
+void LiveDifferences::ask(const std::optional<Comparison>& comparison)
+{
+    if (comparison == asked_)
+        return;
+    asked_ = comparison;
+    found_ = {};
+    restart();
+    emit changed();
+}
+
+void LiveDifferences::outdate(const Change& change)
+{
+    if (!asked_)
+        return;
+    restart();
+    if (change.kind != Change::Kind::Everything)
+        return;
+    found_ = {};
+    emit changed();
+}
+
+void LiveDifferences::restart()
+{
+    passing_.reset();
+    growing_.reset();
+    work_.stop();
+    soon_.stop();
+    upToDate_ = !asked_;
+    if (asked_)
+        soon_.start(scene_.segments().size() <= mostAtOnce ? 0 : idleMilliseconds);
+}
+
+void LiveDifferences::begin()
+{
+    soon_.stop();
+    if (passing_ && passing_->window == drawing_.sheet().window)
+        return keep(*std::exchange(passing_, std::nullopt));
+    growing_ = Differences{drawing_.sheet().window};
+    work_.start(0);
+    work();
+}
+
+void LiveDifferences::work()
+{
+    growing_ = extended(std::move(*growing_), *asked_, scene_.segments(), sliceLines);
+    if (growing_->lines == scene_.segments().size())
+        keep(*std::exchange(growing_, std::nullopt));
+}
+
+void LiveDifferences::keep(Differences found)
+{
+    work_.stop();
+    found_ = std::move(found);
+    upToDate_ = true;
+    emit changed();
+}
+
+void LiveDifferences::finish()
+{
+    if (upToDate_)
+        return;
+    if (!growing_)
+        begin();
+    while (!upToDate_)
+        work();
+}
+
+std::span<const Segment> LiveDifferences::piecesAt(const Window& window)
+{
+    if (!asked_)
+        return {};
+    if (upToDate_ && found_.window == window)
+        return found_.pieces;
+    if (scene_.segments().size() > mostAtOnce)
+        return {};
+    if (!passing_ || passing_->window != window)
+        passing_ = extended({window}, *asked_, scene_.segments(), mostAtOnce);
+    return passing_->pieces;
+}
+
+} // namespace app

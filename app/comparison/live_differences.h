@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/difference.h"
+#include "app/document/scene.h"
+
+#include <QTimer>
+
+namespace app {
+
+/// A against B.
+struct Comparison {
+    Clipper a, b = exactClipper();
+    std::optional<double> ulps{}; ///< that ends may be apart; nothing: as far as both contracts go
+
+    double allowed() const { return ulps.value_or(contractUlps(a, b)); }
+    friend bool operator==(const Comparison&, const Comparison&) = default;
+};
+
+/// What was found among some lines.
+struct Differences {
+    clipping::Window window{};
+    std::size_t lines = 0;                   ///< that were compared
+    std::vector<Difference> list{};          ///< ascending by line
+    std::vector<clipping::Segment> pieces{}; ///< what A and B leave of these lines
+};
+
+/// Compares lines[first, first + count) too and adds what is found.
+Differences extended(Differences so, const Comparison& comparison,
+                     std::span<const clipping::Segment> lines, std::size_t count);
+
+/// The view to show a difference in: around the pieces that A and B leave of the line.
+clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
+                         const clipping::Window& window);
+
+/// What differs between A and B in an open drawing, while somebody looks. It is found between
+/// events, some milliseconds at a time, so that nothing has to wait for it.
+class LiveDifferences : public QObject {
+    Q_OBJECT
+
+public:
+    LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
+
+    /// Nothing: nobody looks, and nothing is computed.
+    void ask(const std::optional<Comparison>& comparison);
+    const std::optional<Comparison>& asked() const { return asked_; }
+
+    /// What was found last. While not up to date, of a drawing that has changed since: a line may
+    /// be gone.
+    const Differences& found() const { return found_; }
+    bool upToDate() const { return upToDate_; }
+    void finish(); ///< now, not soon
+
+    /// Most lines of which what differs is found within a frame.
+    static constexpr std::size_t mostAtOnce = 100'000;
+    /// What to colour where the window lies now, in the middle of a gesture too; nothing if there
+    /// are too many lines to say it at once. Valid until the next call or change.
+    std::span<const clipping::Segment> piecesAt(const clipping::Window& window);
+
+signals:
+    void changed(); ///< the question, or what was found
+
+private:
+    void outdate(const Change& change);
+    void restart();
+    void begin();
+    void work();
+    void keep(Differences found);
+
+    const Drawing& drawing_;
+    const Scene& scene_;
+    std::optional<Comparison> asked_;
+    Differences found_;
+    std::optional<Differences> growing_; ///< what is being found
+    std::optional<Differences> passing_; ///< at a window that a gesture moves
+    bool upToDate_ = true;
+    QTimer soon_, work_;
+};
+
+} // namespace app

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "app/document/session.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <random>
+
+using namespace clipping;
+using app::Comparison;
+using app::LiveDifferences;
+
+namespace {
+
+constexpr Window paper{{100, 100}, {300, 250}};
+
+/// Random lines; every fourth one is steep enough for published KWC to lose it.
+app::Sheet sheetOf(std::size_t lines)
+{
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> x(0, 400), y(0, 400);
+    app::Sheet sheet;
+    sheet.window = paper;
+    for (std::size_t i = 0; i < lines; ++i) {
+        const app::Point a(x(random), y(random)), b(x(random), y(random));
+        app::Shape line;
+        line.paths = {{a, {{i % 4 ? b : app::Point(a.x + 0.5, b.y)}}}};
+        sheet.shapes.push_back(std::move(line));
+    }
+    return sheet;
+}
+
+Comparison kwcAgainstExact()
+{
+    return {{findAlgorithm("kwc"), Form::Published}, app::exactClipper()};
+}
+
+std::vector<app::Difference> atOnce(const app::Session& session, const Comparison& comparison,
+                                    const Window& window)
+{
+    return app::differences(session.scene.segments(), window, comparison.a, comparison.b,
+                            comparison.allowed());
+}
+
+} // namespace
+
+class LiveDifferencesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nobodyLooks()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(1000));
+        QSignalSpy changed(&session.differences, &LiveDifferences::changed);
+        QTest::qWait(50);
+        QVERIFY(changed.isEmpty());
+        QVERIFY(session.differences.found().list.empty());
+        QVERIFY(session.differences.piecesAt(paper).empty());
+        QVERIFY(session.differences.upToDate());
+    }
+
+    void followsTheDrawing()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(5000));
+        session.differences.ask(kwcAgainstExact());
+        QSignalSpy changed(&session.differences, &LiveDifferences::changed);
+        QTRY_COMPARE(changed.size(), 1);
+        const auto& found = session.differences.found();
+        QVERIFY(found.list.size() > 100);
+        QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), paper));
+        QCOMPARE(found.lines, std::size_t(5000));
+
+        // Several changes in one event are looked at once.
+        const Window other{{50, 50}, {200, 350}};
+        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {10, 10}}));
+        session.history.push(new app::SetWindow(session.drawing, other));
+        QVERIFY(!session.differences.upToDate());
+        QTRY_COMPARE(changed.size(), 2);
+        QCOMPARE(found.window, other);
+        QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), other));
+        session.drawing.load(sheetOf(100));
+        QCOMPARE(changed.size(), 3); // these lines are gone
+        QVERIFY(found.list.empty());
+        QTRY_COMPARE(found.lines, std::size_t(100));
+
+        session.differences.ask(std::nullopt);
+        QVERIFY(found.list.empty());
+    }
+
+    void theSlicesOfManyLinesAreOneList()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce + 12'345));
+        session.differences.ask(kwcAgainstExact());
+        QVERIFY(session.differences.piecesAt(paper).empty()); // hidden until it is known
+        QTRY_VERIFY(session.differences.upToDate());
+        const auto& found = session.differences.found();
+        QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), paper));
+        // Of lines whose ends are apart both pieces are coloured.
+        QCOMPARE(found.pieces.size(), found.list.size() + app::counted(found.list).endsApart);
+        QCOMPARE(session.differences.piecesAt(paper).size(), found.pieces.size());
+        QVERIFY(session.differences.piecesAt({{0, 0}, {9, 9}}).empty());
+
+        // A change in the middle begins anew; finish() does not wait.
+        session.drawing.setWindow({{0, 0}, {50, 50}});
+        QVERIFY(!session.differences.upToDate());
+        session.differences.finish();
+        QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), {{0, 0}, {50, 50}}));
+    }
+
+    void theColoursFollowAGesture()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(5000));
+        session.differences.ask(kwcAgainstExact());
+        session.differences.finish();
+        const Window moved{{120, 90}, {320, 240}};
+        const auto expected = atOnce(session, kwcAgainstExact(), moved);
+        QVERIFY(expected != session.differences.found().list);
+        const auto pieces = session.differences.piecesAt(moved);
+        QCOMPARE(pieces.size(), expected.size() + app::counted(expected).endsApart);
+        for (const app::Difference& difference : expected)
+            if (difference.kind == app::Difference::Kind::OnlyB)
+                QVERIFY(std::ranges::count(
+                    pieces, *app::clipped(app::exactClipper(),
+                                          session.scene.segments()[difference.source], moved)));
+        // The list is of the window that the drawing has.
+        QCOMPARE(session.differences.found().window, paper);
+    }
+
+    void onlyWhenAskedSomethingElse()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(500));
+        session.differences.ask(kwcAgainstExact());
+        session.differences.finish();
+        QSignalSpy changed(&session.differences, &LiveDifferences::changed);
+        session.differences.ask(kwcAgainstExact());
+        QTest::qWait(20);
+        QVERIFY(changed.isEmpty());
+        Comparison stricter{{findAlgorithm("md"), Form::Corrected}, app::exactClipper(), 0};
+        session.differences.ask(stricter);
+        QTRY_VERIFY(session.differences.upToDate());
+        QVERIFY(!session.differences.found().list.empty()); // MD rounds
+        stricter.ulps.reset();
+        session.differences.ask(stricter);
+        session.differences.finish();
+        QVERIFY(session.differences.found().list.empty()); // and keeps its contract
+        QVERIFY(stricter.allowed() >= 24);
+    }
+
+    void whereToLook()
+    {
+        const Segment line{{0, 0}, {0.5, 300}};
+        const Window window{{0, 100}, {400, 200}};
+        const auto place = app::placeOf(kwcAgainstExact(), line, window);
+        QVERIFY(place.min.y < 100 && place.max.y > 200); // all of the piece
+        QVERIFY(place.min.y > 0 && place.max.y < 300);   // and not all of the line
+        // A contact is a point: the view still shows what is around it.
+        const auto point = app::placeOf(kwcAgainstExact(), {{-10, 90}, {10, 110}}, window);
+        QVERIFY(point.max.x - point.min.x >= 400. / 50);
+    }
+
+    void aHundredThousandLinesTakeNoTime()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce));
+        session.differences.ask(kwcAgainstExact());
+        session.differences.finish();
+        double best = 1e9;
+        for (int i = 0; i < 5; ++i) {
+            session.drawing.setWindow({{100. + i, 100}, {300, 250}});
+            QElapsedTimer clock;
+            clock.start();
+            session.differences.finish();
+            best = std::min(best, double(clock.nsecsElapsed()) * 1e-6);
+        }
+        qInfo("%.1f ms", best);
+        QVERIFY2(best < 100, qPrintable(QString::number(best)));
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveDifferencesTest)
+#include "live_differences_test.moc"
