@@ -55,9 +55,10 @@ struct Plate {
 };
 
 /// One frame as simple things to paint: the ghost first, as a whole with the ghost's opacity (so
-/// that overlapping ghosts do not add up), the kept part over it, and over both what is selected.
+/// that overlapping ghosts do not add up), the kept part over it, over both what is selected, and
+/// over all what differs.
 struct Picture {
-    Plate ghost, kept, lit;
+    Plate ghost, kept, lit, differing;
 };
 
 /// What a frame is made for.
@@ -69,6 +70,10 @@ struct PictureOptions {
     double leastWidth = 0.75;          ///< logical pixels; thinner strokes are drawn so wide
     std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
     Colour light{};
+    std::span<const clipping::Segment> differing{}; ///< drawn thicker, over all, in `marked`
+    Colour marked{};
+    enum class Ticks : std::uint8_t { WhereShort, Everywhere };
+    Ticks ticks = Ticks::WhereShort; ///< across the middle of what differs
 };
 
 /// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never

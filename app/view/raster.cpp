@@ -183,6 +183,7 @@ QImage rasterised(const Picture& picture, int width, Band band, double pixelRati
     Painting painting(image, band.top, pixelRatio);
     painting.paint(picture.kept);
     painting.paint(picture.lit);
+    painting.paint(picture.differing);
     return image;
 }
 

@@ -19,6 +19,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::displayChanged, this, &Controller::outdate);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
+    connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::outdate);
     connect(&session, &app::Session::loaded, this, [this] {
         tool_->cancel(bench_);
         fitDrawing();
@@ -119,6 +120,10 @@ app::Picture Controller::picture(const app::Frame& frame, double pixelRatio) con
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
     options.selection = session_.selection();
     options.light = colour(look_.selection);
+    options.differing = session_.differences.piecesAt(window());
+    options.marked = colour(look_.differs);
+    if (look_.dark) // magenta is near the selection's blue there
+        options.ticks = app::PictureOptions::Ticks::Everywhere;
     return app::picture(session_.sheet(), session_.scene, frame, options);
 }
 

@@ -110,6 +110,7 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
     }
     paintPlate(picture.kept);
     paintPlate(picture.lit);
+    paintPlate(picture.differing);
     gl_->glDisable(GL_STENCIL_TEST);
 }
 

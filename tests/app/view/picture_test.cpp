@@ -163,6 +163,36 @@ private slots:
             for (int x = 0; x < 100; ++x)
                 QVERIFY(std::abs(qAlpha(joined.pixel(x, y)) - qAlpha(whole.pixel(x, y))) <= 3);
     }
+
+    void whatDiffersIsThickerAndTicked()
+    {
+        Stage stage({square({10, 10}, 20)});
+        const double nan = std::nan("");
+        // A long one, a point, one outside the view, one that is not a number.
+        const std::vector<clipping::Segment> pieces{{{10, 50}, {40, 50}},
+                                                    {{60.5, 60.5}, {60.5, 60.5}},
+                                                    {{200, 200}, {300, 200}},
+                                                    {{10, nan}, {40, 50}}};
+        stage.options.differing = pieces;
+        stage.options.marked = {200, 0, 150};
+        const app::Plate marks = stage.picture().differing;
+        for (const app::Coat& coat : marks.coats) {
+            QVERIFY(coat.stroke && coat.stroke->width >= 1.9);
+            QCOMPARE(coat.stroke->colour, stage.options.marked);
+        }
+        const auto magenta = [&](int x, int y) {
+            const QColor pixel = stage.image().pixelColor(x, y);
+            return pixel.alpha() > 200 && pixel.red() > 190 && pixel.green() < 20;
+        };
+        QVERIFY(magenta(20, 50));
+        QVERIFY(magenta(60, 60));
+        QVERIFY(!magenta(25, 47)); // the middle of the long one: no tick
+        stage.options.ticks = app::PictureOptions::Ticks::Everywhere;
+        QVERIFY(magenta(25, 47));
+        QVERIFY(magenta(60, 60));
+        stage.options.differing = {};
+        QVERIFY(stage.picture().differing.coats.empty());
+    }
 };
 
 QTEST_GUILESS_MAIN(PictureTest)
