@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/difference_row.h"
+
+#include "app/formats/number.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace app {
+
+using clipping::Segment;
+using Key = DifferenceColumn::Key;
+using Kind = Difference::Kind;
+
+namespace {
+
+struct Rows {
+    Q_DECLARE_TR_FUNCTIONS(Difference)
+};
+
+enum class Side : std::uint8_t { A, B };
+
+const Clipper& clipperOf(const Comparison& comparison, Side side)
+{
+    return side == Side::A ? comparison.a : comparison.b;
+}
+
+bool isThere(const Session& session, const Difference& difference)
+{
+    return session.differences.asked() && difference.source < session.scene.segments().size();
+}
+
+/// Of a line that is there.
+std::optional<Segment> pieceOf(const Session& session, const Difference& difference, Side side)
+{
+    return clipped(clipperOf(*session.differences.asked(), side),
+                   session.scene.segments()[difference.source], session.differences.found().window);
+}
+
+QString inFull(double number)
+{
+    if (!std::isfinite(number))
+        return Rows::tr("not a number");
+    std::string text;
+    appendNumber(text, number);
+    return QString::fromStdString(text);
+}
+
+template <class Number>
+QString pieceText(const std::optional<Segment>& piece, const Number& number)
+{
+    if (!piece)
+        return QStringLiteral("–");
+    const auto point = [&](const Point& p) {
+        return Rows::tr("%1; %2", "coordinates").arg(number(p.x), number(p.y));
+    };
+    return piece->a == piece->b
+               ? point(piece->a)
+               : Rows::tr("%1 – %2", "from, to").arg(point(piece->a), point(piece->b));
+}
+
+/// In the unit of rulers and fields; with all digits where those of A and B would look alike.
+template <Side side>
+QString shortPieceText(const Session& session, const Difference& difference)
+{
+    if (!isThere(session, difference))
+        return {};
+    const double size = session.sheet().page.millimetresPerUnit();
+    const auto rounded = [&](double length) {
+        return std::isfinite(length) ? lengthNumber(length, session.display().unit, size)
+                                     : inFull(length);
+    };
+    const auto piece = pieceOf(session, difference, side);
+    const auto other = pieceOf(session, difference, side == Side::A ? Side::B : Side::A);
+    const QString text = pieceText(piece, rounded);
+    return text == pieceText(other, rounded) ? pieceText(piece, inFull) : text;
+}
+
+QString lineText(const Session& session, const Difference& difference)
+{
+    return isThere(session, difference) ? countText(difference.source + std::size_t(1)) : QString();
+}
+
+QString whatText(const Session& session, const Difference& difference)
+{
+    if (!isThere(session, difference))
+        return {};
+    const Comparison& comparison = *session.differences.asked();
+    if (difference.kind == Kind::EndsApart)
+        return Rows::tr("ends apart");
+    return Rows::tr("only %1 sees it")
+        .arg(nameOf(clipperOf(comparison, difference.kind == Kind::OnlyA ? Side::A : Side::B)));
+}
+
+QString placeText(const Session& session, const Difference& difference)
+{
+    if (!isThere(session, difference))
+        return {};
+    const std::size_t shape = session.scene.shapeOf(difference.source);
+    return Rows::tr("%1, shape %2")
+        .arg(session.sheet().layers[session.sheet().shapes[shape].layer].name,
+             countText(shape + 1));
+}
+
+Key byLine(const Session&, const Difference& difference) { return {double(difference.source), 0}; }
+Key byUlps(const Session&, const Difference& difference) { return {difference.ulps, 0}; }
+Key byKind(const Session&, const Difference& difference) { return {double(difference.kind), 0}; }
+
+/// By where it begins; what is not seen, or is not a number, comes last.
+template <Side side>
+Key byPiece(const Session& session, const Difference& difference)
+{
+    const auto piece =
+        isThere(session, difference) ? pieceOf(session, difference, side) : std::nullopt;
+    if (piece && std::isfinite(piece->a.x) && std::isfinite(piece->a.y))
+        return {piece->a.x, piece->a.y};
+    return {std::numeric_limits<double>::infinity(), 0};
+}
+
+template <Side side>
+QString pieceHeading(const Comparison& comparison)
+{
+    return side == Side::A ? Rows::tr("A: %1").arg(nameOf(comparison.a))
+                           : Rows::tr("B: %1").arg(nameOf(comparison.b));
+}
+
+QString superscript(int number)
+{
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text;
+    for (const QChar digit : QString::number(number))
+        text += digits[digit.digitValue()];
+    return text;
+}
+
+} // namespace
+
+std::span<const DifferenceColumn> differenceColumns()
+{
+    static const std::array columns{
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("Line"); }, lineText, byLine,
+                         true},
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("What differs"); }, whatText,
+                         byKind, false},
+        DifferenceColumn{
+            [](const Comparison&) { return Rows::tr("Ulps"); },
+            [](const Session&, const Difference& difference) { return ulpsText(difference.ulps); },
+            byUlps, true},
+        DifferenceColumn{pieceHeading<Side::A>, shortPieceText<Side::A>, byPiece<Side::A>, false},
+        DifferenceColumn{pieceHeading<Side::B>, shortPieceText<Side::B>, byPiece<Side::B>, false},
+        // Shapes, and layers, come in the order of their lines.
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("Layer and shape"); }, placeText,
+                         byLine, false}};
+    return columns;
+}
+
+QString piecesInFull(const Session& session, const Difference& difference)
+{
+    if (!isThere(session, difference))
+        return {};
+    const auto of = [&](Side side) {
+        return nameOf(clipperOf(*session.differences.asked(), side)) + QStringLiteral(": ")
+               + pieceText(pieceOf(session, difference, side), inFull);
+    };
+    return of(Side::A) + u'\n' + of(Side::B);
+}
+
+std::vector<std::uint32_t> sortedBy(const Session& session, const DifferenceColumn& column,
+                                    Qt::SortOrder order)
+{
+    const auto& list = session.differences.found().list;
+    std::vector<Key> keys;
+    keys.reserve(list.size());
+    for (const Difference& difference : list)
+        keys.push_back(column.key(session, difference));
+    std::vector<std::uint32_t> rows(list.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    const bool ascending = order == Qt::AscendingOrder;
+    std::ranges::stable_sort(rows, [&](std::uint32_t one, std::uint32_t other) {
+        return ascending ? keys[one] < keys[other] : keys[other] < keys[one];
+    });
+    return rows;
+}
+
+QString ulpsText(double ulps)
+{
+    if (!std::isfinite(ulps))
+        return QStringLiteral("∞");
+    if (ulps < 1e6)
+        return numberText(ulps, ulps < 10 && ulps != std::floor(ulps) ? 1 : 0);
+    const int exponent = int(std::floor(std::log10(ulps)));
+    return QStringLiteral("%1 × 10%2")
+        .arg(numberText(ulps / std::pow(10, exponent), 1), superscript(exponent));
+}
+
+} // namespace app
