@@ -72,6 +72,7 @@ void Canvas::setPointingDevice(PointingDevice device)
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }
+void Canvas::fit(const clipping::Window& place) { parts_->controller.navigation().show(place); }
 void Canvas::setZoom(double zoom) { parts_->controller.setZoom(zoom); }
 void Canvas::previousView() { parts_->controller.navigation().back(); }
 void Canvas::nextView() { parts_->controller.navigation().forth(); }

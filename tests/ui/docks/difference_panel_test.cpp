@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/difference_row.h"
+#include "app/view/numbers.h"
+#include "ui/docks/difference_panel.h"
+
+#include <QHeaderView>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+using clipping::Segment;
+
+namespace {
+
+/// Ten lines across the window (0,0)-(100,100), of which published KWC loses numbers 2, 5 and 8:
+/// they run from below to above and lean by less than one unit. The longest of them is number 5.
+app::Sheet tenLines()
+{
+    app::Sheet sheet;
+    sheet.window = {{0, 0}, {100, 100}};
+    for (int i = 0; i < 10; ++i) {
+        app::Shape line;
+        const double x = 10. + 8 * i, lean = i % 3 == 2 ? 0.5 : 30;
+        line.paths = {{{x, i == 5 ? -10. : 40.}, {{{x + lean, 90}}}}};
+        line.style.stroke = app::Colour{};
+        sheet.shapes.push_back(std::move(line));
+    }
+    return sheet;
+}
+
+struct Stage {
+    Stage()
+    {
+        applyTheme(*qApp, Theme::Light);
+        session.drawing.load(tenLines());
+        panel.resize(572, 500);
+        table = panel.findChild<DenseTable*>();
+        const auto boxes = panel.findChildren<QComboBox*>();
+        a = boxes[0];
+        b = boxes[1];
+        ulps = panel.findChild<QSpinBox*>();
+    }
+    void show()
+    {
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTRY_VERIFY(session.differences.upToDate());
+    }
+    QString cell(int row, int column) const
+    {
+        return table->model()->index(row, column).data().toString();
+    }
+    void click(int row, int column = 0) const
+    {
+        const QRect cell = table->visualRect(table->model()->index(row, column));
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+    }
+    void clickHeading(int column) const
+    {
+        const QHeaderView* header = table->horizontalHeader();
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                          {header->sectionViewportPosition(column) + 20, 10});
+    }
+    void choose(QComboBox* box, const QString& name) const
+    {
+        const int index = box->findText(name);
+        QVERIFY2(index >= 0, qPrintable(name));
+        box->setCurrentIndex(index);
+    }
+
+    app::Session session;
+    DifferencePanel panel{session};
+    DenseTable* table;
+    QComboBox *a, *b;
+    QSpinBox* ulps;
+};
+
+} // namespace
+
+class DifferencePanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingIsComputedWhileItIsHidden()
+    {
+        Stage stage;
+        QVERIFY(!stage.session.differences.asked());
+        stage.show();
+        QVERIFY(stage.session.differences.asked());
+        QCOMPARE(stage.session.differences.found().list.size(), std::size_t(3));
+        stage.panel.hide();
+        QVERIFY(!stage.session.differences.asked());
+        QVERIFY(stage.session.differences.piecesAt(stage.session.sheet().window).empty());
+    }
+
+    void itCountsAndLists()
+    {
+        Stage stage;
+        stage.show();
+        QCOMPARE(stage.panel.summary(), "KWC as published loses 3 lines that exact keeps.");
+        QCOMPARE(stage.table->model()->rowCount(), 3);
+        QCOMPARE(stage.cell(0, 0), "3"); // lines are counted from 1
+        QCOMPARE(stage.cell(1, 0), "6");
+        QCOMPARE(stage.cell(0, 1), "only exact sees it");
+        QCOMPARE(stage.cell(0, 3), "–");
+        QVERIFY2(stage.cell(0, 4).startsWith("26.00; 40.00 – "), qPrintable(stage.cell(0, 4)));
+        QVERIFY(stage.cell(0, 5).endsWith(", shape 3"));
+    }
+
+    void aClickInspectsAndShowsTheLine()
+    {
+        Stage stage;
+        stage.show();
+        QSignalSpy wanted(&stage.panel, &DifferencePanel::placeWanted);
+        stage.click(1);
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
+        QVERIFY(!wanted.isEmpty());
+        const auto place = wanted.back()[0].value<clipping::Window>();
+        QVERIFY(place.min.y < 0 && place.max.y > 90 && place.min.x < 50 && place.max.x > 50.5);
+        // The keyboard too.
+        QTest::keyClick(stage.table, Qt::Key_Down);
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(8));
+    }
+
+    void sortedByAnyColumn()
+    {
+        Stage stage;
+        stage.show();
+        stage.clickHeading(0); // was ascending
+        QCOMPARE(stage.cell(0, 0), "9");
+        stage.clickHeading(2);
+        stage.clickHeading(2);
+        QCOMPARE(
+            stage.cell(stage.table->horizontalHeader()->sortIndicatorOrder() == Qt::DescendingOrder
+                           ? 0
+                           : 2,
+                       0),
+            "6"); // the longest
+        stage.click(0);
+        QVERIFY(stage.session.inspected());
+        QCOMPARE(app::countText(*stage.session.inspected() + 1), stage.cell(0, 0));
+    }
+
+    void theChosenRowStaysTheSameLine()
+    {
+        Stage stage;
+        stage.show();
+        stage.click(1);
+        stage.clickHeading(0);
+        stage.session.drawing.setWindow({{0, 0}, {100, 99}});
+        QTRY_VERIFY(stage.session.differences.upToDate());
+        QCOMPARE(stage.cell(stage.table->currentIndex().row(), 0), "6");
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
+    }
+
+    void nextAndPreviousGoRound()
+    {
+        Stage stage;
+        stage.show();
+        std::vector<std::size_t> visited;
+        for (const int by : {1, 1, 1, 1, -1, -1}) {
+            stage.panel.go(by);
+            visited.push_back(*stage.session.inspected());
+        }
+        QCOMPARE(visited, (std::vector<std::size_t>{2, 5, 8, 2, 8, 5}));
+    }
+
+    void swappedTheySayTheSame()
+    {
+        Stage stage;
+        stage.show();
+        const QString a = stage.a->currentText(), b = stage.b->currentText();
+        QTest::mouseClick(stage.panel.findChild<QToolButton*>("swap-comparison"), Qt::LeftButton);
+        QCOMPARE(stage.a->currentText(), b);
+        QCOMPARE(stage.b->currentText(), a);
+        QTRY_COMPARE(stage.panel.summary(), "KWC as published loses 3 lines that exact keeps.");
+        QCOMPARE(stage.cell(0, 4), "–");
+    }
+
+    void whereTheyAgree()
+    {
+        Stage stage;
+        stage.show();
+        stage.choose(stage.a, "LB  Liang-Barsky");
+        QTRY_COMPARE(stage.panel.summary(), "They agree on all 10 lines here.");
+        QVERIFY(!stage.table->isVisible());
+        stage.session.drawing.load({});
+        QTRY_COMPARE(stage.panel.summary(), "There are no lines to compare.");
+    }
+
+    void theUlpsAllowed()
+    {
+        Stage stage;
+        stage.show();
+        QVERIFY(stage.ulps->text().contains("as in the contract"));
+        stage.choose(stage.a, "MD  Matthes-Drakopoulos, as published");
+        QTRY_VERIFY(stage.session.differences.upToDate());
+        const double contract = stage.session.differences.asked()->allowed();
+        stage.ulps->setFocus();
+        QTest::keyClick(stage.ulps, Qt::Key_Up); // from the contract to none
+        QCOMPARE(stage.session.differences.asked()->allowed(), 0.0);
+        QCOMPARE(stage.ulps->text(), "0 ulps");
+        QTest::keyClick(stage.ulps, Qt::Key_Up);
+        QCOMPARE(stage.ulps->text(), "1 ulp");
+        QTest::keyClick(stage.ulps, Qt::Key_Down);
+        QTest::keyClick(stage.ulps, Qt::Key_Down);
+        QCOMPARE(stage.session.differences.asked()->allowed(), contract);
+    }
+
+    void anExhibitIsExplained()
+    {
+        Stage stage;
+        stage.show();
+        const auto explanation = [&] {
+            for (const QLabel* label : stage.panel.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().contains("(ymin − y1)"))
+                    return true;
+            return false;
+        };
+        QVERIFY(!explanation());
+        stage.choose(stage.a, "MD with Step 2 as printed");
+        QVERIFY(explanation());
+        QTRY_VERIFY(stage.session.differences.upToDate());
+        QVERIFY2(stage.panel.summary().startsWith("MD with Step 2 as printed "),
+                 qPrintable(stage.panel.summary()));
+    }
+
+    void halfAMillionRows()
+    {
+        Stage stage;
+        app::Sheet sheet;
+        sheet.window = {{0, 0}, {1000, 1000}};
+        app::Shape comb;
+        for (int i = 0; i < 500'000; ++i)
+            comb.paths.push_back({{i * 0.0019, 10}, {{{i * 0.0019 + 0.5, 990}}}});
+        comb.style.stroke = app::Colour{};
+        sheet.shapes = {comb};
+        stage.session.drawing.load(std::move(sheet));
+        stage.show();
+        QTRY_COMPARE_WITH_TIMEOUT(stage.table->model()->rowCount(), 500'000, 20'000);
+        QElapsedTimer clock;
+        clock.start();
+        stage.table->sortByColumn(2, Qt::DescendingOrder);
+        stage.table->scrollToBottom();
+        stage.panel.grab();
+        qInfo("sort, scroll and paint 500,000 rows: %lld ms", clock.elapsed());
+        QVERIFY(clock.elapsed() < 2000);
+    }
+};
+
+QTEST_MAIN(DifferencePanelTest)
+#include "difference_panel_test.moc"

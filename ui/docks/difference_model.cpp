@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/difference_model.h"
+
+#include "app/comparison/difference_row.h"
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+const app::DifferenceColumn& columnOf(int column)
+{
+    return app::differenceColumns()[std::size_t(column)];
+}
+
+int sideOf(int column)
+{
+    return int((columnOf(column).number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+}
+
+} // namespace
+
+DifferenceModel::DifferenceModel(const app::Session& session, QObject* parent)
+    : QAbstractTableModel(parent), session_(session)
+{
+    connect(&session.differences, &app::LiveDifferences::changed, this, &DifferenceModel::follow);
+    connect(&session, &app::Session::displayChanged, this, [this] { // the unit
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    });
+    follow();
+}
+
+int DifferenceModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(rows_.size());
+}
+
+int DifferenceModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(app::differenceColumns().size());
+}
+
+QVariant DifferenceModel::data(const QModelIndex& index, int role) const
+{
+    const auto& list = session_.differences.found().list;
+    const std::uint32_t at = rows_[std::size_t(index.row())];
+    if (at >= list.size())
+        return {}; // another list is on its way
+    if (role == Qt::DisplayRole)
+        return columnOf(index.column()).text(session_, list[at]);
+    if (role == Qt::TextAlignmentRole)
+        return sideOf(index.column());
+    if (role == Qt::ToolTipRole)
+        return app::piecesInFull(session_, list[at]);
+    return {};
+}
+
+QVariant DifferenceModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return sideOf(section);
+    if (role == Qt::DisplayRole)
+        return columnOf(section).heading(
+            session_.differences.asked().value_or(app::Comparison{app::exactClipper()}));
+    return {};
+}
+
+void DifferenceModel::sort(int column, Qt::SortOrder order)
+{
+    beginResetModel();
+    column_ = column;
+    order_ = order;
+    rows_ = app::sortedBy(session_, columnOf(column), order);
+    endResetModel();
+}
+
+std::optional<std::size_t> DifferenceModel::lineOf(int row) const
+{
+    const auto& list = session_.differences.found().list;
+    const std::uint32_t at = rows_[std::size_t(row)];
+    if (at >= list.size() || list[at].source >= session_.scene.segments().size())
+        return std::nullopt;
+    return list[at].source;
+}
+
+int DifferenceModel::rowOf(std::size_t line) const
+{
+    const auto& list = session_.differences.found().list;
+    const auto found = std::ranges::lower_bound(list, line, {}, &app::Difference::source);
+    if (found == list.end() || found->source != line)
+        return -1;
+    const auto row = std::ranges::find(rows_, std::uint32_t(found - list.begin()));
+    return row == rows_.end() ? -1 : int(row - rows_.begin());
+}
+
+void DifferenceModel::follow()
+{
+    sort(column_, order_);
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+}
+
+} // namespace ui

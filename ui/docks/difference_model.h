@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+
+/// The lines that differ, sorted. Only the rows that are shown are put into words, so that half a
+/// million of them cost no more than a sort.
+class DifferenceModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    explicit DifferenceModel(const app::Session& session, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void sort(int column, Qt::SortOrder order) override;
+
+    /// The line of a row, an index into the scene's segments; nothing if it is gone.
+    std::optional<std::size_t> lineOf(int row) const;
+    /// The row of a line; -1 if it does not differ.
+    int rowOf(std::size_t line) const;
+
+private:
+    void follow();
+
+    const app::Session& session_;
+    std::vector<std::uint32_t> rows_; ///< indices into the list that was found
+    int column_ = 0;
+    Qt::SortOrder order_ = Qt::AscendingOrder;
+};
+
+} // namespace ui

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/difference_panel.h"
+
+#include "app/view/numbers.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QToolButton>
+
+namespace ui {
+
+namespace {
+
+constexpr int markerSize = 12;
+constexpr int asInContract = -1; // of the box with the ulps: below all that can be chosen
+constexpr int mostUlps = 1'000'000;
+
+/// Published KWC loses lines, which is the difference to begin with.
+app::Clipper firstA()
+{
+    return {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"), clipping::Form::Published};
+}
+
+QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
+{
+    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
+                     clipper.form, groundOf(palette));
+    return picture;
+}
+
+QLabel* quiet(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+} // namespace
+
+DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), model_(session), a_(chooser(tr("A"), firstA())),
+      b_(chooser(tr("B"), app::exactClipper())), ulps_(new QSpinBox), tick_(new QLabel),
+      summary_(new QLabel), explanation_(new QLabel), table_(new DenseTable), nothing_(quiet({}))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->setSpacing(6);
+    addChoosers();
+    addTable();
+    connect(&session.differences, &app::LiveDifferences::changed, this, &DifferencePanel::follow);
+    paintMarkers();
+    follow();
+}
+
+void DifferencePanel::addChoosers()
+{
+    ulps_->setRange(asInContract, mostUlps);
+    ulps_->setAccessibleName(tr("Ulps that ends may be apart"));
+    ulps_->setToolTip(tr("How far ends may be apart and still be called the same, in units in the "
+                         "last place of the largest coordinate of line and clip window"));
+    ulps_->setValue(asInContract);
+    auto* exchange = new QToolButton;
+    exchange->setObjectName(QStringLiteral("swap-comparison"));
+    exchange->setIcon(icon("swap"));
+    exchange->setAutoRaise(true);
+    exchange->setToolTip(tr("Swap A and B"));
+    exchange->setAccessibleName(exchange->toolTip());
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    grid->addWidget(quiet(tr("A")), 0, 0);
+    grid->addWidget(a_, 0, 1, 1, 2);
+    grid->addWidget(exchange, 0, 3, 2, 1);
+    grid->addWidget(quiet(tr("B")), 1, 0);
+    grid->addWidget(b_, 1, 1, 1, 2);
+    auto* allowed = new QHBoxLayout;
+    allowed->setSpacing(space::labelToField);
+    allowed->addWidget(quiet(tr("Ends may be apart by")));
+    allowed->addWidget(ulps_);
+    allowed->addStretch();
+    grid->addLayout(allowed, 2, 1, 1, 2);
+    grid->setColumnStretch(1, 1);
+    static_cast<QVBoxLayout*>(layout())->addLayout(grid);
+    connect(a_, &QComboBox::currentIndexChanged, this, &DifferencePanel::ask);
+    connect(b_, &QComboBox::currentIndexChanged, this, &DifferencePanel::ask);
+    connect(ulps_, &QSpinBox::valueChanged, this, &DifferencePanel::ask);
+    connect(exchange, &QToolButton::clicked, this, &DifferencePanel::swap);
+}
+
+void DifferencePanel::addTable()
+{
+    summary_->setWordWrap(true);
+    summary_->setAccessibleName(tr("Differences"));
+    tick_->setFixedSize(16, 16);
+    explanation_->setWordWrap(true);
+    explanation_->setFont(captionFont(font()));
+    explanation_->setContentsMargins(space::labelToField, 6, space::labelToField, 6);
+    nothing_->setAlignment(Qt::AlignTop);
+    auto* found = new QHBoxLayout;
+    found->setContentsMargins(space::dockMargin, 2, space::dockMargin, 2);
+    found->setSpacing(6);
+    found->addWidget(tick_, 0, Qt::AlignTop);
+    found->addWidget(summary_, 1);
+    auto* margins = new QHBoxLayout;
+    margins->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    margins->addWidget(explanation_);
+    table_->setModel(&model_);
+    table_->setAccessibleName(tr("Lines that differ"));
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(0, Qt::AscendingOrder);
+    table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
+    const std::array widths{64, 168, 88, 208, 208, 132};
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        table_->setColumnWidth(int(i), widths[i]);
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addLayout(margins);
+    column->addLayout(found);
+    column->addWidget(table_, 1);
+    column->addStretch();
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& now) {
+                if (!following_ && now.isValid())
+                    showRow(now.row());
+            });
+    // Once more, perhaps from elsewhere.
+    connect(table_, &QTableView::clicked, this,
+            [this](const QModelIndex& index) { showRow(index.row()); });
+}
+
+QComboBox* DifferencePanel::chooser(const QString& name, const app::Clipper& chosen)
+{
+    auto* box = new QComboBox;
+    box->setAccessibleName(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+    box->setIconSize({markerSize + 2, markerSize + 2});
+    box->setMaxVisibleItems(30);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const auto all = app::clippers();
+    for (const app::Clipper& clipper : all)
+        box->addItem(app::titleOf(clipper));
+    box->setCurrentIndex(int(std::ranges::find(all, chosen) - all.begin()));
+    return box;
+}
+
+void DifferencePanel::paintMarkers()
+{
+    const auto all = app::clippers();
+    for (QComboBox* box : {a_, b_})
+        for (int i = 0; i < box->count(); ++i)
+            box->setItemIcon(i, marker(all[std::size_t(i)], palette(), devicePixelRatioF()));
+}
+
+app::Comparison DifferencePanel::wanted() const
+{
+    const auto all = app::clippers();
+    app::Comparison comparison{all[std::size_t(a_->currentIndex())],
+                               all[std::size_t(b_->currentIndex())]};
+    if (ulps_->value() != asInContract)
+        comparison.ulps = ulps_->value();
+    return comparison;
+}
+
+void DifferencePanel::ask()
+{
+    if (!following_)
+        session_.differences.ask(wanted());
+}
+
+void DifferencePanel::swap()
+{
+    const int a = a_->currentIndex();
+    {
+        const QScopedValueRollback together(following_, true);
+        a_->setCurrentIndex(b_->currentIndex());
+        b_->setCurrentIndex(a);
+    }
+    ask();
+}
+
+void DifferencePanel::follow()
+{
+    const QScopedValueRollback quietly(following_, true);
+    const app::Comparison comparison = wanted();
+    ulps_->setSpecialValueText(
+        tr("%1 ulps, as in the contract")
+            .arg(app::countText(std::size_t(app::contractUlps(comparison.a, comparison.b)))));
+    ulps_->setSuffix(ulps_->value() == 1 ? tr(" ulp") : tr(" ulps"));
+    QStringList wrong;
+    for (const app::Clipper& clipper : {comparison.a, comparison.b})
+        if (clipper.exhibit && !wrong.contains(clipper.exhibit->whatIsWrong))
+            wrong << clipper.exhibit->whatIsWrong;
+    explanation_->setText(wrong.join(u'\n'));
+    explanation_->setVisible(!wrong.isEmpty());
+    table_->setVisible(model_.rowCount() > 0);
+    paintSummary();
+    if (const auto line = session_.inspected())
+        choose(model_.rowOf(*line));
+}
+
+void DifferencePanel::paintSummary()
+{
+    const Look& look = lookOf(palette());
+    const app::LiveDifferences& live = session_.differences;
+    const app::Comparison comparison = wanted();
+    const bool differ = !live.found().list.empty();
+    const bool known = live.asked() && live.upToDate();
+    const bool good = known && !differ && live.found().lines > 0 && comparison.a != comparison.b;
+    summary_->setText(
+        !known ? tr("Comparing %1 lines…").arg(app::countText(session_.scene.segments().size()))
+               : app::sentence(comparison.a, comparison.b, app::counted(live.found().list),
+                               live.found().lines)
+                     + u'.');
+    summary_->setFont(known && differ ? semiBold(font()) : font());
+    const QColor colour = !known || (!good && !differ) ? look.muted
+                          : good                       ? look.good
+                                                       : look.differs;
+    summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
+    tick_->setVisible(known && (good || differ));
+    tick_->setPixmap(
+        tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(), colour));
+    explanation_->setStyleSheet(QStringLiteral("color: %1; background: %2; border-radius: 3px")
+                                    .arg(look.warning.name(), look.warningGround.name()));
+}
+
+void DifferencePanel::showRow(int row)
+{
+    const auto line = model_.lineOf(row);
+    if (!line)
+        return;
+    session_.inspect(*line);
+    emit placeWanted(
+        app::placeOf(wanted(), session_.scene.segments()[*line], session_.sheet().window));
+}
+
+void DifferencePanel::choose(int row)
+{
+    const QScopedValueRollback quietly(following_, true);
+    if (row < 0)
+        return table_->clearSelection();
+    table_->setCurrentIndex(model_.index(row, 0));
+}
+
+void DifferencePanel::go(int rows)
+{
+    session_.differences.ask(wanted());
+    session_.differences.finish();
+    const int count = model_.rowCount();
+    if (count == 0)
+        return;
+    const int now = session_.inspected() ? model_.rowOf(*session_.inspected()) : -1;
+    const int next = now < 0 ? (rows > 0 ? 0 : count - 1) : ((now + rows) % count + count) % count;
+    choose(next);
+    showRow(next);
+}
+
+void DifferencePanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    ask();
+}
+
+void DifferencePanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    session_.differences.ask(std::nullopt);
+}
+
+void DifferencePanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        paintMarkers();
+        paintSummary();
+    }
+}
+
+} // namespace ui

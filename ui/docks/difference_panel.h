@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/docks/difference_model.h"
+#include "ui/widgets/dense_table.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+
+namespace ui {
+
+/// A against B: the lines of which they leave different things, counted in a sentence and listed.
+/// While it is seen these lines are coloured on the canvas, and nothing is computed otherwise. A
+/// row that is chosen is inspected and shown.
+class DifferencePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DifferencePanel(app::Session& session, QWidget* parent = nullptr);
+
+    QString summary() const { return summary_->text(); }
+    /// The next difference of the list, or an earlier one; round and round.
+    void go(int rows);
+
+signals:
+    void placeWanted(const clipping::Window& place); ///< to be shown
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addChoosers();
+    void addTable();
+    QComboBox* chooser(const QString& name, const app::Clipper& chosen);
+    void paintMarkers();
+    app::Comparison wanted() const;
+    void ask();
+    void swap();
+    void follow();
+    void paintSummary();
+    void showRow(int row);
+    void choose(int row);
+
+    app::Session& session_;
+    DifferenceModel model_;
+    QComboBox *a_, *b_;
+    QSpinBox* ulps_;
+    QLabel *tick_, *summary_, *explanation_;
+    DenseTable* table_;
+    QLabel* nothing_; ///< where the table is otherwise
+    bool following_ = false;
+};
+
+} // namespace ui

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/dense_table.h"
+
+#include "ui/look.h"
+#include "ui/widgets/tabular.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int gap = 8; // at both sides of a text
+
+QRect textIn(const QRect& cell, bool first)
+{
+    return cell.adjusted(first ? space::dockMargin : gap, 0, -gap, 0);
+}
+
+class Header : public QHeaderView {
+public:
+    explicit Header(QWidget* parent) : QHeaderView(Qt::Horizontal, parent)
+    {
+        setSectionsClickable(true);
+        setHighlightSections(false);
+        setSortIndicatorShown(true);
+        setMinimumSectionSize(24);
+        setFont(captionFont(font()));
+    }
+
+    QSize sizeHint() const override
+    {
+        return {QHeaderView::sizeHint().width(), space::dockTitleHeight};
+    }
+
+protected:
+    void paintSection(QPainter* painter, const QRect& rect, int section) const override
+    {
+        const Look& look = lookOf(palette());
+        const bool sorts = section == sortIndicatorSection();
+        QString text = model()->headerData(section, Qt::Horizontal).toString();
+        if (sorts)
+            text += sortIndicatorOrder() == Qt::AscendingOrder ? QStringLiteral(" ▴")
+                                                               : QStringLiteral(" ▾");
+        const int side =
+            model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).toInt();
+        const QRect place = textIn(rect, visualIndex(section) == 0);
+        painter->fillRect(rect, look.panel);
+        painter->fillRect(rect.left(), rect.bottom(), rect.width(), 1, look.rule);
+        painter->setFont(font());
+        painter->setPen(sorts ? look.text : look.muted);
+        painter->drawText(place, side,
+                          QFontMetrics(font()).elidedText(text, Qt::ElideRight, place.width()));
+    }
+};
+
+class Cells : public QStyledItemDelegate {
+public:
+    explicit Cells(const DenseTable& table, QObject* parent)
+        : QStyledItemDelegate(parent), table_(table)
+    {
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const Look& look = lookOf(option.palette);
+        const bool first = table_.horizontalHeader()->visualIndex(index.column()) == 0;
+        paintGround(*painter, option, index, first);
+        painter->setFont(option.font);
+        painter->setPen(look.text);
+        const QRect place = textIn(option.rect, first);
+        const QString text =
+            QFontMetrics(option.font)
+                .elidedText(index.data().toString(), Qt::ElideRight, place.width());
+        drawTabular(*painter, place, Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt()),
+                    text);
+    }
+
+private:
+    // The whole row has one ground, and one ring while the table has the focus.
+    void paintGround(QPainter& painter, const QStyleOptionViewItem& option,
+                     const QModelIndex& index, bool first) const
+    {
+        const Look& look = lookOf(option.palette);
+        const bool chosen = option.state & QStyle::State_Selected;
+        const QRect r = option.rect;
+        if (chosen || table_.hoveredRow() == index.row())
+            painter.fillRect(r, chosen ? look.tint : look.hover);
+        if (chosen && first)
+            painter.fillRect(r.left(), r.top(), 3, r.height(), look.selection);
+        if (chosen && table_.hasFocus()) {
+            painter.fillRect(r.left(), r.top(), r.width(), 1, look.selection);
+            painter.fillRect(r.left(), r.bottom(), r.width(), 1, look.selection);
+        }
+    }
+
+    const DenseTable& table_;
+};
+
+} // namespace
+
+DenseTable::DenseTable(QWidget* parent) : QTableView(parent)
+{
+    setHorizontalHeader(new Header(this));
+    setItemDelegate(new Cells(*this, this));
+    setFont(captionFont(font()));
+    setFrameShape(QFrame::NoFrame);
+    setShowGrid(false);
+    setWordWrap(false);
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(SingleSelection);
+    setTabKeyNavigation(false);
+    setVerticalScrollMode(ScrollPerItem);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setMouseTracking(true);
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(space::denseRowHeight);
+    verticalHeader()->setDefaultSectionSize(space::denseRowHeight);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    viewport()->setAutoFillBackground(false);
+}
+
+bool DenseTable::viewportEvent(QEvent* event)
+{
+    if (event->type() == QEvent::MouseMove)
+        hover(rowAt(static_cast<QMouseEvent*>(event)->position().toPoint().y()));
+    if (event->type() == QEvent::Leave)
+        hover(-1);
+    return QTableView::viewportEvent(event);
+}
+
+void DenseTable::hover(int row)
+{
+    if (row == hovered_)
+        return;
+    hovered_ = row;
+    viewport()->update();
+}
+
+} // namespace ui
