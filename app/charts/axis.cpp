@@ -8,38 +8,70 @@
 namespace app {
 namespace {
 
-void take(std::vector<double>&, const std::monostate&) {}
+/// What has to find a place: all of it, and the bars alone.
+struct Values {
+    std::vector<double> all, bars;
+};
 
-void take(std::vector<double>& values, const Bar& bar)
+void take(Values&, const std::monostate&) {}
+
+void take(Values& values, const Bar& bar)
 {
-    values.push_back(bar.length());
+    values.bars.push_back(bar.length());
+    values.all.push_back(bar.length());
     if (bar.whiskers)
-        values.insert(values.end(), {bar.whiskers->low, bar.whiskers->high});
+        values.all.insert(values.all.end(), {bar.whiskers->low, bar.whiskers->high});
 }
 
-void take(std::vector<double>& values, const Box& box)
+void take(Values& values, const Box& box)
 {
-    values.insert(values.end(), {box.whiskers.low, box.whiskers.high});
-    values.insert(values.end(), box.outliers.begin(), box.outliers.end());
+    values.all.insert(values.all.end(), {box.whiskers.low, box.whiskers.high});
+    values.all.insert(values.all.end(), box.outliers.begin(), box.outliers.end());
 }
 
-/// All that has to find a place.
-Interval reachOf(const Chart& chart)
+Values valuesOf(const Chart& chart, std::size_t panel)
 {
-    std::vector<double> values;
-    if (chart.reference)
-        values.push_back(*chart.reference);
+    Values values;
     for (const ChartRow& row : chart.rows) {
-        for (const Figure& figure : row.figures)
-            std::visit([&](const auto& f) { take(values, f); }, figure);
-        if (row.other)
-            values.push_back(*row.other);
+        for (std::size_t p = 0; p < row.figures.size(); ++p)
+            if (p == panel || chart.oneScale)
+                std::visit([&](const auto& f) { take(values, f); }, row.figures[p]);
+        if (row.other && (panel == 0 || chart.oneScale))
+            values.all.push_back(*row.other);
     }
-    std::erase_if(values, [](double x) { return !std::isfinite(x); });
-    if (values.empty())
+    if (chart.reference)
+        values.all.push_back(*chart.reference);
+    std::erase_if(values.all, [](double x) { return !std::isfinite(x); });
+    return values;
+}
+
+/// Beyond which a bar is broken: nothing, if none is far longer than most.
+std::optional<double> limitOf(std::vector<double> bars)
+{
+    constexpr double far = 4; // medians
+    if (bars.empty())
+        return std::nullopt;
+    std::ranges::sort(bars);
+    const double limit = far * bars[bars.size() / 2];
+    const auto broken = std::ranges::count_if(bars, [&](double x) { return x > limit; });
+    const bool few = std::size_t(broken) * 5 <= bars.size();
+    return limit > 0 && broken > 0 && few ? std::optional(limit) : std::nullopt;
+}
+
+/// All that is shown in full, and some room beyond it.
+Interval rangeOf(const Chart& chart, std::size_t panel)
+{
+    Values values = valuesOf(chart, panel);
+    const auto limit = limitOf(values.bars);
+    if (limit)
+        std::erase_if(values.all, [&](double x) { return x > *limit; });
+    if (values.all.empty())
         return {0, 1};
-    const auto [low, high] = std::ranges::minmax(values);
-    return {chart.fromZero ? std::min(low, 0.0) : low, high};
+    const bool fromZero = chart.panels[panel].fromZero;
+    const auto [least, most] = std::ranges::minmax(values.all);
+    const double low = fromZero ? std::min(least, 0.0) : least,
+                 size = most > low ? most - low : std::max(std::abs(low), 1.0);
+    return {fromZero ? low : low - size * 0.03, low + size * (limit ? 1.2 : 1.03)};
 }
 
 /// 1, 2, 2.5 or 5 times a power of ten, and the decimals that its multiples need.
@@ -56,19 +88,23 @@ std::pair<double, int> roundStep(double atLeast)
 
 } // namespace
 
-Axis axisOf(const Chart& chart, int ticks)
+Axis axisOf(const Chart& chart, std::size_t panel, int ticks)
 {
-    Interval range = reachOf(chart);
-    const double size = range.high > range.low ? range.high - range.low : 1;
-    range.high = range.low + size * 1.03;
-    if (!chart.fromZero)
-        range.low -= size * 0.03;
-    const auto [step, decimals] = roundStep((range.high - range.low) / std::max(ticks, 1));
+    const Interval range = rangeOf(chart, panel);
+    const auto [step, decimals] = roundStep((range.high - range.low) / std::max(ticks, 2));
     Axis axis{range, {}, decimals};
     const double first = std::ceil(range.low / step - 1e-9);
     for (int i = 0; (first + i) * step <= range.high; ++i)
         axis.ticks.push_back((first + i) * step);
     return axis;
+}
+
+bool isBroken(const Chart& chart)
+{
+    for (std::size_t p = 0; p < chart.panels.size(); ++p)
+        if (limitOf(valuesOf(chart, p).bars))
+            return true;
+    return false;
 }
 
 } // namespace app

@@ -12,8 +12,11 @@ struct Axis {
     int decimals;              ///< that they need
 };
 
-/// The axis of all of a chart's panels: bars start at zero and nothing goes beyond its ends. Not
-/// more than about `ticks` marks.
-Axis axisOf(const Chart& chart, int ticks);
+/// The axis of a panel with some `ticks` marks. Bars start at zero. Where a few of them would
+/// leave no room for all the others, the axis ends before theirs do.
+Axis axisOf(const Chart& chart, std::size_t panel, int ticks);
+
+/// Whether that is so in any panel.
+bool isBroken(const Chart& chart);
 
 } // namespace app

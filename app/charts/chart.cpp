@@ -44,6 +44,8 @@ Box boxOf(std::span<const double> numbers)
 QString textOf(const Chart& chart)
 {
     QStringList lines(chart.title);
+    if (!chart.subtitle.isEmpty())
+        lines << chart.subtitle;
     for (const ChartRow& row : chart.rows)
         lines << QString(row.detail).replace(u'\n', QStringLiteral("; "));
     for (const Tie& tie : chart.ties) {

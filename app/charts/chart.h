@@ -11,7 +11,7 @@
 namespace app {
 
 // A chart as plain data: a row a contestant, from the top down, with bars or boxes in one panel or
-// in several side by side, all on one axis. chart_paint.h paints it, chart_file.h writes it.
+// in several side by side. chart_paint.h paints it, chart_file.h writes it.
 
 /// A bar from zero, of parts one after the other. The n-th part has the n-th pattern
 /// (pattern.h); the first is solid.
@@ -63,17 +63,23 @@ struct LegendEntry {
     QString text;
 };
 
+struct Panel {
+    QString heading{};
+    QString unit{};       ///< of its axis: "nanoseconds a line"
+    bool fromZero = true; ///< boxes may leave zero out
+};
+
 struct Chart {
-    QString key;   ///< of its file's name: "table1-clip"
-    QString title; ///< "Clipping time, fastest = 1"
+    QString key;        ///< of its file's name: "table1-clip"
+    QString title;      ///< "Clipping only, fastest = 1"
+    QString subtitle{}; ///< "Scene “Long”, 1,000,000 lines"
     std::vector<LegendEntry> legend{};
-    std::vector<QString> panels{QString()}; ///< their headings; one at least
-    QStringList columns{};                  ///< headings of the numbers at the right
+    std::vector<Panel> panels{Panel{}}; ///< one at least
+    bool oneScale = true;               ///< of all panels
+    QStringList columns{};              ///< headings of the numbers at the right
     std::vector<ChartRow> rows;
     std::vector<Tie> ties{};           ///< apart from each other
     std::optional<double> reference{}; ///< a line through all rows, such as 1
-    QString unit{};                    ///< of the axis: "nanoseconds a line"
-    bool fromZero = true;              ///< boxes may leave zero out
     QStringList notes{};               ///< sentences below
 };
 

@@ -50,7 +50,10 @@ std::optional<QString> writeSvg(const Chart& chart, const ChartLook& look, const
     QPainter painter(&generator);
     paintPage(painter, chart, look, size);
     painter.end();
-    return written(out, buffer.data());
+    QByteArray bytes = buffer.data(); // for who has not got the font
+    bytes.replace("font-family=\"" + look.font.family().toUtf8() + '"',
+                  "font-family=\"" + look.font.family().toUtf8() + ", sans-serif\"");
+    return written(out, bytes);
 }
 
 std::optional<QString> writePdf(const Chart& chart, const ChartLook& look, const QSizeF& size,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace app {
 namespace {
@@ -23,24 +24,31 @@ struct Widths {
     std::vector<double> columns;
 };
 
-/// The heights of a row: at ease, and at least.
-struct Pitch {
-    double natural, least;
-};
+constexpr double squeezed = 0.67; // of a row's natural height, at least
+
+double unitOf(const ChartLook& look) { return look.font.pixelSize() / 13.0; }
 
 double widest(const QFontMetricsF& metrics, const QString& text, double so)
 {
     return std::max(so, metrics.horizontalAdvance(text));
 }
 
-bool hasLane(const Chart& chart)
+/// A row with a marker below its bar is higher.
+double naturalHeight(const ChartRow& row, double unit) { return (row.other ? 38 : 26) * unit; }
+
+double naturalHeight(const Chart& chart, double unit)
 {
-    return std::ranges::any_of(chart.rows, [](const ChartRow& row) { return row.other.has_value(); });
+    return std::accumulate(
+        chart.rows.begin(), chart.rows.end(), 0.0,
+        [unit](double sum, const ChartRow& row) { return sum + naturalHeight(row, unit); });
 }
 
-Pitch pitchOf(const Chart& chart, double unit)
+double wrappedHeight(const QFont& font, const QString& text, double width)
 {
-    return hasLane(chart) ? Pitch{38 * unit, 26 * unit} : Pitch{26 * unit, 17 * unit};
+    return text.isEmpty() ? 0
+                          : QFontMetricsF(font)
+                                .boundingRect(QRectF(0, 0, width, 1e6), Qt::TextWordWrap, text)
+                                .height();
 }
 
 double endTextWidth(const QFontMetricsF& metrics, const ChartRow& row)
@@ -56,8 +64,8 @@ Widths widthsOf(const Chart& chart, const ChartLook& look, double unit)
 {
     const QFontMetricsF bold(semiBoldFont(look)), caption(captionFont(look));
     Widths widths;
-    for (qsizetype c = 0; c < chart.columns.size(); ++c)
-        widths.columns.push_back(caption.horizontalAdvance(chart.columns[c]));
+    for (const QString& column : chart.columns)
+        widths.columns.push_back(caption.horizontalAdvance(column));
     for (const ChartRow& row : chart.rows) {
         const double name = bold.horizontalAdvance(row.name);
         widths.name = std::max(widths.name, name);
@@ -74,9 +82,9 @@ Widths widthsOf(const Chart& chart, const ChartLook& look, double unit)
     return widths;
 }
 
-/// Places everything from left to right; the panels may come out with no width.
-void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const Widths& widths,
-                 const Shown& shown)
+/// What is left of the panels; their left.
+double placeNames(ChartLayout& layout, const Chart& chart, const QRectF& area, const Widths& widths,
+                  const Shown& shown)
 {
     const double u = layout.unit;
     layout.notes = shown.notes;
@@ -85,40 +93,57 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
         std::ranges::any_of(chart.rows, [](const ChartRow& row) { return row.algorithm; });
     layout.nameLeft = area.left() + (marks ? 20 * u : 0);
     const double name = shown.notes ? std::max(widths.name, widths.note) : widths.name;
-    layout.nameRight = layout.nameLeft + std::min(name, area.width() * 0.4);
-    layout.valueRight =
-        layout.nameRight + (shown.values && widths.value > 0 ? widths.value + 10 * u : 0);
+    layout.nameRight = layout.nameLeft + std::min(name + 1, area.width() * 0.4);
+    const bool values = shown.values && widths.value > 0;
+    layout.valueRight = layout.nameRight + (values ? widths.value + 10 * u : 0);
+    return std::round(layout.valueRight + 8 * u);
+}
+
+/// What is right of the panels, brackets after the first column; their right.
+double placeColumns(ChartLayout& layout, const QRectF& area, const Widths& widths,
+                    const Shown& shown)
+{
+    const double u = layout.unit;
     double right = area.right();
     layout.columnRights.assign(std::size_t(shown.columns), 0);
-    for (std::size_t c = layout.columnRights.size(); c-- > 0;) {
-        if (c == 0 && widths.tie > 0) {
-            layout.bracket = right - widths.tie;
-            right = layout.bracket - 6 * u;
-        }
+    for (auto c = std::size_t(shown.columns); c-- > 1;) {
         layout.columnRights[c] = right;
         right -= widths.columns[c] + 16 * u;
     }
-    if (shown.columns == 0 && widths.tie > 0) {
+    if (widths.tie > 0) {
         layout.bracket = right - widths.tie;
         right = layout.bracket - 6 * u;
     }
-    const double left = layout.valueRight + 8 * u, gap = 16 * u,
+    if (shown.columns > 0) {
+        layout.columnRights[0] = right;
+        right -= widths.columns[0] + 16 * u;
+    }
+    return right;
+}
+
+void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const Widths& widths,
+                 const Shown& shown)
+{
+    const double u = layout.unit, left = placeNames(layout, chart, area, widths, shown),
+                 right = placeColumns(layout, area, widths, shown), gap = 16 * u,
                  end = widths.end > 0 ? widths.end + 4 * u : 0;
     const auto count = double(chart.panels.size());
     const double width = (right - left - (count - 1) * gap) / count;
+    layout.headingWidth = width + gap / 2;
     layout.panels.clear();
-    for (std::size_t p = 0; p < chart.panels.size(); ++p)
-        layout.panels.emplace_back(left + double(p) * (width + gap), 0, width - end, 0);
+    for (double p = 0; p < count; ++p)
+        layout.panels.emplace_back(left + p * (width + gap), 0, std::max(width - end, 1.0), 0);
 }
 
+/// Leaves out as little as it takes for the panels to be worth looking at.
 void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const Widths widths = widthsOf(chart, look, layout.unit);
-    const qsizetype all = chart.columns.size();
-    const double enough = (chart.panels.size() == 1 ? 200 : 56) * layout.unit;
+    const qsizetype all = chart.columns.size(), one = std::min(all, qsizetype(1));
+    const double enough = (chart.panels.size() == 1 ? 190 : 56) * layout.unit;
     for (const Shown& shown :
          {Shown{true, true, all}, Shown{false, true, all}, Shown{false, false, all},
-          Shown{false, false, std::min(all, qsizetype(1))}, Shown{false, false, 0}}) {
+          Shown{false, false, one}, Shown{false, false, 0}}) {
         placeAcross(layout, chart, area, widths, shown);
         if (layout.panels.front().width() >= enough)
             return;
@@ -129,101 +154,99 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
 double placeLegend(ChartLayout& layout, const Chart& chart, const QRectF& area, double top,
                    const ChartLook& look)
 {
-    const QFontMetricsF caption(captionFont(look));
+    const QFont caption = captionFont(look);
     const double u = layout.unit, line = 20 * u;
-    double x = area.left(), y = top;
+    double x = area.left(), y = top, height = line;
     for (const LegendEntry& entry : chart.legend) {
-        const double symbol = std::holds_alternative<LegendMark>(entry.symbol) ? 12 * u : 22 * u;
-        const double text = caption.horizontalAdvance(entry.text) + 1,
-                     width = symbol + 6 * u + text;
-        if (x > area.left() && x + width > area.right()) {
+        const double symbol =
+            (std::holds_alternative<LegendMark>(entry.symbol) ? 12 : 22) * u + 6 * u;
+        const double text = QFontMetricsF(caption).horizontalAdvance(entry.text) + 1;
+        if (x > area.left() && x + symbol + text > area.right()) {
             x = area.left();
-            y += line;
+            y += height;
         }
-        layout.legend.push_back(
-            {{x, y, symbol, line},
-             {x + symbol + 6 * u, y, std::min(text, area.right() - x - symbol - 6 * u), line}});
-        x += width + 18 * u;
+        const double room = std::min(text, area.right() - x - symbol);
+        height = std::max(line, wrappedHeight(caption, entry.text, room) + 4 * u);
+        layout.legend.push_back({{x, y, symbol - 6 * u, line}, {x + symbol, y, room, height}});
+        x += symbol + text + 18 * u;
     }
-    return chart.legend.empty() ? top : y + line + 2 * u;
+    return chart.legend.empty() ? top : y + height + 2 * u;
 }
 
-bool hasHeadings(const Chart& chart)
+double headingsHeight(const ChartLayout& layout, const Chart& chart, const ChartLook& look)
 {
-    return !chart.columns.isEmpty()
-           || std::ranges::any_of(chart.panels, [](const QString& p) { return !p.isEmpty(); });
+    double height = layout.columnRights.empty() ? 0 : 18 * layout.unit;
+    for (const Panel& panel : chart.panels)
+        height =
+            std::max(height, wrappedHeight(captionFont(look), panel.heading, layout.headingWidth));
+    return height;
 }
 
 /// What lies above the rows; their top.
 double placeHead(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
-    const double u = layout.unit;
+    const double u = layout.unit, width = area.width();
     double y = area.top();
     if (!chart.title.isEmpty()) {
-        const double height =
-            QFontMetricsF(semiBoldFont(look))
-                .boundingRect(QRectF(0, 0, area.width(), 1e6), Qt::TextWordWrap, chart.title)
-                .height();
-        layout.title = {area.left(), y, area.width(), height};
-        y += height + 3 * u;
+        layout.title = {area.left(), y, width,
+                        wrappedHeight(semiBoldFont(look), chart.title, width)};
+        y = layout.title.bottom() + 1 * u;
     }
-    y = placeLegend(layout, chart, area, y, look);
-    if (hasHeadings(chart)) {
-        layout.headings = {area.left(), y, area.width(), 20 * u};
-        y = layout.headings.bottom();
+    if (!chart.subtitle.isEmpty()) {
+        layout.subtitle = {area.left(), y, width,
+                           wrappedHeight(captionFont(look), chart.subtitle, width)};
+        y = layout.subtitle.bottom();
     }
-    return y + 4 * u;
+    y = placeLegend(layout, chart, area, y + 3 * u, look);
+    layout.headings = {area.left(), y, width, headingsHeight(layout, chart, look)};
+    return std::ceil(layout.headings.bottom() + 4 * u);
 }
 
 /// What lies below the rows, as if they ended at 0.
 void placeFoot(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const double u = layout.unit;
-    layout.ticks = {area.left(), 5 * u, area.width(), 18 * u};
-    double y = layout.ticks.bottom();
-    if (!chart.unit.isEmpty()) {
-        layout.unitText = {area.left(), y, area.width(), 18 * u};
-        y = layout.unitText.bottom();
-    }
-    layout.sentences = {area.left(), y, area.width(), 0};
-    if (chart.notes.isEmpty())
-        return;
-    const double height = QFontMetricsF(captionFont(look))
-                              .boundingRect(QRectF(0, 0, area.width(), 1e6), Qt::TextWordWrap,
-                                            chart.notes.join(u'\n'))
-                              .height();
-    layout.sentences = {area.left(), y + 6 * u, area.width(), height};
+    const bool units =
+        std::ranges::any_of(chart.panels, [](const Panel& p) { return !p.unit.isEmpty(); });
+    layout.ticks = {area.left(), 4 * u, area.width(), 18 * u};
+    layout.units = {area.left(), layout.ticks.bottom(), area.width(), units ? 18 * u : 0};
+    const double height =
+        wrappedHeight(captionFont(look), sentencesOf(chart).join(u'\n'), area.width());
+    layout.sentences = {area.left(), layout.units.bottom() + (height > 0 ? 6 * u : 0), area.width(),
+                        height};
 }
 
 void placeRows(ChartLayout& layout, const Chart& chart, const QRectF& area, double top,
-               double pitch)
+               double stretch)
 {
     const double u = layout.unit;
-    for (std::size_t r = 0; r < chart.rows.size(); ++r)
-        layout.rows.emplace_back(area.left(), top + double(r) * pitch, area.width(), pitch);
-    const bool lane = hasLane(chart);
-    layout.thickness = std::min(lane ? pitch * 0.37 : pitch * 0.6, 15 * u);
-    layout.barMiddle = lane ? pitch * 0.32 : pitch / 2;
-    layout.laneMiddle = pitch * 0.74;
-    const double bottom = top + double(chart.rows.size()) * pitch;
+    double y = top;
+    for (const ChartRow& row : chart.rows) { // on whole pixels, or their edges are soft
+        const double next = std::round(y + naturalHeight(row, u) * stretch);
+        layout.rows.emplace_back(area.left(), y, area.width(), next - y);
+        y = next;
+    }
+    layout.thickness = 2 * std::round(7 * u * std::min(stretch, 1.1));
+    layout.barMiddle = std::round(13 * u * stretch);
+    layout.laneMiddle = layout.barMiddle + layout.thickness / 2 + 9 * u * stretch;
     for (QRectF& panel : layout.panels) {
         panel.setTop(top);
-        panel.setBottom(bottom);
+        panel.setBottom(y);
     }
-    for (QRectF* below : {&layout.ticks, &layout.unitText, &layout.sentences})
-        below->translate(0, bottom);
+    for (QRectF* below : {&layout.ticks, &layout.units, &layout.sentences})
+        below->translate(0, y);
 }
 
-double unitOf(const ChartLook& look) { return look.font.pixelSize() / 13.0; }
-
-double heightFor(const Chart& chart, double width, const ChartLook& look, double pitch)
+double heightFor(const Chart& chart, double width, const ChartLook& look, double stretch)
 {
     ChartLayout layout{};
     layout.unit = unitOf(look);
     const QRectF area(0, 0, width, 0);
+    placeAcross(layout, chart, area, look);
     const double top = placeHead(layout, chart, area, look);
     placeFoot(layout, chart, area, look);
-    return top + double(chart.rows.size()) * pitch + layout.sentences.bottom();
+    placeRows(layout, chart, area, top, stretch);
+    return std::ceil(layout.bottom());
 }
 
 } // namespace
@@ -231,7 +254,8 @@ double heightFor(const Chart& chart, double width, const ChartLook& look, double
 double ChartLayout::x(std::size_t panel, double value) const
 {
     const QRectF& p = panels[panel];
-    return p.left() + p.width() * (value - axis.range.low) / (axis.range.high - axis.range.low);
+    const Interval& range = axes[panel].range;
+    return p.left() + p.width() * (value - range.low) / (range.high - range.low);
 }
 
 ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& look)
@@ -241,23 +265,31 @@ ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& lo
     placeAcross(layout, chart, area, look);
     const double top = placeHead(layout, chart, area, look);
     placeFoot(layout, chart, area, look);
-    const Pitch pitch = pitchOf(chart, layout.unit);
     const double room = area.bottom() - top - layout.sentences.bottom(),
-                 count = std::max(double(chart.rows.size()), 1.0);
-    placeRows(layout, chart, area, top,
-              std::clamp(room / count, pitch.least, pitch.natural * 1.15));
-    layout.axis = axisOf(chart, int(layout.panels.front().width() / (54 * layout.unit)));
+                 natural = std::max(naturalHeight(chart, layout.unit), 1.0);
+    placeRows(layout, chart, area, top, std::clamp(room / natural, squeezed, 1.15));
+    for (std::size_t p = 0; p < chart.panels.size(); ++p)
+        layout.axes.push_back(axisOf(chart, p, int(layout.panels[p].width() / (54 * layout.unit))));
     return layout;
+}
+
+QStringList sentencesOf(const Chart& chart)
+{
+    QStringList sentences = chart.notes;
+    if (isBroken(chart))
+        sentences << QCoreApplication::translate("Charts",
+                                                 "A bar with a gap is longer than the axis.");
+    return sentences;
 }
 
 double naturalHeight(const Chart& chart, double width, const ChartLook& look)
 {
-    return heightFor(chart, width, look, pitchOf(chart, unitOf(look)).natural);
+    return heightFor(chart, width, look, 1);
 }
 
 double leastHeight(const Chart& chart, double width, const ChartLook& look)
 {
-    return heightFor(chart, width, look, pitchOf(chart, unitOf(look)).least);
+    return heightFor(chart, width, look, squeezed);
 }
 
 QFont semiBoldFont(const ChartLook& look)

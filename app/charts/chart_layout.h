@@ -12,24 +12,25 @@ namespace app {
 /// first notes beside names, then values, then columns of numbers.
 struct ChartLayout {
     double unit; ///< size of a logical pixel
-    QRectF title;
+    QRectF title, subtitle;
     struct LegendPlace {
         QRectF symbol, text;
     };
     std::vector<LegendPlace> legend; ///< one an entry
-    QRectF headings;                 ///< a line; empty if nothing has a heading
-    bool notes, values;              ///< whether they are shown
+    QRectF headings;     ///< some lines, on the last of which they end; empty if there are none
+    double headingWidth; ///< of a panel: over what stands at the ends of its bars too
+    bool notes, values;  ///< whether they are shown
     double nameLeft, nameRight, valueRight;
-    std::vector<QRectF> rows;     ///< over the whole width; they touch
-    double barMiddle, laneMiddle; ///< below the top of a row
-    double thickness;             ///< of a bar
-    std::vector<QRectF> panels;   ///< over all rows, without the text at the ends of bars
-    std::vector<double> columnRights;
-    double bracket;   ///< left of the brackets of ties
-    QRectF ticks;     ///< a line
-    QRectF unitText;  ///< a line; empty without a unit
-    QRectF sentences; ///< the chart's notes
-    Axis axis;
+    std::vector<QRectF> rows;         ///< over the whole width; they touch
+    double barMiddle, laneMiddle;     ///< below the top of a row
+    double thickness;                 ///< of a bar
+    std::vector<QRectF> panels;       ///< over all rows, without the text at the ends of bars
+    std::vector<double> columnRights; ///< of those that are shown
+    double bracket;                   ///< left of the brackets of ties
+    QRectF ticks;                     ///< a line
+    QRectF units;                     ///< a line; empty without units
+    QRectF sentences;                 ///< what sentencesOf says
+    std::vector<Axis> axes;           ///< one a panel
 
     double x(std::size_t panel, double value) const;
     double bottom() const { return sentences.bottom(); }
@@ -37,7 +38,10 @@ struct ChartLayout {
 
 ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& look);
 
-/// The height in which nothing is squeezed, and the one below which rows overlap.
+/// The chart's notes, and what its layout adds to them.
+QStringList sentencesOf(const Chart& chart);
+
+/// The height in which nothing is squeezed, and the least one.
 double naturalHeight(const Chart& chart, double width, const ChartLook& look);
 double leastHeight(const Chart& chart, double width, const ChartLook& look);
 

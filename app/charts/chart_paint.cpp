@@ -45,14 +45,6 @@ QRectF around(double left, double right, double middle, double unit)
     return {left, middle - 10 * unit, right - left, 20 * unit};
 }
 
-/// The marker that stands for all of them.
-const clipping::Algorithm* sampleOf(const Chart& chart)
-{
-    const auto found = std::ranges::find_if(
-        chart.rows, [](const ChartRow& row) { return row.algorithm && row.other.has_value(); });
-    return found == chart.rows.end() ? &clipping::exactAlgorithm() : found->algorithm;
-}
-
 void paintSymbol(const Canvas& c, const QRectF& area, const LegendBar& bar)
 {
     const double height = 10 * c.layout.unit;
@@ -63,8 +55,10 @@ void paintSymbol(const Canvas& c, const QRectF& area, const LegendBar& bar)
 void paintSymbol(const Canvas& c, const QRectF& area, const LegendMark&)
 {
     const double size = 12 * c.layout.unit;
-    paintMarker(c.painter, {area.left(), area.center().y() - size / 2, size, size},
-                *sampleOf(c.chart), clipping::Form::Published, c.look.ground);
+    QPainterPath disc;
+    disc.addEllipse(QPointF(), 0.9, 0.9);
+    paintMarker(c.painter, {area.left(), area.center().y() - size / 2, size, size}, disc,
+                clipping::Form::Published, c.look.muted);
 }
 
 void paintSymbol(const Canvas& c, const QRectF& area, const LegendBox&)
@@ -76,51 +70,76 @@ void paintSymbol(const Canvas& c, const QRectF& area, const LegendBox&)
 
 void paintHead(const Canvas& c)
 {
-    c.text(c.layout.title, Qt::TextWordWrap, semiBoldFont(c.look), c.look.text, c.chart.title);
     const QFont caption = captionFont(c.look);
+    c.text(c.layout.title, Qt::TextWordWrap, semiBoldFont(c.look), c.look.text, c.chart.title);
+    c.text(c.layout.subtitle, Qt::TextWordWrap, caption, c.look.muted, c.chart.subtitle);
     for (std::size_t i = 0; i < c.chart.legend.size(); ++i) {
         const auto& place = c.layout.legend[i];
         std::visit([&](const auto& symbol) { paintSymbol(c, place.symbol, symbol); },
                    c.chart.legend[i].symbol);
-        c.line(place.text, Qt::AlignLeft, caption, c.look.muted, c.chart.legend[i].text);
+        c.text(place.text, Qt::TextWordWrap | Qt::AlignVCenter, caption, c.look.muted,
+               c.chart.legend[i].text);
     }
-    const QRectF& line = c.layout.headings;
-    for (std::size_t p = 0; p < c.chart.panels.size(); ++p)
-        c.line(
-            {c.layout.panels[p].left(), line.top(), c.layout.panels[p].width() + 40, line.height()},
-            Qt::AlignLeft, caption, c.look.muted, c.chart.panels[p]);
-    for (std::size_t i = 0; i < c.layout.columnRights.size(); ++i)
-        c.line({line.left(), line.top(), c.layout.columnRights[i] - line.left(), line.height()},
-               Qt::AlignRight, caption, c.look.muted, c.chart.columns[qsizetype(i)]);
 }
 
-void paintGrid(const Canvas& c)
+void paintHeadings(const Canvas& c)
+{
+    const QFont caption = captionFont(c.look);
+    const QRectF& lines = c.layout.headings;
+    for (std::size_t p = 0; p < c.chart.panels.size(); ++p) {
+        c.text({c.layout.panels[p].left(), lines.top(), c.layout.headingWidth, lines.height()},
+               Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, caption, c.look.muted,
+               c.chart.panels[p].heading);
+    }
+    for (std::size_t i = 0; i < c.layout.columnRights.size(); ++i)
+        c.text({lines.left(), lines.top(), c.layout.columnRights[i] - lines.left(), lines.height()},
+               Qt::AlignRight | Qt::AlignBottom, caption, c.look.muted,
+               c.chart.columns[qsizetype(i)]);
+}
+
+void paintAxis(const Canvas& c, std::size_t p)
 {
     const double u = c.layout.unit;
-    for (std::size_t p = 0; p < c.layout.panels.size(); ++p) {
-        const QRectF& panel = c.layout.panels[p];
-        for (const double tick : c.layout.axis.ticks) {
-            const double x = c.layout.x(p, tick);
-            c.painter.setPen(QPen(c.look.rule, u));
-            c.painter.drawLine(QPointF(x, panel.top()), QPointF(x, panel.bottom()));
-            c.text({x - 100 * u, panel.bottom() + 5 * u, 200 * u, 18 * u}, Qt::AlignHCenter,
-                   captionFont(c.look), c.look.muted, numberText(tick, c.layout.axis.decimals));
-        }
+    const QRectF &panel = c.layout.panels[p], &line = c.layout.ticks;
+    const Axis& axis = c.layout.axes[p];
+    for (const double tick : axis.ticks) {
+        const double x = c.layout.x(p, tick);
+        c.painter.setRenderHint(QPainter::Antialiasing, false); // one sharp pixel
+        c.painter.setPen(QPen(c.look.rule, u));
+        c.painter.drawLine(QPointF(x, panel.top()), QPointF(x, panel.bottom()));
+        c.painter.setRenderHint(QPainter::Antialiasing);
+        c.text({x - 100 * u, line.top(), 200 * u, line.height()}, Qt::AlignHCenter,
+               captionFont(c.look), c.look.muted, numberText(tick, axis.decimals));
     }
-    const QRectF& first = c.layout.panels.front();
-    c.line({first.left(), c.layout.unitText.top(), c.layout.panels.back().right() - first.left(),
-            c.layout.unitText.height()},
-           Qt::AlignHCenter, captionFont(c.look), c.look.muted, c.chart.unit);
+}
+
+void paintUnit(const Canvas& c, std::size_t p)
+{
+    const std::size_t last = c.chart.oneScale ? c.layout.panels.size() - 1 : p;
+    const double left = c.layout.panels[p].left(), right = c.layout.panels[last].right(),
+                 middle = (left + right) / 2, half = std::max((right - left) / 2, 300.0);
+    c.text({middle - half, c.layout.units.top(), 2 * half, c.layout.units.height()},
+           Qt::AlignHCenter, captionFont(c.look), c.look.muted, c.chart.panels[p].unit);
+}
+
+void paintFrame(const Canvas& c)
+{
+    paintHead(c);
+    paintHeadings(c);
+    for (std::size_t p = 0; p < c.layout.panels.size(); ++p) {
+        paintAxis(c, p);
+        if (p == 0 || !c.chart.oneScale)
+            paintUnit(c, p);
+    }
     c.text(c.layout.sentences, Qt::TextWordWrap, captionFont(c.look), c.look.muted,
-           c.chart.notes.join(u'\n'));
+           sentencesOf(c.chart).join(u'\n'));
 }
 
 void paintReference(const Canvas& c)
 {
     if (!c.chart.reference)
         return;
-    c.painter.setPen(QPen(c.look.muted, 1.2 * c.layout.unit, Qt::CustomDashLine, Qt::FlatCap));
-    QPen pen = c.painter.pen();
+    QPen pen(c.look.muted, 1.2 * c.layout.unit, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({2, 2.5});
     c.painter.setPen(pen);
     for (std::size_t p = 0; p < c.layout.panels.size(); ++p) {
@@ -203,8 +222,7 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Char
     const Canvas canvas{painter, chart, look, layout};
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    paintHead(canvas);
-    paintGrid(canvas);
+    paintFrame(canvas);
     for (std::size_t r = 0; r < chart.rows.size(); ++r)
         paintRow(canvas, r);
     paintReference(canvas);
@@ -226,7 +244,7 @@ std::optional<ChartHit> hitAt(const QPointF& point, const QRectF& area, const Ch
     for (std::size_t p = 0; p < layout.panels.size(); ++p)
         if (const QRectF& panel = layout.panels[p];
             panel.left() <= point.x() && point.x() <= panel.right()) {
-            const Interval& range = layout.axis.range;
+            const Interval& range = layout.axes[p].range;
             hit.panel = p;
             hit.value =
                 std::lerp(range.low, range.high, (point.x() - panel.left()) / panel.width());

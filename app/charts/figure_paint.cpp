@@ -17,21 +17,42 @@ QPen flatPen(const QColor& colour, double width)
     return {colour, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin};
 }
 
-/// Whiskers from end to end, on a casing that shows them on the bar as well.
-void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& whiskers)
+void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& whiskers,
+                   double end)
 {
     const double u = place.layout.unit, low = place.layout.x(place.panel, whiskers.low),
                  high = place.layout.x(place.panel, whiskers.high), y = place.middle,
-                 cap = place.layout.thickness * 0.22;
-    if (high - low < 3 * u)
+                 cap = place.layout.thickness * 0.2;
+    if (high - low < 4 * u)
         return; // narrower than its own ends: the bar's end says it all
-    for (const auto& [colour, width] :
-         {std::pair{place.look.paper, 3 * u}, std::pair{place.look.text, 1.2 * u}}) {
-        painter.setPen(flatPen(colour, width));
-        painter.drawLine(QPointF(low, y), QPointF(high, y));
-        painter.drawLine(QPointF(low, y - cap), QPointF(low, y + cap));
-        painter.drawLine(QPointF(high, y - cap), QPointF(high, y + cap));
-    }
+    const bool hollow = place.form == clipping::Form::Published;
+    const auto line = [&](double x1, double y1, double x2, double y2, const QColor& colour) {
+        painter.setPen(flatPen(colour, 1.4 * u));
+        painter.drawLine(QPointF(x1, y1), QPointF(x2, y2));
+    };
+    const QColor &text = place.look.text, &within = hollow ? text : place.look.paper;
+    line(low, y, std::max(low, end), y, within);
+    line(low, y - cap, low, y + cap, low < end ? within : text);
+    line(std::min(end, high), y, high, y, text);
+    line(high, y - cap, high, y + cap, high <= end ? within : text);
+}
+
+/// A slanted gap: the bar goes on beyond the axis.
+void paintGap(QPainter& painter, const FigurePlace& place, double end)
+{
+    const double u = place.layout.unit, half = place.layout.thickness / 2 + u, x = end - 14 * u;
+    painter.setPen(flatPen(place.look.paper, 3 * u));
+    painter.drawLine(QPointF(x - 3 * u, place.middle + half),
+                     QPointF(x + 3 * u, place.middle - half));
+}
+
+void paintEndText(QPainter& painter, const FigurePlace& place, double end, const QString& text)
+{
+    const double u = place.layout.unit;
+    painter.setPen(place.look.text);
+    painter.setFont(captionFont(place.look));
+    painter.drawText(QRectF(end + 4 * u, place.middle - 10 * u, 1000 * u, 20 * u),
+                     int(Qt::AlignLeft | Qt::AlignVCenter), text);
 }
 
 void paint(QPainter&, const FigurePlace&, const std::monostate&) {}
@@ -39,26 +60,26 @@ void paint(QPainter&, const FigurePlace&, const std::monostate&) {}
 void paint(QPainter& painter, const FigurePlace& place, const Bar& bar)
 {
     const ChartLayout& layout = place.layout;
-    const double top = place.middle - layout.thickness / 2;
+    const double top = place.middle - layout.thickness / 2,
+                 most = layout.axes[place.panel].range.high;
+    const auto form = bar.parts.size() > 1 ? clipping::Form::Corrected : place.form;
     double from = 0;
     for (std::size_t p = 0; p < bar.parts.size(); ++p) {
-        const double left = layout.x(place.panel, from),
-                     right = layout.x(place.panel, from + bar.parts[p]);
-        paintBar(painter, {left, top, right - left, layout.thickness}, p, place.form, place.colour,
+        const double left = layout.x(place.panel, std::min(from, most)),
+                     right = layout.x(place.panel, std::min(from + bar.parts[p], most));
+        paintBar(painter, {left, top, right - left, layout.thickness}, p, form, place.colour,
                  layout.unit);
         from += bar.parts[p];
     }
-    double end = layout.x(place.panel, from);
-    if (bar.whiskers) {
-        paintWhiskers(painter, place, *bar.whiskers);
+    double end = layout.x(place.panel, std::min(from, most));
+    if (from > most) {
+        paintGap(painter, place, end);
+    } else if (bar.whiskers) {
+        paintWhiskers(painter, place, *bar.whiskers, end);
         end = std::max(end, layout.x(place.panel, bar.whiskers->high));
     }
-    if (bar.text.isEmpty())
-        return;
-    painter.setPen(place.look.text);
-    painter.setFont(captionFont(place.look));
-    painter.drawText(QRectF(end + 4 * layout.unit, place.middle - 20, 1000, 40),
-                     int(Qt::AlignLeft | Qt::AlignVCenter), bar.text);
+    if (!bar.text.isEmpty())
+        paintEndText(painter, place, end, bar.text);
 }
 
 void paint(QPainter& painter, const FigurePlace& place, const Box& box)
@@ -96,13 +117,15 @@ void paintFigure(QPainter& painter, const FigurePlace& place, const Figure& figu
 void paintBar(QPainter& painter, const QRectF& area, std::size_t pattern, clipping::Form form,
               const QColor& colour, double unit)
 {
-    const bool hollow = form == clipping::Form::Published;
-    if (!hollow || pattern > 0)
-        paintPattern(painter, area, patterns()[pattern % patterns().size()], colour, unit);
-    if (!hollow && pattern == 0)
+    const bool solid = pattern == 0 && form == clipping::Form::Corrected;
+    if (solid || area.width() <= 2 * outline * unit) { // no room for an inside
+        painter.fillRect(area, colour);
         return;
-    const double inset = std::min(outline * unit, area.width()) / 2;
-    painter.setPen(flatPen(colour, 2 * inset));
+    }
+    if (pattern > 0)
+        paintPattern(painter, area, patterns()[pattern % patterns().size()], colour, unit);
+    const double inset = outline * unit / 2;
+    painter.setPen(flatPen(colour, outline * unit));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(area.adjusted(inset, inset, -inset, -inset));
 }

@@ -39,15 +39,15 @@ Chart chartOf(const PaperTable& paper)
         order[i] = i;
     std::ranges::stable_sort(order, {},
                              [&](std::size_t i) { return paper.columns[i].printedAverage; });
-    Chart chart{.key = paper.key + QStringLiteral("-paper"),
-                .title = Charts::tr("The paper's %1: %2 lines, generated, clipped and drawn")
-                             .arg(nameOf(paper), countText(paper.lines)),
-                .legend = {{LegendBar{0, clipping::Form::Published},
-                            Charts::tr("the paper's averages, in seconds")}},
-                .columns = {Charts::tr("seconds"), Charts::tr("fastest = 1")},
-                .rows = {},
-                .ties = tiesOf(runs, order),
-                .unit = Charts::tr("seconds")};
+    Chart chart{
+        .key = paper.key + QStringLiteral("-paper"),
+        .title = Charts::tr("The paper's %1").arg(nameOf(paper)),
+        .subtitle = Charts::tr("%1 lines generated, clipped and drawn").arg(countText(paper.lines)),
+        .legend = {{LegendBar{0, clipping::Form::Published}, Charts::tr("the paper's averages")}},
+        .panels = {{{}, Charts::tr("seconds")}},
+        .columns = {Charts::tr("seconds"), Charts::tr("fastest = 1")},
+        .rows = {},
+        .ties = tiesOf(runs, order)};
     for (const std::size_t i : order)
         chart.rows.push_back(rowOf(paper.columns[i], runs[i], fastest));
     return chart;

@@ -74,9 +74,10 @@ std::vector<Contestant> contestantsOf(const ClassProfile& profile)
     return all;
 }
 
-QStringList standInsOf(const ClassProfile& profile)
+QStringList notesOf(const ClassProfile& profile)
 {
-    QStringList notes;
+    QStringList notes(Charts::tr(
+        "Weighted: what a line of the scene would cost if each cost what its class does."));
     for (const ClassTimes& one : profile.classes)
         if (!one.of.standIn.isEmpty())
             notes << Charts::tr("Lines of class “%1” are too rare in the scene: those of the scene "
@@ -90,10 +91,11 @@ QStringList standInsOf(const ClassProfile& profile)
 Chart chartOf(const OperationProfile& profile)
 {
     Chart chart{.key = QStringLiteral("%1-operations").arg(profile.options.scene.key),
-                .title = Charts::tr("Operations a line: %1").arg(profile.options.scene.name),
+                .title = Charts::tr("Operations a line"),
+                .subtitle = sceneText(profile.options),
+                .panels = {{{}, Charts::tr("operations a line")}},
                 .columns = {Charts::tr("all")},
-                .rows = {},
-                .unit = Charts::tr("operations a line")};
+                .rows = {}};
     for (std::size_t k = 0; k < kinds.size(); ++k)
         chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
     for (const ContestantOperations& operations : profile.rows)
@@ -104,18 +106,18 @@ Chart chartOf(const OperationProfile& profile)
 
 Chart chartOf(const ClassProfile& profile)
 {
-    Chart chart{
-        .key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
-        .title =
-            Charts::tr("Nanoseconds a line, by class of line: %1").arg(profile.options.scene.name),
-        .panels = {},
-        .columns = {Charts::tr("scene")},
-        .rows = {},
-        .unit = Charts::tr("nanoseconds a line"),
-        .notes = standInsOf(profile)};
+    Chart chart{.key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
+                .title = Charts::tr("Nanoseconds a line, by class of line"),
+                .subtitle = Charts::tr("Scene “%1”: how many of its lines are of a class, and what "
+                                       "they cost by themselves")
+                                .arg(profile.options.scene.name),
+                .panels = {},
+                .columns = {Charts::tr("weighted")},
+                .rows = {},
+                .notes = notesOf(profile)};
     for (const ClassTimes& one : profile.classes)
-        chart.panels.push_back(
-            Charts::tr("%1, %2").arg(words(one.of.lineClass), percentText(one.of.share)));
+        chart.panels.push_back({words(one.of.lineClass) + u'\n' + percentText(one.of.share),
+                                Charts::tr("nanoseconds a line")});
     const Measure clip = measures().front();
     std::vector<ClassRow> rows;
     for (const Contestant& contestant : contestantsOf(profile)) {

@@ -75,14 +75,21 @@ void compare(ChartRow& row, const PaperTable& paper)
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
-std::vector<LegendEntry> legendOf(const Record& record, const Measure& measure)
+/// In per cent of the median.
+std::vector<double> deviations(std::vector<double> runs, double median)
+{
+    for (double& run : runs)
+        run = 100 * (run / median - 1);
+    return runs;
+}
+
+std::vector<LegendEntry> legendOf(const Record& record)
 {
     const auto has = [&](clipping::Form form) {
         return std::ranges::any_of(
             record.timings, [&](const Timing& timing) { return timing.contestant.form == form; });
     };
-    const QString here = Charts::tr("here, median of %1, %2")
-                             .arg(countText(record.options.runs), measure.name.toLower());
+    const QString here = Charts::tr("here, median of %1").arg(countText(record.options.runs));
     std::vector<LegendEntry> legend;
     if (has(clipping::Form::Corrected))
         legend.push_back({LegendBar{}, here});
@@ -103,7 +110,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         .key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
         .title = Charts::tr("%1, fastest = 1: %2, %3 lines")
                      .arg(measure.name, record.options.scene.name, countText(record.options.lines)),
-        .legend = legendOf(record, measure),
+        .legend = legendOf(record),
         .columns = {Charts::tr("here")},
         .rows = {},
         .ties = tiesOf(times, order),
@@ -127,24 +134,24 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
-    Chart chart{
-        .key = QStringLiteral("%1-%2-runs").arg(record.options.scene.key, measure.key),
-        .title = Charts::tr("%1, run by run: %2, %3 lines")
-                     .arg(measure.name, record.options.scene.name, countText(record.options.lines)),
-        .legend = {{LegendBox{}, Charts::tr("quartiles and median of %1 runs; circles: "
-                                            "outliers")
-                                     .arg(countText(record.options.runs))}},
-        .columns = {Charts::tr("median")},
-        .rows = {},
-        .ties = tiesOf(times, order),
-        .unit = Charts::tr("nanoseconds a line"),
-        .fromZero = false};
+    Chart chart{.key = QStringLiteral("%1-%2-runs").arg(record.options.scene.key, measure.key),
+                .title = Charts::tr("%1, run by run").arg(measure.name),
+                .subtitle = sceneText(record.options),
+                .legend = {{LegendBox{}, Charts::tr("quartiles and median of %1 runs; circles: "
+                                                    "outliers")
+                                             .arg(countText(record.options.runs))}},
+                .panels = {{{}, Charts::tr("nanoseconds a line"), false},
+                           {{}, Charts::tr("% off its own median"), false}},
+                .oneScale = false,
+                .columns = {Charts::tr("median")},
+                .rows = {},
+                .ties = tiesOf(times, order)};
     for (const std::size_t i : order) {
-        const Timing& timing = record.timings[i];
-        ChartRow row = rowFor(timing.contestant);
-        row.figures = {boxOf(measure.times(timing))};
+        const auto runs = measure.times(record.timings[i]);
+        ChartRow row = rowFor(record.timings[i].contestant);
+        row.figures = {boxOf(runs), boxOf(deviations(runs, times[i].median))};
         row.numbers = {nanosecondsText(times[i].median)};
-        row.detail = detailOf(timing.contestant, times[i]);
+        row.detail = detailOf(record.timings[i].contestant, times[i]);
         chart.rows.push_back(std::move(row));
     }
     return chart;

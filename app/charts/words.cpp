@@ -30,6 +30,11 @@ QString nanosecondsText(double nanoseconds)
     return Charts::tr("%1 ns").arg(numberText(nanoseconds, decimals));
 }
 
+QString sceneText(const ExperimentOptions& options)
+{
+    return Charts::tr("Scene “%1”, %2 lines").arg(options.scene.name, countText(options.lines));
+}
+
 QString nameOf(const PaperTable& paper) { return Charts::tr("Table %1").arg(paper.key.back()); }
 
 std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order)

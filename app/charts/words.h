@@ -20,6 +20,8 @@ ChartRow rowFor(const Contestant& contestant);
 QString fullName(const Contestant& contestant);
 /// "23.9 ns": as many decimals as times in milliseconds have.
 QString nanosecondsText(double nanoseconds);
+/// "Scene “Long”, 1,000,000 lines".
+QString sceneText(const ExperimentOptions& options);
 /// "Table 1".
 QString nameOf(const PaperTable& paper);
 

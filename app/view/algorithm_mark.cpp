@@ -113,18 +113,22 @@ LinePattern linePattern(const clipping::Algorithm& algorithm) { return markOf(al
 void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
                  clipping::Form form, Ground ground)
 {
+    paintMarker(painter, box, markerPath(algorithm), form, algorithmColour(algorithm, ground));
+}
+
+void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
+                 clipping::Form form, const QColor& colour)
+{
     const double radius = box.width() / 2;
     const bool hollow = form == clipping::Form::Published;
     const double scale = hollow ? 0.86 * radius : radius; // its pen is half outside
-    const QColor colour = algorithmColour(algorithm, ground);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(hollow
-                       ? QPen(colour, 1.5 * radius / 6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
-                       : QPen(Qt::NoPen));
+    painter.setPen(hollow ? QPen(colour, radius / 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
+                          : QPen(Qt::NoPen));
     painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(colour));
     painter.translate(box.center());
-    painter.drawPath(QTransform::fromScale(scale, scale).map(markOf(algorithm).path));
+    painter.drawPath(QTransform::fromScale(scale, scale).map(path));
     painter.restore();
 }
 

@@ -23,6 +23,10 @@ QPainterPath markerPath(const clipping::Algorithm& algorithm);
 void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
                  clipping::Form form, Ground ground);
 
+/// The same of any path within that circle, in any colour.
+void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
+                 clipping::Form form, const QColor& colour);
+
 /// How its lines look in charts of curves, so that nobody needs the colour.
 struct LinePattern {
     QList<qreal> dashes; ///< dash, gap ... in widths; empty: solid
