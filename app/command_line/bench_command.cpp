@@ -3,21 +3,31 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
-#include "app/experiment/paper_tables.h"
+#include "app/experiment/study.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
 
-Record measured(ExperimentOptions options, const std::vector<Contestant>& contestants,
-                const std::vector<Measure>& wanted)
+Study measured(const Plan& plan)
 {
-    if (std::ranges::any_of(wanted, &Measure::draws))
-        options.easel = rasterEasel;
     ProgressLine line;
-    return *recorded(options, contestants,
-                     {{}, [&](const Progress& progress) { line.show(progress); }});
+    return *study(plan, {{}, [&](const Progress& progress) { line.show(progress); }});
+}
+
+EaselMaker easelFor(const std::vector<Measure>& wanted)
+{
+    return std::ranges::any_of(wanted, &Measure::draws) ? rasterEasel : EaselMaker();
+}
+
+std::vector<Table> tablesOf(const Study& study, Against against)
+{
+    std::vector<Table> tables;
+    for (const Trial& trial : study.trials)
+        for (const Measure& measure : study.measures)
+            std::ranges::move(tablesOf(trial, measure, against), std::back_inserter(tables));
+    return tables;
 }
 
 std::vector<Table> sceneTables(const Given& given)
@@ -26,13 +36,12 @@ std::vector<Table> sceneTables(const Given& given)
     const auto contestants = contestantsGiven(given);
     if (contestants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
-    const ExperimentOptions options = experimentGiven(given);
+    ExperimentOptions options = experimentGiven(given);
+    options.easel = easelFor(wanted.measures);
     std::vector<Table> tables;
-    if (!wanted.measures.empty()) {
-        const Record record = measured(options, contestants, wanted.measures);
-        for (const Measure& measure : wanted.measures)
-            tables.push_back(timesTable(record, measure));
-    }
+    if (!wanted.measures.empty())
+        tables = tablesOf(measured({{{std::nullopt, options, contestants}}, wanted.measures}),
+                          Against::Nothing);
     for (const Analysis& analysis : wanted.analyses) {
         ProgressLine line;
         tables.push_back(*analysis.table(
@@ -69,21 +78,21 @@ std::vector<Table> paperTables(const Given& given)
         throw WrongUsage{Commands::tr("--paper measures clip, draw and total: leave “%1” away.")
                              .arg(others[0].key)};
     const bool against = given.has(QStringLiteral("against-paper"));
+    const bool ownLines = given.has(QStringLiteral("lines")) || given.has(QStringLiteral("quick"));
+    ExperimentOptions options = experimentGiven(given);
+    options.easel = easelFor(wanted);
     std::vector<Table> tables;
     for (const PaperTable& paper : papersGiven(given)) {
         if (against)
             tables.push_back(paperLayout(paper));
+        Plan plan{{}, wanted};
         for (const clipping::Form form : paperForms(given)) {
-            ExperimentOptions options = experimentGiven(given);
-            if (!given.has(QStringLiteral("lines")) && !given.has(QStringLiteral("quick")))
-                options.lines = paper.lines;
-            const Record record = measured(options, contestants(paper, form), wanted);
-            for (const Measure& measure : wanted) {
-                tables.push_back(paperLayout(paper, record, measure));
-                if (against)
-                    tables.push_back(againstPaper(paper, record, measure));
-            }
+            plan.trials.push_back({paper, options, contestants(paper, form)});
+            if (!ownLines)
+                plan.trials.back().options.lines = paper.lines;
         }
+        std::ranges::move(tablesOf(measured(plan), against ? Against::Paper : Against::Nothing),
+                          std::back_inserter(tables));
     }
     return tables;
 }

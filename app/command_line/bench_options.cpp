@@ -2,7 +2,7 @@
 #include "app/command_line/bench_options.h"
 
 #include "app/command_line/refusal.h"
-#include "app/document/scene.h"
+#include "app/experiment/choice.h"
 #include "app/formats/format.h"
 
 #include <QFileInfo>
@@ -13,8 +13,6 @@
 
 namespace app {
 namespace {
-
-constexpr quint64 mostLines = 4'000'000'000, mostRuns = 10'000;
 
 template <class Row>
 QStringList keysOf(const std::vector<Row>& rows)
@@ -52,12 +50,10 @@ void takeDrawing(const QString& path, ExperimentOptions& options)
         throw Failure{imported.error};
     const Drawing drawing(imported.value->sheet);
     const Scene scene(drawing);
-    const auto lines = scene.segments();
-    if (lines.empty())
+    const auto subject = drawingSubject(QFileInfo(path).fileName(), scene, drawing.sheet());
+    if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
-    options.scene = drawingScene(QFileInfo(path).fileName(), {lines.begin(), lines.end()});
-    options.field = {drawing.sheet().page.rectangle(), drawing.sheet().window};
-    options.lines = lines.size();
+    options = subject->options;
 }
 
 void takeScene(const Given& given, ExperimentOptions& options)

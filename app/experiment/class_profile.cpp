@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_profile.h"
 
+#include "app/experiment/legs.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -13,19 +15,6 @@ struct Experiments {
 };
 
 constexpr std::size_t mostOfAClass = 100'000;
-
-/// A quarter of the way for each class.
-Follower followerOf(const Follower& follower, std::size_t c)
-{
-    if (!follower.progress)
-        return follower;
-    return {follower.stop, [&follower, c](const Progress& now) {
-                constexpr double all = double(lineClasses.size());
-                const double perClass = now.share < 1 ? now.secondsLeft / (1 - now.share) : 0;
-                follower.progress({(double(c) + now.share) / all,
-                                   now.secondsLeft + perClass * (all - 1 - double(c))});
-            }};
-}
 
 std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipping::Segment> lines,
                                std::span<const Contestant> contestants, const Follower& follower)
@@ -94,9 +83,10 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
 {
     ClassProfile profile{options, {}};
     auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass);
+    Legs legs(follower, std::vector(all.size(), 1.0));
     for (std::size_t c = 0; c < all.size(); ++c) {
         auto lines = std::exchange(all[c].lines, {});
-        auto record = recordOf(options, std::move(lines), contestants, followerOf(follower, c));
+        auto record = recordOf(options, std::move(lines), contestants, legs.next());
         if (!record)
             return std::nullopt;
         profile.classes.push_back({std::move(all[c]), std::move(*record)});

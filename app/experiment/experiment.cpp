@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <ctime>
@@ -23,6 +24,8 @@ struct Experiments {
 };
 
 constexpr std::uint64_t blockSize = 1'000'000;
+/// What is made or drawn between two looks at whether to stop: some hundredths of a second.
+constexpr std::size_t bit = 50'000;
 
 /// The lines that are clipped, and where what is visible goes.
 struct Block {
@@ -44,8 +47,10 @@ public:
 private:
     void begin();
     void fill(const LineSource& source, std::uint64_t first);
+    void order();
     void tellTruth();
     void turn(Timing& timing);
+    double drawn(std::span<const Clipped> lines);
     void find(Timing& timing, std::size_t visible);
     void divide(std::size_t r);
 
@@ -83,6 +88,8 @@ bool Bench::run(std::size_t r)
             pace_.turnDone();
         }
     }
+    if (pace_.stopped()) // in the middle of the last turn
+        return false;
     divide(r);
     return true;
 }
@@ -100,16 +107,26 @@ void Bench::fill(const LineSource& source, std::uint64_t first)
     block_.lines.resize(std::min(blockSize, options_.lines - first));
     block_.visible.resize(block_.lines.size());
     const double start = options_.clock.nanoseconds();
-    source(block_.lines);
+    for (std::size_t at = 0; at < block_.lines.size() && !pace_.stopped(); at += bit)
+        source(std::span(block_.lines).subspan(at, std::min(bit, block_.lines.size() - at)));
     const double took = options_.clock.nanoseconds() - start;
     for (Timing& timing : timings_)
         timing.generate.back() += took;
     if (options_.order == Order::ByClass)
-        std::ranges::stable_sort(block_.lines, {}, [&](const Segment& line) {
-            return lineClassOf(line, options_.field.window);
-        });
+        order();
     if (finding_)
         tellTruth();
+}
+
+/// As they came, class by class.
+void Bench::order()
+{
+    std::array<std::vector<Segment>, lineClasses.size()> classes;
+    for (const Segment& line : block_.lines)
+        classes[std::size_t(lineClassOf(line, options_.field.window))].push_back(line);
+    auto to = block_.lines.begin();
+    for (const auto& lines : classes)
+        to = std::ranges::copy(lines, to).out;
 }
 
 void Bench::tellTruth()
@@ -127,12 +144,19 @@ void Bench::turn(Timing& timing)
     timing.clip.back() += options_.clock.nanoseconds() - start;
     if (easel_) {
         easel_->wipe();
-        const double before = options_.clock.nanoseconds();
-        easel_->draw(std::span(block_.visible).first(visible));
-        timing.draw.back() += options_.clock.nanoseconds() - before;
+        timing.draw.back() += drawn(std::span(block_.visible).first(visible));
     }
     if (finding_)
         find(timing, visible);
+}
+
+/// The nanoseconds that it took.
+double Bench::drawn(std::span<const Clipped> lines)
+{
+    const double start = options_.clock.nanoseconds();
+    for (; !lines.empty() && !pace_.stopped(); lines = lines.subspan(std::min(bit, lines.size())))
+        easel_->draw(lines.first(std::min(bit, lines.size())));
+    return options_.clock.nanoseconds() - start;
 }
 
 void Bench::find(Timing& timing, std::size_t visible)

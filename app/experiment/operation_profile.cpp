@@ -35,11 +35,13 @@ LinesByClass divided(std::span<const clipping::Segment> lines, const clipping::W
     return classes;
 }
 
-void count(OperationProfile& profile, const LinesByClass& classes)
+void count(OperationProfile& profile, const LinesByClass& classes, const Pace& pace)
 {
     for (std::size_t c = 0; c < classes.size(); ++c) {
         profile.mix[c] += classes[c].size();
         for (auto& [contestant, byClass] : profile.rows) {
+            if (pace.stopped())
+                return;
             const auto& uses = *clipping::usesOf(*contestant.algorithm, contestant.form);
             byClass[c] = sum(byClass[c], uses.count(classes[c], profile.options.field.window));
         }
@@ -86,9 +88,11 @@ std::optional<OperationProfile> operationProfile(const ExperimentOptions& option
             return std::nullopt;
         lines.resize(std::min(blockSize, options.lines - done));
         source(lines);
-        count(profile, divided(lines, options.field.window));
+        count(profile, divided(lines, options.field.window), pace);
         pace.turnDone();
     }
+    if (pace.stopped())
+        return std::nullopt;
     return profile;
 }
 

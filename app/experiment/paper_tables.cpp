@@ -79,12 +79,6 @@ Table layout(const PaperTable& paper, const Columns& columns)
     return table;
 }
 
-/// "Table 1", "Table 2".
-QString numberOf(const PaperTable& paper)
-{
-    return Experiments::tr("Table %1").arg(paper.key.back());
-}
-
 QString titleOf(const PaperTable& paper, const Record& record, const Measure& measure)
 {
     return Experiments::tr("%1, %2: seconds for %3 lines, algorithms %4")
@@ -109,6 +103,11 @@ QStringList lossesOf(const PaperTable& paper, const Record& record)
 QString perCent(double number) { return QString::number(number, 'f', 2); }
 
 } // namespace
+
+QString numberOf(const PaperTable& paper)
+{
+    return Experiments::tr("Table %1").arg(paper.key.back());
+}
 
 std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form)
 {

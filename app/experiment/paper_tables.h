@@ -6,6 +6,9 @@
 
 namespace app {
 
+/// "Table 1", "Table 2".
+QString numberOf(const PaperTable& paper);
+
 /// The algorithms of a table of the paper in one form, in its order.
 std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form);
 

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/choice.h"
+
+#include "app/experiment/duration.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+/// Operations and results do not change any more after so many lines.
+constexpr std::uint64_t mostExplained = 1'000'000;
+
+ExperimentOptions optionsOf(const Choice& choice)
+{
+    ExperimentOptions options = choice.subject.options;
+    options.lines = choice.lines.value_or(options.lines);
+    options.runs = choice.runs;
+    options.seed = choice.seed;
+    options.order = choice.order;
+    options.easel = choice.easel;
+    return options;
+}
+
+std::vector<Contestant> contestantsOf(const Choice& choice)
+{
+    std::vector<Contestant> all;
+    for (const clipping::Form form : choice.forms)
+        for (const Contestant& one : choice.subject.papers.empty()
+                                         ? contestants(choice.algorithms, form)
+                                         : contestants(choice.subject.papers.front(), form))
+            all.push_back(one);
+    return all;
+}
+
+std::vector<PlannedTrial> trialsOf(const Choice& choice)
+{
+    const ExperimentOptions options = optionsOf(choice);
+    if (choice.subject.papers.empty())
+        return {{std::nullopt, options, contestantsOf(choice)}};
+    std::vector<PlannedTrial> trials;
+    for (const PaperTable& paper : choice.subject.papers)
+        for (const clipping::Form form : choice.forms) {
+            trials.push_back({paper, options, contestants(paper, form)});
+            trials.back().options.lines = choice.lines.value_or(paper.lines);
+        }
+    return trials;
+}
+
+std::vector<Measure> measuresOf(const Choice& choice)
+{
+    std::vector<Measure> all = measures();
+    if (!choice.easel)
+        std::erase_if(all, [](const Measure& measure) { return measure.draws; });
+    return all;
+}
+
+std::optional<QString> missing(const Choice& choice)
+{
+    if (choice.subject.papers.empty() && choice.algorithms.empty())
+        return Experiments::tr("Choose at least one algorithm.");
+    if (choice.forms.empty() || contestantsOf(choice).empty())
+        return Experiments::tr("None of these algorithms has a published form. Choose “Corrected”, "
+                               "or others.");
+    if (choice.runs < 1 || choice.runs > mostRuns || choice.lines.value_or(1) < 1
+        || choice.lines.value_or(1) > mostLines)
+        return Experiments::tr("Choose 1 to %1 lines and 1 to %2 runs.")
+            .arg(countText(mostLines), countText(mostRuns));
+    return std::nullopt;
+}
+
+} // namespace
+
+std::vector<Subject> subjects()
+{
+    const auto papers = paperTables();
+    std::vector<Subject> all{
+        {"all", Experiments::tr("Tables 1 and 2 of the paper"),
+         Experiments::tr("Random lines, both ends anywhere in the space: one "
+                         "million, then ten, by the paper's seven algorithms."),
+         papers}};
+    for (const PaperTable& paper : papers)
+        all.push_back({paper.key,
+                       Experiments::tr("%1 of the paper").arg(numberOf(paper)),
+                       Experiments::tr("%1 random lines, both ends anywhere in the space, by the "
+                                       "paper's seven algorithms.")
+                           .arg(countText(paper.lines)),
+                       {paper}});
+    for (const TestScene& scene : testScenes())
+        all.push_back({scene.key,
+                       Experiments::tr("Lines: %1").arg(scene.name.toLower()),
+                       scene.meaning,
+                       {},
+                       {.scene = scene}});
+    return all;
+}
+
+std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, const Sheet& sheet)
+{
+    const auto lines = scene.segments();
+    if (lines.empty())
+        return std::nullopt;
+    return Subject{
+        "drawing",
+        Experiments::tr("Lines of %1").arg(name),
+        Experiments::tr("Its %1 lines, clipped at its window.").arg(countText(lines.size())),
+        {},
+        {.scene = drawingScene(name, {lines.begin(), lines.end()}),
+         .field = {sheet.page.rectangle(), sheet.window},
+         .lines = lines.size()}};
+}
+
+Result<Plan> planOf(const Choice& choice)
+{
+    if (const auto sentence = missing(choice))
+        return Result<Plan>::failure(*sentence);
+    Plan plan{trialsOf(choice), measuresOf(choice)};
+    if (choice.explained) {
+        plan.explained = PlannedTrial{std::nullopt, optionsOf(choice), contestantsOf(choice)};
+        auto& lines = plan.explained->options.lines;
+        lines = std::min(lines, mostExplained);
+    }
+    return Result<Plan>::of(std::move(plan));
+}
+
+Choice quick(Choice choice)
+{
+    choice.lines = 100'000;
+    choice.runs = 3;
+    return choice;
+}
+
+QString effortText(const Plan& plan)
+{
+    std::uint64_t lines = 0;
+    for (const PlannedTrial& trial : plan.trials)
+        lines += trial.options.lines * trial.options.runs * trial.contestants.size();
+    return Experiments::tr("%1 lines to clip: about %2.")
+        .arg(countText(lines), durationText(roughSeconds(plan)));
+}
+
+} // namespace app

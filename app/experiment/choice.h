@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/scene.h"
+#include "app/experiment/study.h"
+#include "app/result.h"
+
+namespace app {
+
+/// One row of what can be measured: tables of the paper, a scene of the catalogue, a drawing.
+struct Subject {
+    QString key;                      ///< "table1", "all"; of a scene: its own
+    QString name;                     ///< translated, as is what follows
+    QString meaning;                  ///< one sentence
+    std::vector<PaperTable> papers{}; ///< the tables that it repeats; empty: one scene
+    ExperimentOptions options{};      ///< of a scene: which, where, and how many lines
+};
+
+/// The paper's tables together and one by one, then every scene.
+std::vector<Subject> subjects();
+
+/// The lines that a drawing shows in its page, and its clip window; nothing if it shows none.
+std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, const Sheet& sheet);
+
+/// What a person asks for.
+struct Choice {
+    Subject subject;
+    std::optional<std::uint64_t> lines{}; ///< none: as many as the paper or the drawing has
+    std::size_t runs = 10;
+    std::uint64_t seed = 1;
+    Order order = Order::AsTheyCome;
+    std::vector<clipping::Form> forms{clipping::Form::Published};
+    std::vector<const clipping::Algorithm*> algorithms{}; ///< of a scene; the paper has its own
+    EaselMaker easel = nullptr;                           ///< null: nothing is drawn
+    bool explained = true; ///< by class, operations and accuracy, too
+};
+
+constexpr std::uint64_t mostLines = 4'000'000'000, mostRuns = 10'000;
+
+/// The same as a plan, or a sentence that says what is missing.
+Result<Plan> planOf(const Choice& choice);
+
+/// A hundred thousand lines, three times: some seconds.
+Choice quick(Choice choice);
+
+/// "23,100,000 lines to clip by 7 algorithms: about 2 minutes."
+QString effortText(const Plan& plan);
+
+} // namespace app

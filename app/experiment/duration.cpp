@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/duration.h"
+
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+QString count(double number) { return countText(std::size_t(number)); }
+
+} // namespace
+
+QString durationText(double seconds)
+{
+    constexpr double minute = 60, hour = 3600;
+    if (seconds < 2 * minute)
+        return Experiments::tr("%1 s").arg(count(std::ceil(seconds)));
+    if (seconds < 2 * hour)
+        return Experiments::tr("%1 minutes").arg(count(std::round(seconds / minute)));
+    return Experiments::tr("%1 hours").arg(count(std::round(seconds / hour)));
+}
+
+QString progressText(const Progress& progress)
+{
+    return Experiments::tr("%1 %, %2 left")
+        .arg(count(std::floor(100 * progress.share)), durationText(progress.secondsLeft));
+}
+
+} // namespace app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/study.h"
+
+#include "app/experiment/legs.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <numeric>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+/// About how many nanoseconds something takes, to share progress fairly.
+double weightOf(const PlannedTrial& trial)
+{
+    const double clipAndFind = 35, draw = trial.options.easel ? 30 : 0, make = 25;
+    return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
+           * (make + double(trial.contestants.size()) * (clipAndFind + draw));
+}
+
+struct ExplanationWeights {
+    double classes, operations, accuracies;
+};
+
+ExplanationWeights explanationWeights(const PlannedTrial& trial)
+{
+    const double each = double(trial.contestants.size()), lines = double(trial.options.lines);
+    return {4e5 * each * 30 * double(trial.options.runs + trial.options.warmUps),
+            lines * each * 150, lines * each * 50};
+}
+
+std::vector<double> weightsOf(const Plan& plan)
+{
+    std::vector<double> weights;
+    for (const PlannedTrial& trial : plan.trials)
+        weights.push_back(weightOf(trial));
+    if (plan.explained) {
+        const auto [classes, operations, accuracies] = explanationWeights(*plan.explained);
+        weights.insert(weights.end(), {classes, operations, accuracies});
+    }
+    return weights;
+}
+
+std::optional<Explanation> explanationOf(const PlannedTrial& trial, Legs& legs)
+{
+    auto classes = classProfile(trial.options, trial.contestants, legs.next());
+    if (!classes)
+        return std::nullopt;
+    auto operations = operationProfile(trial.options, trial.contestants, legs.next());
+    if (!operations)
+        return std::nullopt;
+    auto right = accuracies(trial.options, trial.contestants, legs.next());
+    if (!right)
+        return std::nullopt;
+    return Explanation{std::move(*classes), std::move(*operations), std::move(*right)};
+}
+
+using Facts = std::vector<std::pair<QString, QString>>;
+
+/// Those of which both say the same.
+Facts shared(const Facts& facts, const Facts& others)
+{
+    Facts both;
+    std::ranges::copy_if(facts, std::back_inserter(both), [&](const auto& fact) {
+        return std::ranges::find(others, fact) != others.end();
+    });
+    return both;
+}
+
+} // namespace
+
+double roughSeconds(const Plan& plan)
+{
+    const auto weights = weightsOf(plan);
+    return 1e-9 * std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+std::optional<Study> study(const Plan& plan, const Follower& follower)
+{
+    Legs legs(follower, weightsOf(plan));
+    Study study{.measures = plan.measures, .trials = {}};
+    for (const PlannedTrial& trial : plan.trials) {
+        auto record = recorded(trial.options, trial.contestants, legs.next());
+        if (!record)
+            return std::nullopt;
+        study.trials.push_back({trial.paper, std::move(*record)});
+    }
+    if (plan.explained) {
+        study.explanation = explanationOf(*plan.explained, legs);
+        if (!study.explanation)
+            return std::nullopt;
+    }
+    return study;
+}
+
+QString nameOf(const Trial& trial)
+{
+    if (!trial.paper)
+        return trial.record.options.scene.name;
+    const bool published =
+        trial.record.timings.front().contestant.form == clipping::Form::Published;
+    return published ? Experiments::tr("%1, as published").arg(numberOf(*trial.paper))
+                     : Experiments::tr("%1, corrected").arg(numberOf(*trial.paper));
+}
+
+std::vector<Table> tablesOf(const Trial& trial, const Measure& measure, Against against)
+{
+    if (!trial.paper)
+        return {timesTable(trial.record, measure)};
+    std::vector<Table> tables{paperLayout(*trial.paper, trial.record, measure)};
+    if (against == Against::Paper)
+        tables.push_back(againstPaper(*trial.paper, trial.record, measure));
+    return tables;
+}
+
+std::vector<Table> tablesOf(const Explanation& explanation)
+{
+    return {classTable(explanation.classes), operationTable(explanation.operations),
+            accuracyTable(explanation.accuracies, explanation.operations.options)};
+}
+
+std::vector<Table> tablesOf(const Study& study)
+{
+    std::vector<Table> tables;
+    const PaperTable* last = nullptr;
+    for (const Trial& trial : study.trials) {
+        if (trial.paper && !(last && last->key == trial.paper->key))
+            tables.push_back(paperLayout(*trial.paper));
+        last = trial.paper ? &*trial.paper : nullptr;
+        for (const Measure& measure : study.measures) {
+            std::ranges::move(tablesOf(trial, measure, Against::Paper), std::back_inserter(tables));
+            if (trial.paper) {
+                tables.push_back(timesTable(trial.record, measure));
+                tables.back().key.prepend(trial.paper->key + u'-');
+                tables.back().key += QStringLiteral("-times-")
+                                     + wordOf(trial.record.timings.front().contestant.form);
+                tables.back().title.prepend(nameOf(trial) + QStringLiteral(": "));
+            }
+        }
+    }
+    if (study.explanation)
+        std::ranges::move(tablesOf(*study.explanation), std::back_inserter(tables));
+    return tables;
+}
+
+Table circumstancesTable(const Study& study)
+{
+    Table table{.names = {"what", "value"},
+                .title = Experiments::tr("Circumstances"),
+                .key = QStringLiteral("circumstances")};
+    Facts facts;
+    for (const Trial& trial : study.trials)
+        facts = &trial == &study.trials.front() ? factsOf(trial.record)
+                                                : shared(facts, factsOf(trial.record));
+    for (const auto& [name, value] : facts)
+        table.rows.push_back({name, value});
+    return table;
+}
+
+} // namespace app

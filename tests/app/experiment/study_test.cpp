@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/choice.h"
+#include "app/experiment/heading.h"
+#include "app/experiment/legs.h"
+#include "app/experiment/verdict.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+using clipping::Form;
+
+namespace {
+
+app::Subject subject(const QString& key)
+{
+    for (app::Subject& one : app::subjects())
+        if (one.key == key)
+            return std::move(one);
+    qFatal("no such subject");
+}
+
+std::vector<const clipping::Algorithm*> named(std::initializer_list<const char*> names)
+{
+    std::vector<const clipping::Algorithm*> all;
+    for (const char* name : names)
+        all.push_back(clipping::findAlgorithm(name));
+    return all;
+}
+
+app::Choice few(const QString& key)
+{
+    app::Choice choice{.subject = subject(key)};
+    choice.lines = 1000;
+    choice.runs = 2;
+    choice.algorithms = named({"cs", "kwc", "md"});
+    return choice;
+}
+
+/// A record as if it had been measured: so many nanoseconds a line, the same in every run but for a
+/// tenth of a nanosecond.
+app::Trial invented(const app::PaperTable& paper, const std::vector<double>& clip)
+{
+    app::Trial trial{paper, {}};
+    trial.record.options.lines = paper.lines;
+    for (std::size_t i = 0; i < clip.size(); ++i) {
+        app::Timing timing{.contestant = {paper.columns[i].algorithm, Form::Published},
+                           .generate = {},
+                           .clip = {},
+                           .draw = {}};
+        for (int run = 0; run < 10; ++run) {
+            timing.clip.push_back(clip[i] + 0.01 * run);
+            timing.generate.push_back(20);
+            timing.draw.push_back(5);
+        }
+        timing.found.visible = 40'000;
+        trial.record.timings.push_back(std::move(timing));
+    }
+    return trial;
+}
+
+/// The median of each column of the paper, so that its ranking is the paper's.
+std::vector<double> likeThePaper(const app::PaperTable& paper)
+{
+    std::vector<double> times;
+    for (const auto& column : paper.columns)
+        times.push_back(20 * app::summaryOf(column.runs).median);
+    return times;
+}
+
+std::span<const app::Measure> clipOnly()
+{
+    static const auto all = app::measures();
+    return std::span(all).first(1);
+}
+
+} // namespace
+
+class StudyTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePaperIsTheFirstSubjectAndEverySceneIsOne()
+    {
+        const auto all = app::subjects();
+        QCOMPARE(all.front().papers.size(), 2u);
+        QCOMPARE(all.size(), 3 + app::testScenes().size());
+        std::set<QString> keys;
+        for (const auto& one : all) {
+            keys.insert(one.key);
+            QVERIFY(!one.name.isEmpty() && one.meaning.endsWith('.'));
+        }
+        QCOMPARE(keys.size(), all.size());
+    }
+
+    void withoutFurtherWordsThePaperIsRepeated()
+    {
+        app::Choice choice{.subject = app::subjects().front()};
+        choice.easel = app::rasterEasel;
+        const auto plan = app::planOf(choice);
+        QVERIFY(plan);
+        QCOMPARE(plan.value->trials.size(), 2u);
+        QCOMPARE(plan.value->trials[0].options.lines, 1'000'000u);
+        QCOMPARE(plan.value->trials[1].options.lines, 10'000'000u);
+        for (const auto& trial : plan.value->trials) {
+            QCOMPARE(trial.options.runs, 10u);
+            QCOMPARE(trial.contestants.size(), 7u);
+            QVERIFY(std::ranges::all_of(
+                trial.contestants, [](const auto& one) { return one.form == Form::Published; }));
+        }
+        QCOMPARE(plan.value->measures.size(), 3u);
+        QVERIFY(plan.value->explained);
+        QVERIFY(plan.value->explained->options.lines <= 1'000'000);
+    }
+
+    void withoutAnEaselNothingIsToldOfDrawing()
+    {
+        const auto plan = app::planOf(few("near-miss"));
+        QCOMPARE(plan.value->measures.size(), 1u);
+        QCOMPARE(plan.value->measures[0].key, "clip");
+    }
+
+    void whatCannotBeMeasuredIsSaid()
+    {
+        app::Choice choice = few("paper");
+        choice.algorithms = {};
+        QVERIFY(app::planOf(choice).error.contains("at least one algorithm"));
+        choice.algorithms = named({"ex"});
+        QVERIFY(app::planOf(choice).error.contains("published"));
+        choice.forms = {Form::Corrected};
+        QVERIFY(app::planOf(choice));
+        for (const std::uint64_t lines : {std::uint64_t(0), app::mostLines + 1}) {
+            choice.lines = lines;
+            QVERIFY(!app::planOf(choice));
+        }
+        choice.lines = app::mostLines;
+        QVERIFY(app::planOf(choice));
+        choice.runs = 0;
+        QVERIFY(!app::planOf(choice));
+    }
+
+    void aQuickChoiceIsSmall()
+    {
+        const auto plan = app::planOf(app::quick({.subject = app::subjects().front()}));
+        for (const auto& trial : plan.value->trials) {
+            QCOMPARE(trial.options.lines, 100'000u);
+            QCOMPARE(trial.options.runs, 3u);
+        }
+        QVERIFY(app::roughSeconds(*plan.value) < 10);
+        QVERIFY(app::effortText(*plan.value).contains("4,200,000"));
+    }
+
+    void aDrawingIsASubjectWithItsLinesAndWindow()
+    {
+        app::Drawing empty;
+        QVERIFY(!app::drawingSubject("empty", app::Scene(empty), empty.sheet()));
+        app::Sheet sheet;
+        sheet.page.size = {100, 80};
+        sheet.window = {{10, 10}, {50, 50}};
+        app::Shape shape;
+        shape.paths.push_back({{0, 20}, {{{90, 20}}, {{90, 70}}}, false});
+        sheet.shapes.push_back(shape);
+        const app::Drawing drawing(sheet);
+        const auto two = app::drawingSubject("two", app::Scene(drawing), drawing.sheet());
+        QVERIFY(two);
+        QCOMPARE(two->options.lines, 2u);
+        app::Choice choice{.subject = *two};
+        choice.runs = 2;
+        choice.algorithms = named({"ex", "cs"});
+        choice.forms = {Form::Corrected};
+        const auto study = app::study(*app::planOf(choice).value);
+        for (const auto& timing : study->trials[0].record.timings)
+            QCOMPARE(timing.found.visible, 1u);
+    }
+
+    void aStudyHasWhatWasPlanned()
+    {
+        app::Choice choice = few("all");
+        choice.forms = {Form::Published, Form::Corrected};
+        choice.easel = app::rasterEasel;
+        std::vector<double> shares;
+        const auto study =
+            app::study(*app::planOf(choice).value, {{}, [&](const app::Progress& now) {
+                                                        shares.push_back(now.share);
+                                                        QVERIFY(now.secondsLeft >= 0);
+                                                    }});
+        QVERIFY(study);
+        QVERIFY(std::ranges::is_sorted(shares));
+        QVERIFY(shares.front() > 0 && std::abs(shares.back() - 1) < 1e-9);
+        QCOMPARE(study->trials.size(), 4u);
+        QCOMPARE(app::nameOf(study->trials[1]), "Table 1, corrected");
+        std::set<QString> keys;
+        for (const auto& table : app::tablesOf(*study)) {
+            QVERIFY2(keys.insert(table.key).second, qPrintable(table.key + " is there twice"));
+            for (const auto& row : table.rows)
+                QCOMPARE(row.size(), table.names.size());
+        }
+        for (const char* key :
+             {"table1-paper", "table2-total-corrected", "table1-clip-published-against-paper",
+              "classes", "operations", "accuracy"})
+            QVERIFY2(keys.contains(key), key);
+        // What is the same for all is a circumstance; what differs is none.
+        const auto facts = app::circumstancesTable(*study).rows;
+        const auto has = [&](const char* name) {
+            return std::ranges::any_of(facts, [&](const auto& row) { return row[0] == name; });
+        };
+        QVERIFY(has("seed") && has("compiler") && has("drawn"));
+    }
+
+    void everyColumnHasAHeading()
+    {
+        app::Choice choice = few("long");
+        const auto study = app::study(*app::planOf(choice).value);
+        for (const auto& table : app::tablesOf(*study))
+            for (const auto& name : table.names)
+                QVERIFY2(app::headingOf(name).text != name, qPrintable(name));
+        QCOMPARE(app::headingOf("KWC").text, "KWC");
+    }
+
+    void itStopsWithinHalfASecond_data()
+    {
+        QTest::addColumn<QString>("subject");
+        QTest::addColumn<int>("after");
+        for (const QString key : {"table2", "inside", "near-miss"})
+            for (const int after : {0, 150, 600})
+                QTest::addRow("%s after %d ms", qPrintable(key), after) << key << after;
+    }
+    void itStopsWithinHalfASecond()
+    {
+        QFETCH(QString, subject);
+        QFETCH(int, after);
+        app::Choice choice = few(subject);
+        choice.lines = 10'000'000;
+        choice.easel = app::rasterEasel;
+        choice.order = app::Order::ByClass;
+        const auto plan = app::planOf(choice);
+        bool nothing = false;
+        std::jthread thread([&](const std::stop_token& stop) {
+            nothing = !app::study(*plan.value, {stop, {}});
+        });
+        QTest::qSleep(after);
+        QElapsedTimer timer;
+        timer.start();
+        thread.request_stop();
+        thread.join();
+        QVERIFY2(timer.elapsed() < 500, qPrintable(QString::number(timer.elapsed())));
+        QVERIFY(nothing);
+    }
+
+    void legsAreOneWay()
+    {
+        std::vector<app::Progress> seen;
+        app::Legs legs({{}, [&](const app::Progress& now) { seen.push_back(now); }}, {1, 3});
+        const auto first = legs.next(), second = legs.next();
+        first.progress({0.5, 2});
+        second.progress({0, 9});
+        second.progress({1, 0});
+        QCOMPARE(seen[0].share, 0.125);
+        QVERIFY(seen[0].secondsLeft >= 2);
+        QCOMPARE(seen[1].share, 0.25);
+        QCOMPARE(seen[2].share, 1.0);
+        QCOMPARE(seen[2].secondsLeft, 0.0);
+    }
+
+    void thePapersOwnTimesKeepItsRanking()
+    {
+        const auto paper = app::paperTables()[1];
+        const auto trial = invented(paper, likeThePaper(paper));
+        const auto check = app::rankingCheck(paper, trial.record, app::measures().front());
+        QCOMPARE(check.reversed, 0u);
+        QCOMPARE(check.same + check.undecided, 21u);
+        QVERIFY(check.same >= 10);
+        const auto told = app::verdict(trial, clipOnly()).join('\n');
+        QVERIFY2(told.contains("Matthes-Drakopoulos (MD) is the fastest"), qPrintable(told));
+        QVERIFY2(told.contains("ranking holds"), qPrintable(told));
+        QVERIFY2(told.contains("the same 40,000 visible lines"), qPrintable(told));
+    }
+
+    void aTurnedRankingIsTold()
+    {
+        const auto paper = app::paperTables()[1];
+        auto times = likeThePaper(paper);
+        for (double& time : times)
+            time = 100 - time;
+        auto trial = invented(paper, times);
+        trial.record.timings[5].found = {.visible = 39'000, .lost = 1000};
+        const auto check = app::rankingCheck(paper, trial.record, app::measures().front());
+        QCOMPARE(check.same, 0u);
+        QVERIFY(check.reversed >= 10);
+        const auto told = app::verdict(trial, app::measures()).join('\n');
+        QVERIFY2(told.contains("does not hold"), qPrintable(told));
+        QVERIFY2(told.contains("KWC as published loses 1,000 of the 40,000"), qPrintable(told));
+        QCOMPARE(told.count("ranking"), 2); // clipping only, and the total
+    }
+
+    void tiesHaveNoWinner()
+    {
+        const auto paper = app::paperTables()[0];
+        auto trial = invented(paper, {30, 10, 30, 30, 30, 30, 10.05});
+        QVERIFY(app::verdict(trial, clipOnly())[0].contains("LB and MD are the fastest"));
+        trial = invented(paper, std::vector<double>(7, 30.0));
+        QVERIFY(app::verdict(trial, clipOnly())[0].contains("too close to call, all of them"));
+        QCOMPARE(app::rankingCheck(paper, trial.record, clipOnly()[0]).undecided, 21u);
+    }
+
+    void theReasonIsTheCommonestClass()
+    {
+        const auto study = app::study(*app::planOf(few("rejected")).value);
+        const auto told = app::reasons(*study->explanation).join(' ');
+        QVERIFY2(told.startsWith("100 % of the lines: rejected at once."), qPrintable(told));
+    }
+};
+
+QTEST_MAIN(StudyTest)
+#include "study_test.moc"
