@@ -88,10 +88,10 @@ std::pair<double, int> roundStep(double atLeast)
 
 } // namespace
 
-Axis axisOf(const Chart& chart, std::size_t panel, int ticks)
+Axis axisOf(const Chart& chart, std::size_t panel, double ticks)
 {
     const Interval range = rangeOf(chart, panel);
-    const auto [step, decimals] = roundStep((range.high - range.low) / std::max(ticks, 2));
+    const auto [step, decimals] = roundStep((range.high - range.low) / std::max(ticks, 1.0));
     Axis axis{range, {}, decimals};
     const double first = std::ceil(range.low / step - 1e-9);
     for (int i = 0; (first + i) * step <= range.high; ++i)

@@ -12,9 +12,9 @@ struct Axis {
     int decimals;              ///< that they need
 };
 
-/// The axis of a panel with some `ticks` marks. Bars start at zero. Where a few of them would
+/// The axis of a panel with `ticks` marks at most. Bars start at zero. Where a few of them would
 /// leave no room for all the others, the axis ends before theirs do.
-Axis axisOf(const Chart& chart, std::size_t panel, int ticks);
+Axis axisOf(const Chart& chart, std::size_t panel, double ticks);
 
 /// Whether that is so in any panel.
 bool isBroken(const Chart& chart);

@@ -198,6 +198,8 @@ double placeHead(ChartLayout& layout, const Chart& chart, const QRectF& area, co
         y = layout.subtitle.bottom();
     }
     y = placeLegend(layout, chart, area, y + 3 * u, look);
+    if (chart.legend.empty())
+        y += 6 * u;
     layout.headings = {area.left(), y, width, headingsHeight(layout, chart, look)};
     return std::ceil(layout.headings.bottom() + 4 * u);
 }
@@ -269,7 +271,7 @@ ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& lo
                  natural = std::max(naturalHeight(chart, layout.unit), 1.0);
     placeRows(layout, chart, area, top, std::clamp(room / natural, squeezed, 1.15));
     for (std::size_t p = 0; p < chart.panels.size(); ++p)
-        layout.axes.push_back(axisOf(chart, p, int(layout.panels[p].width() / (54 * layout.unit))));
+        layout.axes.push_back(axisOf(chart, p, layout.panels[p].width() / (46 * layout.unit)));
     return layout;
 }
 

@@ -37,10 +37,11 @@ void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& 
     line(high, y - cap, high, y + cap, high <= end ? within : text);
 }
 
-/// A slanted gap: the bar goes on beyond the axis.
-void paintGap(QPainter& painter, const FigurePlace& place, double end)
+/// A slanted gap near its end: the bar goes on beyond the axis.
+void paintGap(QPainter& painter, const FigurePlace& place, double start, double end)
 {
-    const double u = place.layout.unit, half = place.layout.thickness / 2 + u, x = end - 14 * u;
+    const double u = place.layout.unit, half = place.layout.thickness / 2 + u,
+                 x = end - std::min(14 * u, (end - start) * 0.4);
     painter.setPen(flatPen(place.look.paper, 3 * u));
     painter.drawLine(QPointF(x - 3 * u, place.middle + half),
                      QPointF(x + 3 * u, place.middle - half));
@@ -73,7 +74,7 @@ void paint(QPainter& painter, const FigurePlace& place, const Bar& bar)
     }
     double end = layout.x(place.panel, std::min(from, most));
     if (from > most) {
-        paintGap(painter, place, end);
+        paintGap(painter, place, layout.x(place.panel, 0), end);
     } else if (bar.whiskers) {
         paintWhiskers(painter, place, *bar.whiskers, end);
         end = std::max(end, layout.x(place.panel, bar.whiskers->high));

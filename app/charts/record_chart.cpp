@@ -106,15 +106,14 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
 {
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
-    Chart chart{
-        .key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
-        .title = Charts::tr("%1, fastest = 1: %2, %3 lines")
-                     .arg(measure.name, record.options.scene.name, countText(record.options.lines)),
-        .legend = legendOf(record),
-        .columns = {Charts::tr("here")},
-        .rows = {},
-        .ties = tiesOf(times, order),
-        .reference = 1};
+    Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
+                .title = Charts::tr("%1, fastest = 1").arg(measure.name),
+                .subtitle = sceneText(record.options),
+                .legend = legendOf(record),
+                .columns = {Charts::tr("here")},
+                .rows = {},
+                .ties = tiesOf(times, order),
+                .reference = 1};
     for (const std::size_t i : order) {
         chart.rows.push_back(
             rowOf(record.timings[i].contestant, times[i], times[order.front()].median));
