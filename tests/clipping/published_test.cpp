@@ -149,7 +149,8 @@ private slots:
         QVERIFY(row("Skala").published->clip({{1, 0}, {-1, 0}}, two));
     }
 
-    // The middle of two neighbours is the even one: at an edge whose last bit is odd, the outer one.
+    // The middle of two neighbours is the even one: at an edge whose last bit is odd, the outer
+    // one.
     void midpointSubdivisionEndsAtOddEdges()
     {
         const Window odd{{-0.3, -0.3}, {0.3, 0.3}};
