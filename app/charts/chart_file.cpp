@@ -125,7 +125,8 @@ const ChartFormat* findChartFormat(QStringView key)
 
 QSizeF usualSize(const Chart& chart, const ChartLook& look)
 {
-    return {width, std::ceil(naturalHeight(chart, width - 2 * margin, look) + 2 * margin)};
+    const double height = naturalHeight(chart, width - 2 * margin, look) + 2 * margin;
+    return {width, 4 * std::ceil(height / 4)}; // whole points, as a PDF page has them
 }
 
 QByteArray chartBytes(const Chart& chart, const ChartFormat& format, const ChartLook& look)

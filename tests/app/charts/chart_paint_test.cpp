@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/chart_layout.h"
+#include "app/view/ink.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+#include "tests/app/charts/sample_charts.h"
+
+using namespace app;
+
+namespace {
+
+const Measure& clip()
+{
+    static const Measure measure = measures().front();
+    return measure;
+}
+
+/// The longest horizontal run of exactly that colour, and its left end.
+struct Run {
+    int length = 0, left = 0;
+};
+Run longestRun(const QImage& image, QRgb colour, int top, int bottom)
+{
+    Run longest;
+    for (int y = std::max(top, 0); y < std::min(bottom, image.height()); ++y)
+        for (int x = 0, start = 0; x < image.width(); ++x)
+            if (image.pixel(x, y) != colour)
+                start = x + 1;
+            else if (x + 1 - start > longest.length)
+                longest = {x + 1 - start, start};
+    return longest;
+}
+Run longestRun(const QImage& image, const QColor& colour)
+{
+    return longestRun(image, colour.rgb(), 0, image.height());
+}
+
+double contrastOf(const QColor& a, const QColor& b)
+{
+    const auto plain = [](const QColor& c) {
+        return Colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+    };
+    return contrast(plain(a), plain(b));
+}
+
+/// Where two pictures of one size differ.
+QRect difference(const QImage& a, const QImage& b)
+{
+    QRect box;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                box |= QRect(x, y, 1, 1);
+    return box;
+}
+
+Chart barsOf(std::initializer_list<double> lengths)
+{
+    Chart chart{.key = "bars", .title = "Bars", .rows = {}};
+    auto algorithm = clipping::algorithms().begin();
+    for (const double length : lengths) {
+        chart.rows.push_back({.algorithm = &*algorithm, .name = "row", .figures = {Bar{{length}}}});
+        ++algorithm;
+    }
+    return chart;
+}
+
+double lengthOf(const ChartRow& row) { return std::get<Bar>(row.figures.front()).length(); }
+
+/// All kinds of charts, and records of some and of all contestants.
+std::vector<Chart> allCharts()
+{
+    std::vector<Chart> charts;
+    const auto papers = paperTables();
+    for (const Record& record : {sample::seven(), sample::everything()}) {
+        charts.push_back(chartOf(record, clip()));
+        charts.push_back(chartOf(record, clip(), papers.front()));
+        charts.push_back(boxPlotOf(record, clip()));
+    }
+    for (const PaperTable& paper : papers)
+        charts.push_back(chartOf(paper));
+    charts.push_back(chartOf(sample::operations()));
+    charts.push_back(chartOf(sample::classes()));
+    return charts;
+}
+
+} // namespace
+
+class ChartPaintTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void barsAreAsLongAsTheirNumbers_data()
+    {
+        QTest::addColumn<bool>("dark");
+        QTest::addColumn<double>("scale");
+        for (const bool dark : {false, true})
+            for (const double scale : {1.0, 2.0, 3.0})
+                QTest::addRow("%s %gx", dark ? "dark" : "light", scale) << dark << scale;
+    }
+    void barsAreAsLongAsTheirNumbers()
+    {
+        QFETCH(bool, dark);
+        QFETCH(double, scale);
+        const Chart chart = chartOf(sample::seven(), clip(), paperTables().front());
+        const ChartLook look = chartLook(dark ? Ground::Dark : Ground::Light);
+        const QImage image = sample::picture(chart, look, {640, 400}, scale);
+        const auto runOf = [&](const ChartRow& row) {
+            return longestRun(image, algorithmColour(*row.algorithm, look.ground));
+        };
+        const Run longest = runOf(chart.rows.back());
+        QVERIFY(longest.length > 150 * scale);
+        for (const ChartRow& row : chart.rows) {
+            const Run run = runOf(row);
+            const double expected = longest.length * lengthOf(row) / lengthOf(chart.rows.back());
+            QVERIFY2(std::abs(run.length - expected) <= 2, qPrintable(row.name));
+            QVERIFY2(std::abs(run.left - longest.left) <= 1, qPrintable(row.name));
+        }
+    }
+    void rowsGoFromTheFastestToTheSlowest()
+    {
+        for (const Chart& chart : {chartOf(sample::seven(), clip()), chartOf(paperTables()[0]),
+                                   chartOf(paperTables()[1]), chartOf(sample::operations())}) {
+            QVERIFY(std::ranges::is_sorted(chart.rows, {}, lengthOf));
+            QCOMPARE(chart.rows.size(), chart.key.contains("operations")
+                                            ? sample::operations().rows.size()
+                                            : std::size_t(7));
+        }
+        const Chart chart = chartOf(sample::seven(), clip());
+        QCOMPARE(lengthOf(chart.rows.front()), 1.0);
+        QCOMPARE(chart.rows.front().name, QString("NLN"));
+        QCOMPARE(chart.rows.back().name, QString("CB"));
+    }
+    void filledIsOursAndHollowAsPublished()
+    {
+        Chart chart = barsOf({3, 3});
+        chart.rows[1].algorithm = chart.rows[0].algorithm = clipping::findAlgorithm("CS");
+        chart.rows[1].form = clipping::Form::Published;
+        const ChartLook look = chartLook(Ground::Light);
+        const QImage image = sample::picture(chart, look, {400, 120}, 2);
+        const QRgb colour = algorithmColour(*chart.rows[0].algorithm, look.ground).rgb();
+        const ChartLayout layout = layoutOf(chart, {0, 0, 400, 120}, look);
+        const auto rowAt = [&](std::size_t r) { return int(2 * layout.rows[r].top()); };
+        const auto filled = longestRun(image, colour, rowAt(0), rowAt(1)),
+                   hollow = longestRun(image, colour, rowAt(1), image.height());
+        QVERIFY(filled.length > 400);
+        QVERIFY(std::abs(filled.length - hollow.length) <= 2);   // its outline
+        const int middle = filled.left + filled.length / 2 + 20; // beside a line of the grid
+        const int inside[] = {rowAt(0) + int(2 * layout.barMiddle),
+                              rowAt(1) + int(2 * layout.barMiddle)};
+        QCOMPARE(image.pixel(middle, inside[0]), colour);
+        QCOMPARE(image.pixel(middle, inside[1]), look.paper.rgb());
+    }
+    void thePapersNumbersAreHollowBelowTheBars()
+    {
+        const Chart with = chartOf(sample::seven(), clip(), paperTables().front());
+        const ChartLook look = chartLook(Ground::Light);
+        const QImage image = sample::picture(with, look, {640, 420}, 1);
+        const ChartLayout layout = layoutOf(with, {0, 0, 640, 420}, look);
+        for (std::size_t r = 0; r < with.rows.size(); ++r) {
+            const QRgb colour = algorithmColour(*with.rows[r].algorithm, look.ground).rgb();
+            Chart moved = with;
+            moved.rows[r].other = *with.rows[r].other * 1.1;
+            const QRect changed = difference(image, sample::picture(moved, look, {640, 420}, 1));
+            const double bar = layout.rows[r].top() + layout.barMiddle + layout.thickness / 2;
+            QVERIFY2(changed.top() >= bar && changed.bottom() <= layout.rows[r].bottom(),
+                     qPrintable(with.rows[r].name));
+            const double x = layout.x(0, *with.rows[r].other),
+                         y = layout.rows[r].top() + layout.laneMiddle;
+            if (std::abs(x - layout.x(0, 1)) > 4) { // not under the line of reference
+                QVERIFY2(image.pixel(int(x), int(y)) != colour, qPrintable(with.rows[r].name));
+            }
+        }
+    }
+    void bracketsStandWhereTheyTie()
+    {
+        Chart chart = chartOf(sample::seven(), clip());
+        QCOMPARE(chart.ties.size(), std::size_t(1));
+        QSet<QString> names;
+        for (std::size_t r = chart.ties[0].first; r <= chart.ties[0].last; ++r)
+            names << chart.rows[r].name;
+        QCOMPARE(names, (QSet<QString>{"LB", "MD"}));
+
+        const ChartLook look = chartLook(Ground::Light);
+        const QRectF area(0, 0, 560, 300);
+        const ChartLayout layout = layoutOf(chart, area, look);
+        const QImage before = sample::picture(chart, look, {560, 300}, 1);
+        chart.ties = {{0, 1}};
+        const QRect changed = difference(before, sample::picture(chart, look, {560, 300}, 1));
+        QVERIFY(changed.left() >= layout.columnRights[0]);
+        QVERIFY(changed.top() >= layout.rows[0].top());
+        QVERIFY(changed.bottom() <= layout.rows[4].bottom());
+        QVERIFY(layout.rows[4].top() < changed.bottom());
+    }
+    void separateTimesHaveNoBracket()
+    {
+        const sample::Times all[]{{"CS", sample::ours, 10}, {"LB", sample::ours, 20}};
+        QVERIFY(chartOf(sample::record(all, 0.01), clip()).ties.empty());
+        const sample::Times twice[]{{"CS", sample::ours, 10}, {"CS", sample::ours, 10}};
+        QCOMPARE(chartOf(sample::record(twice, 0.01), clip()).ties.size(), std::size_t(1));
+    }
+    void everyPatternIsItsOwn()
+    {
+        Chart chart = barsOf({});
+        chart.rows.push_back(
+            {.algorithm = nullptr, .name = "all", .figures = {Bar{{1, 1, 1, 1, 1}}}});
+        const ChartLook look = chartLook(Ground::Light);
+        const QImage image =
+            sample::picture(chart, look, {540, 100}, 1).convertToFormat(QImage::Format_Grayscale8);
+        const ChartLayout layout = layoutOf(chart, {0, 0, 540, 100}, look);
+        std::vector<QImage> parts;
+        for (int p = 0; p < 5; ++p)
+            parts.push_back(
+                image.copy(int(layout.x(0, p)) + 4, int(layout.rows[0].top() + 8), 60, 8));
+        for (std::size_t a = 0; a < parts.size(); ++a)
+            for (std::size_t b = a + 1; b < parts.size(); ++b)
+                QVERIFY2(parts[a] != parts[b], qPrintable(QString("%1 %2").arg(a).arg(b)));
+    }
+    void aFarLongerBarIsBroken()
+    {
+        const Chart chart = barsOf({10, 11, 12, 13, 14, 15, 900});
+        QVERIFY(isBroken(chart));
+        QVERIFY(sentencesOf(chart).join(' ').contains("gap"));
+        const ChartLook look = chartLook(Ground::Light);
+        const QImage image = sample::picture(chart, look, {500, 260}, 1);
+        const auto runOf = [&](std::size_t r) {
+            return longestRun(image, algorithmColour(*chart.rows[r].algorithm, look.ground)).length;
+        };
+        QVERIFY(runOf(0) > 200); // not squeezed by the last
+        const ChartLayout layout = layoutOf(chart, {0, 0, 500, 260}, look);
+        const QRgb colour = algorithmColour(*chart.rows[6].algorithm, look.ground).rgb();
+        const int y = int(layout.rows[6].top() + layout.barMiddle);
+        QCOMPARE(image.pixel(int(layout.panels[0].right()) - 3, y), colour);
+        QCOMPARE(image.pixel(int(layout.panels[0].right()) - 14, y), look.paper.rgb());
+        QVERIFY(!isBroken(barsOf({10, 11, 12, 13, 14, 15, 40})));
+        QVERIFY(!isBroken(barsOf({10, 900})));
+    }
+    void nothingOverlapsAtAnyWidth()
+    {
+        const ChartLook look = chartLook(Ground::Light);
+        for (const Chart& chart : allCharts())
+            for (int width = 160; width < 1000; width += 23) {
+                const QByteArray what = (chart.key + ' ' + QString::number(width)).toUtf8();
+                const double height = naturalHeight(chart, width, look);
+                const ChartLayout layout = layoutOf(chart, QRectF(0, 0, width, height), look);
+                QVERIFY2(layout.nameRight <= layout.valueRight, what);
+                QVERIFY2(layout.valueRight < layout.panels.front().left(), what);
+                for (std::size_t p = 0; p < layout.panels.size(); ++p) {
+                    QVERIFY2(layout.panels[p].width() >= (width < 300 ? 1 : 8), what);
+                    const double end = p + 1 < layout.panels.size()  ? layout.panels[p + 1].left()
+                                       : layout.columnRights.empty() ? width + 1.0
+                                                                     : layout.columnRights[0];
+                    QVERIFY2(width < 200 || layout.panels[p].right() < end, what);
+                }
+                for (std::size_t r = 1; r < layout.rows.size(); ++r)
+                    QCOMPARE(layout.rows[r].top(), layout.rows[r - 1].bottom());
+                QVERIFY2(layout.bottom() <= height + 1, what);
+                QVERIFY2(leastHeight(chart, width, look) < height, what);
+            }
+    }
+    void pointsFindTheirRowAndValue()
+    {
+        const Chart chart = chartOf(sample::seven(), clip(), paperTables().front());
+        const ChartLook look = chartLook(Ground::Light);
+        const QRectF area(20, 30, 560, 400);
+        const ChartLayout layout = layoutOf(chart, area, look);
+        for (std::size_t r = 0; r < chart.rows.size(); ++r) {
+            const double y = layout.rows[r].center().y(), end = lengthOf(chart.rows[r]);
+            const auto hit = hitAt({layout.x(0, end), y}, area, chart, look);
+            QVERIFY(hit && hit->row == r && hit->panel == std::size_t(0));
+            QVERIFY(std::abs(*hit->value - end) < 1e-9);
+            const auto name = hitAt({area.left() + 5, y}, area, chart, look);
+            QVERIFY(name && name->row == r && !name->panel);
+        }
+        QVERIFY(!hitAt({area.left() - 1, 200}, area, chart, look));
+        QVERIFY(!hitAt(area.topLeft(), area, chart, look));
+        QVERIFY(!hitAt({100, layout.rows.back().bottom() + 1}, area, chart, look));
+    }
+    void everythingCanBeRead()
+    {
+        for (const Ground ground : {Ground::Light, Ground::Dark}) {
+            const ChartLook look = chartLook(ground);
+            QVERIFY(contrastOf(look.text, look.paper) >= 4.5);
+            QVERIFY(contrastOf(look.muted, look.paper) >= 4.5);
+            for (const auto& algorithm : clipping::algorithms())
+                QVERIFY2(contrastOf(algorithmColour(algorithm, ground), look.paper) >= 2.9,
+                         algorithm.abbreviation.data());
+        }
+    }
+};
+
+QTEST_MAIN(ChartPaintTest)
+#include "chart_paint_test.moc"
