@@ -12,6 +12,7 @@ namespace app {
 
 // Each is defined in the file of its command.
 Command clipCommand();
+Command compareCommand();
 Command convertCommand();
 Command algorithmsCommand();
 Command benchCommand();
@@ -20,7 +21,8 @@ Command infoCommand();
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(), convertCommand(), infoCommand(), algorithmsCommand(), benchCommand()};
+    return {clipCommand(), convertCommand(),    compareCommand(),
+            infoCommand(), algorithmsCommand(), benchCommand()};
 }
 
 namespace {
@@ -57,7 +59,8 @@ QString overview()
                       {"--size WIDTHxHEIGHT", Commands::tr("How large the window is.")},
                       {"--screenshot FILE.png", Commands::tr("Take a picture of it and end.")}})
            + Commands::tr("\nCommands:\n") + aligned(rows)
-           + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted.\n");
+           + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 3 something differs, "
+                          "130 interrupted.\n");
 }
 
 void run(const Command& command, const QStringList& arguments)
@@ -96,6 +99,8 @@ int runCommandLine(const QStringList& arguments)
     } catch (const Failure& failure) {
         say(QStringLiteral("clearcut %1: %2").arg(name, failure.sentence));
         return int(Exit::Failed);
+    } catch (const CheckFailed&) {
+        return int(Exit::CheckFailed);
     } catch (const std::bad_alloc&) {
         say(Commands::tr("clearcut %1: There is not enough memory for this.").arg(name));
         return int(Exit::Failed);

@@ -2,6 +2,7 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/command_line/window_options.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
 #include "app/document/usual_algorithm.h"
@@ -25,28 +26,6 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
         throw WrongUsage{Commands::tr("“%1” has no published form; name another algorithm with -a.")
                              .arg(QLatin1StringView(algorithm.name))};
     return *uses;
-}
-
-clipping::Window windowOf(const Given& given, const Sheet& sheet)
-{
-    const double unit = sheet.page.millimetresPerUnit();
-    const auto margin = given.length(QStringLiteral("margin"));
-    if (margin && !given.has(QStringLiteral("page")))
-        throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
-    clipping::Window window = sheet.window;
-    if (const auto r = given.rectangle(QStringLiteral("window"))) {
-        if (given.has(QStringLiteral("page")))
-            throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
-        const auto units = [&](std::size_t i) { return toUserUnits((*r)[i], unit); };
-        window = {{units(0), units(1)}, {units(2), units(3)}};
-    } else if (given.has(QStringLiteral("page"))) {
-        const double less = margin ? toUserUnits(*margin, unit) : 0;
-        window = {sheet.page.min + less, sheet.page.min + sheet.page.size - less};
-    }
-    if (window.min.x > window.max.x || window.min.y > window.max.y)
-        throw WrongUsage{Commands::tr("The window is empty: its XMIN,YMIN must not be greater than "
-                                      "its XMAX,YMAX.")};
-    return window;
 }
 
 CutOptions cutOptionsOf(const Given& given, const Sheet& sheet, const Output& output)
@@ -142,13 +121,8 @@ void clip(const Given& given)
 
 Command clipCommand()
 {
-    std::vector<Option> options{
-        {{"w", "window"},
-         "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("The clip window: numbers in the drawing's units, or lengths such as 10mm "
-                      "(without: the drawing's own clip window, or else its page).")},
-        {{"page"}, {}, Commands::tr("The clip window is the drawing's page.")},
-        {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
+    std::vector<Option> options = windowOptions();
+    const std::vector<Option> further{
         {{"k", "keep"}, "inside|outside", Commands::tr("Which part to keep (inside).")},
         {{"a", "algorithm"},
          "ALGORITHM",
@@ -161,7 +135,7 @@ Command clipCommand()
          "LENGTH",
          Commands::tr("How far a curve may be from the lines that it is clipped as (0.05mm).")},
     };
-    for (const auto& more : {writingOptions(), readingOptions()})
+    for (const auto& more : {further, writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
         {{"q", "quiet"}, {}, Commands::tr("Do not say what was cut, and what was lost.")});

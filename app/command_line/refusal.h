@@ -18,6 +18,9 @@ struct Failure {
     QString sentence;
 };
 
+/// All was done, and what was asked for is not so: exit code 3. What is, was said.
+struct CheckFailed {};
+
 /// The texts of the command line: Commands::tr("...").
 struct Commands {
     Q_DECLARE_TR_FUNCTIONS(Commands)

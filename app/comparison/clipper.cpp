@@ -51,6 +51,30 @@ QString titleOf(const Clipper& clipper)
                : QCoreApplication::translate("Clipper", "%1, as published").arg(both);
 }
 
+static const QString publishedSuffix = QStringLiteral(":published");
+
+QString keyOf(const Clipper& clipper)
+{
+    if (clipper.exhibit)
+        return clipper.exhibit->key;
+    const QString key = text(clipper.algorithm->key);
+    return clipper.form == Form::Corrected ? key : key + publishedSuffix;
+}
+
+std::optional<Clipper> findClipper(const QString& key)
+{
+    for (const Exhibit& exhibit : exhibits())
+        if (exhibit.key == key)
+            return Clipper{exhibit.meant, Form::Published, &exhibit};
+    const bool published = key.endsWith(publishedSuffix);
+    const QString name = published ? key.chopped(publishedSuffix.size()) : key;
+    const auto* algorithm = clipping::findAlgorithm(name.toStdString());
+    const Form form = published ? Form::Published : Form::Corrected;
+    if (!algorithm || !clipping::usesOf(*algorithm, form))
+        return std::nullopt;
+    return Clipper{algorithm, form};
+}
+
 std::size_t clipAll(const Clipper& clipper, std::span<const Segment> in, const Window& window,
                     std::span<Clipped> out)
 {

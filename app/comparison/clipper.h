@@ -24,6 +24,12 @@ QString nameOf(const Clipper& clipper);
 /// "KWC  Kodituwakku-Wijeweera-Chamikara, as published".
 QString titleOf(const Clipper& clipper);
 
+/// For files and the command line: "matthes-drakopoulos", "skala:published", "md-step-2".
+QString keyOf(const Clipper& clipper);
+/// By such a key; abbreviations in any case do as well. Nothing: there is no such algorithm, form
+/// or exhibit.
+std::optional<Clipper> findClipper(const QString& key);
+
 /// As in `clipping::Uses`.
 std::size_t clipAll(const Clipper& clipper, std::span<const clipping::Segment> in,
                     const clipping::Window& window, std::span<clipping::Clipped> out);

@@ -94,7 +94,11 @@ QString sentence(const Clipper& a, const Clipper& b, const DifferenceCounts& cou
         Text::tr("keeps %1 lines that %2 drops"));
     add(counts.endsApart, Text::tr("ends 1 line elsewhere than %1"),
         Text::tr("ends %1 lines elsewhere than %2"));
-    return Text::tr("%1 %2").arg(nameOf(a), faults.join(Text::tr(", ")));
+    const QString last = faults.takeLast();
+    const QString all = faults.isEmpty() ? last
+                                         : Text::tr("%1 and %2", "what it does, and what else")
+                                               .arg(faults.join(Text::tr(", ")), last);
+    return Text::tr("%1 %2", "who, and what it does").arg(nameOf(a), all);
 }
 
 } // namespace app

@@ -181,10 +181,10 @@ private slots:
     {
         const Clipper md = corrected("md"), lb = corrected("lb");
         QCOMPARE(app::sentence(md, lb, {1, 1, 1}, 9),
-                 "MD loses 1 line that LB keeps, keeps 1 line that LB drops, "
-                 "ends 1 line elsewhere than LB");
+                 "MD loses 1 line that LB keeps, keeps 1 line that LB drops "
+                 "and ends 1 line elsewhere than LB");
         QCOMPARE(app::sentence(md, lb, {1000, 0, 2}, 9),
-                 "MD keeps 1,000 lines that LB drops, ends 2 lines elsewhere than LB");
+                 "MD keeps 1,000 lines that LB drops and ends 2 lines elsewhere than LB");
     }
 
     /// The counterexamples X1 to X4 of the paper's text, worked by hand.
@@ -222,6 +222,11 @@ private slots:
         for (const Clipper& clipper : app::clippers())
             names << app::nameOf(clipper);
         QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
+        for (const Clipper& clipper : app::clippers())
+            QCOMPARE(app::findClipper(app::keyOf(clipper)), clipper);
+        QCOMPARE(app::findClipper("KWC:published"), published("kwc"));
+        QVERIFY(!app::findClipper("exact:published") && !app::findClipper("")
+                && !app::findClipper("x"));
         QVERIFY(names.contains("exact"));
         QVERIFY(names.contains("KWC as published"));
         QVERIFY(names.contains("MD with Step 2 as printed"));

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/drawing_files.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/table.h"
+#include "app/command_line/terminal.h"
+#include "app/command_line/window_options.h"
+#include "app/comparison/live_differences.h"
+#include "app/formats/number.h"
+
+#include <array>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr quint64 mostUlps = 1'000'000'000;
+
+/// In tables: what sees the line.
+constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Difference::Kind
+
+Clipper clipperOf(const Given& given, const QString& option, const Clipper& usual)
+{
+    const auto key = given.text(option);
+    if (!key)
+        return usual;
+    if (const auto clipper = findClipper(*key))
+        return *clipper;
+    QStringList more;
+    for (const Exhibit& exhibit : exhibits())
+        more << exhibit.key;
+    throw WrongUsage{Commands::tr("There is no “%1” to compare. Give a key or abbreviation of "
+                                  "“clearcut algorithms”, with :published where there is such a "
+                                  "form, or %2.")
+                         .arg(*key, more.join(Commands::tr(", ")))};
+}
+
+Comparison comparisonOf(const Given& given)
+{
+    if (!given.has(QStringLiteral("algorithm")))
+        throw WrongUsage{Commands::tr("Name what to compare with -a.")};
+    Comparison comparison{clipperOf(given, QStringLiteral("algorithm"), {}),
+                          clipperOf(given, QStringLiteral("with"), exactClipper())};
+    if (const auto ulps = given.count(QStringLiteral("ulps"), 0, mostUlps))
+        comparison.ulps = double(*ulps);
+    return comparison;
+}
+
+QString number(double value)
+{
+    if (!std::isfinite(value))
+        return std::isnan(value) ? QStringLiteral("nan") : QStringLiteral("inf");
+    std::string text;
+    appendNumber(text, value);
+    return QString::fromStdString(text);
+}
+
+void append(QStringList& row, const std::optional<clipping::Segment>& piece)
+{
+    for (const std::size_t i : {0, 1, 2, 3})
+        row << (piece ? number((i < 2 ? piece->a : piece->b)[int(i % 2)]) : QString());
+}
+
+QStringList rowOf(const Difference& difference, const Comparison& comparison, const Scene& scene,
+                  const clipping::Window& window)
+{
+    const clipping::Segment& line = scene.segments()[difference.source];
+    QStringList row{QString::number(difference.source + 1),
+                    QString::number(scene.shapeOf(difference.source) + 1),
+                    QLatin1StringView(words[std::size_t(difference.kind)]),
+                    QString::number(difference.ulps, 'g', 6)};
+    append(row, clipped(comparison.a, line, window));
+    append(row, clipped(comparison.b, line, window));
+    return row;
+}
+
+QString text(const clipping::Window& w)
+{
+    return QStringList{number(w.min.x), number(w.min.y), number(w.max.x), number(w.max.y)}.join(
+        u',');
+}
+
+Table tableOf(const Comparison& comparison, const Scene& scene, const Differences& found,
+              const QString& title)
+{
+    Table table{.names = {"line", "shape", "differs", "ulps", "a_x1", "a_y1", "a_x2", "a_y2",
+                          "b_x1", "b_y1", "b_x2", "b_y2"},
+                .title = title,
+                .key = QStringLiteral("differences"),
+                .facts = {{"a", keyOf(comparison.a)},
+                          {"b", keyOf(comparison.b)},
+                          {"ulps_allowed", QString::number(comparison.allowed())},
+                          {"window", text(found.window)},
+                          {"lines", QString::number(found.lines)},
+                          {"differing", QString::number(found.list.size())}}};
+    for (const Difference& difference : found.list)
+        table.rows.push_back(rowOf(difference, comparison, scene, found.window));
+    return table;
+}
+
+void compare(const Given& given)
+{
+    const Comparison comparison = comparisonOf(given);
+    const TableOutput output = tableOutput(given);
+    const Drawing drawing(readDrawing(given, given.operands().first()).sheet);
+    const Scene scene(drawing);
+    const Differences found = extended({windowOf(given, drawing.sheet())}, comparison,
+                                       scene.segments(), scene.segments().size());
+    const QString summary =
+        sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
+    if (!given.has(QStringLiteral("summary"))) {
+        const Table table = tableOf(comparison, scene, found, summary);
+        writeTables(output, {&table, 1});
+    }
+    if (!given.has(QStringLiteral("quiet")))
+        say(summary);
+    if (!found.list.empty())
+        throw CheckFailed{};
+}
+
+} // namespace
+
+Command compareCommand()
+{
+    std::vector<Option> options{
+        {{"a", "algorithm"},
+         "A",
+         Commands::tr("Key or abbreviation of what to compare; KEY:published is the form that its "
+                      "authors printed, md-step-2 the paper's misprint.")},
+        {{"b", "with"}, "B", Commands::tr("What to compare it with (exact).")},
+        {{"ulps"},
+         "N",
+         Commands::tr("How many ulps of the largest coordinate of line and window ends may be "
+                      "apart (what the contracts of both allow).")},
+    };
+    const std::vector<Option> last{
+        {{"summary"}, {}, Commands::tr("Do not list the lines that differ.")},
+        {{"q", "quiet"}, {}, Commands::tr("Do not say how many lines differ.")}};
+    for (const auto& more : {windowOptions(), tableOptions(), readingOptions(), last})
+        options.insert(options.end(), more.begin(), more.end());
+    return {"compare",
+            "INPUT -a A [-b B] [OPTIONS]",
+            Commands::tr("Lists the lines of which two algorithms leave different things; the exit "
+                         "code is 3 if there are any."),
+            std::move(options),
+            {"clearcut compare plan.svg -a kwc:published",
+             "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv"},
+            1,
+            compare};
+}
+
+} // namespace app

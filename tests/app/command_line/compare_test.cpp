@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "tests/app/command_line/program.h"
+
+/// `clearcut compare`, as people call it.
+class CompareTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString file() const { return folder_.filePath("lines.csv"); }
+
+private slots:
+    /// Published KWC loses the first one: 300 long, and less than one wide.
+    void init() { writeText(file(), "100,0,100.5,300\n0,0,300,300\n100,-50,250,350\n"); }
+
+    void listsWhatDiffers()
+    {
+        const auto run = clearcut(
+            {"compare", file(), "-w", "0,0,300,300", "-a", "kwc:published", "--format", "csv"});
+        QCOMPARE(run.code, 3);
+        QCOMPARE(run.err, "KWC as published loses 1 line that exact keeps.\n");
+        const auto lines = run.out.split('\n');
+        const auto row = std::ranges::find_if(
+            lines, [](const QByteArray& line) { return line.contains("only_b"); });
+        QVERIFY2(row != lines.end(), run.out.constData());
+        QVERIFY2(row->startsWith("1,1,only_b,5.27766e+15,,,,,100,0,100.5,300,"), row->constData());
+        QCOMPARE(run.out.count("only_b"), 1);
+    }
+
+    void isZeroWhereTheyAgree()
+    {
+        const auto run = clearcut({"compare", file(), "-a", "md", "-b", "lb", "-w", "0,0,300,300"});
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.err, "They agree on all 3 lines here.\n");
+    }
+
+    void endsThatAreApartByUlps()
+    {
+        // One third is no number in binary: formulas round differently.
+        writeText(file(), "0,0,3,1\n-1,0.1,2,1.1\n-1,0.7,6,2.3\n-5,0.3,7,1.7\n");
+        const auto counted = [&](const char* ulps) {
+            return clearcut({"compare", file(), "-w", "1,0,2,2", "-a", "cb:published", "--ulps",
+                             ulps, "--format", "csv"});
+        };
+        const auto none = counted("0"), many = counted("64");
+        QCOMPARE(none.code, 3);
+        QVERIFY(none.out.contains(",ends,"));
+        QCOMPARE(many.code, 0);
+        QVERIFY(!many.out.contains(",ends,"));
+    }
+
+    void theMisprint()
+    {
+        const auto run =
+            clearcut({"compare", file(), "-w", "0,0,300,300", "-a", "md-step-2", "--summary"});
+        QCOMPARE(run.code, 3);
+        QCOMPARE(run.out, "");
+        QVERIFY2(run.err.startsWith("MD with Step 2 as printed "), run.err.constData());
+        const auto quiet = clearcut(
+            {"compare", file(), "-w", "0,0,300,300", "-a", "md-step-2", "--summary", "-q"});
+        QCOMPARE(quiet.code, 3);
+        QCOMPARE(quiet.err, "");
+    }
+
+    void wrongUsage()
+    {
+        for (const QStringList& wrong :
+             {QStringList{"compare", file()}, QStringList{"compare", file(), "-a", "nobody"},
+              QStringList{"compare", file(), "-a", "exact:published"},
+              QStringList{"compare", file(), "-a", "md", "--ulps", "-1"},
+              QStringList{"compare", file(), "-a", "md", "-w", "9,9,0,0"}}) {
+            const auto run = clearcut(wrong);
+            QVERIFY2(run.code == 2, qPrintable(wrong.join(u' ')));
+            QCOMPARE(run.out, "");
+        }
+        QCOMPARE(clearcut({"compare", "/nowhere.svg", "-a", "md"}).code, 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(CompareTest)
+#include "compare_test.moc"
