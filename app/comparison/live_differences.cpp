@@ -17,16 +17,16 @@ namespace {
 constexpr std::size_t sliceLines = 20'000; // some milliseconds
 constexpr int idleMilliseconds = 150;      // many lines wait until a series of changes is over
 
-/// The pieces of the lines that differ; all three ascend by line.
-void appendPieces(std::vector<Segment>& to, std::span<const Difference> list,
-                  std::span<const Clipped> pieces)
+/// The pieces of the lines that differ; both ascend by line, which are counted from `first`.
+void appendPieces(std::vector<Clipped>& to, std::span<const Difference> list,
+                  std::span<const Clipped> pieces, std::uint32_t first)
 {
     auto next = pieces.begin();
     for (const Difference& difference : list) {
         while (next != pieces.end() && next->source < difference.source)
             ++next;
         if (next != pieces.end() && next->source == difference.source)
-            to.push_back(next->segment);
+            to.push_back({next->segment, next->source + first, next->cut});
     }
 }
 
@@ -47,8 +47,8 @@ Differences extended(Differences so, const Comparison& comparison, std::span<con
     const auto b = clipped(comparison.b, part, so.window);
     auto found = differences(part, so.window, a, b,
                              {comparison.allowed(), endsOf(comparison.a, comparison.b)});
-    appendPieces(so.pieces, found, a);
-    appendPieces(so.pieces, found, b);
+    appendPieces(so.pieces, found, a, first);
+    appendPieces(so.pieces, found, b, first);
     for (Difference& difference : found) {
         difference.source += first;
         so.list.push_back(difference);
@@ -70,7 +70,7 @@ Window placeOf(const Comparison& comparison, const Segment& line, const Window& 
         place = Window{glm::min(line.a, line.b), glm::max(line.a, line.b)};
     // Not closer than would still show where in the window it is.
     const glm::dvec2 size = place->max - place->min, whole = window.max - window.min;
-    const double room = std::max({size.x, size.y, std::max(whole.x, whole.y) / 50}) / 2;
+    const double room = std::max({size.x, size.y, std::max(whole.x, whole.y) / 100}) / 2;
     return {place->min - room, place->max + room};
 }
 
@@ -150,7 +150,7 @@ void LiveDifferences::finish()
         work();
 }
 
-std::span<const Segment> LiveDifferences::piecesAt(const Window& window)
+std::span<const Clipped> LiveDifferences::piecesAt(const Window& window)
 {
     if (!asked_)
         return {};

@@ -22,7 +22,7 @@ struct Differences {
     clipping::Window window{};
     std::size_t lines = 0;                   ///< that were compared
     std::vector<Difference> list{};          ///< ascending by line
-    std::vector<clipping::Segment> pieces{}; ///< what A and B leave of these lines
+    std::vector<clipping::Clipped> pieces{}; ///< what A and B leave of these lines
 };
 
 /// Compares lines[first, first + count) too and adds what is found.
@@ -55,7 +55,7 @@ public:
     static constexpr std::size_t mostAtOnce = 100'000;
     /// What to colour where the window lies now, in the middle of a gesture too; nothing if there
     /// are too many lines to say it at once. Valid until the next call or change.
-    std::span<const clipping::Segment> piecesAt(const clipping::Window& window);
+    std::span<const clipping::Clipped> piecesAt(const clipping::Window& window);
 
 signals:
     void changed(); ///< the question, or what was found

@@ -70,10 +70,11 @@ struct PictureOptions {
     double leastWidth = 0.75;          ///< logical pixels; thinner strokes are drawn so wide
     std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
     Colour light{};
-    std::span<const clipping::Segment> differing{}; ///< drawn thicker, over all, in `marked`
+    std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
     Colour marked{};
+    /// A tick across what differs: where it is too short to be seen, or wherever there is room too.
     enum class Ticks : std::uint8_t { WhereShort, Everywhere };
-    Ticks ticks = Ticks::WhereShort; ///< across the middle of what differs
+    Ticks ticks = Ticks::WhereShort;
 };
 
 /// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never

@@ -20,6 +20,14 @@ struct Exhibits {
     Q_DECLARE_TR_FUNCTIONS(Exhibits)
 };
 
+/// Formulas are not broken at their signs.
+QString unbroken(QString text)
+{
+    for (const QChar sign : {u'−', u'+', u'·', u'='})
+        text.replace(u' ' + QString(sign) + u' ', u'\u00a0' + QString(sign) + u'\u00a0');
+    return text;
+}
+
 /// Whether the formulas look at the line as it was given, or at ends that they have already moved.
 enum class Reading : std::uint8_t { Beside, InPlace };
 
@@ -80,11 +88,12 @@ std::size_t clipAll(std::span<const Segment> in, const Window& window, std::span
 Exhibit printedStep2()
 {
     return {QStringLiteral("md-step-2"), Exhibits::tr("MD with Step 2 as printed"),
-            Exhibits::tr("The text of the paper cuts at the window's lower and upper edge with "
-                         "(ymin − x1) and (ymax − x1). It should read (ymin − y1) and (ymax − y1), "
-                         "as in the pseudo-code: x = x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). "
-                         "Lines that leave through these edges are cut at the wrong place, "
-                         "or seen where they are not."),
+            unbroken(Exhibits::tr(
+                "The text of the paper cuts at the window's lower and upper edge with "
+                "(ymin − x1) and (ymax − x1). It should read (ymin − y1) and (ymax − y1), "
+                "as in the pseudo-code: x = x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). "
+                "Lines that leave through these edges are cut at the wrong place, "
+                "or seen where they are not.")),
             clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::Beside>};
 }
 
@@ -92,11 +101,12 @@ Exhibit printedStep2InPlace()
 {
     return {QStringLiteral("md-step-2-in-place"),
             Exhibits::tr("MD with Step 2 as printed, step by step"),
-            Exhibits::tr("Taken word by word, Step 2 also assigns to x1 and y1 and then goes on "
-                         "to compute with them: x1 = xmin makes xmin − x1 zero, so y1 stays where "
-                         "it was, and a line may end in 0/0. The pseudo-code keeps the "
-                         "cut ends in variables of their own, x[i] and y[i], and has (ymin − y1) "
-                         "where the text has (ymin − x1)."),
+            unbroken(Exhibits::tr(
+                "Taken word by word, Step 2 also assigns to x1 and y1 and then goes on "
+                "to compute with them: x1 = xmin makes xmin − x1 zero, so y1 stays where "
+                "it was, and a line may end in 0/0. The pseudo-code keeps the "
+                "cut ends in variables of their own, x[i] and y[i], and has (ymin − y1) "
+                "where the text has (ymin − x1).")),
             clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::InPlace>};
 }
 

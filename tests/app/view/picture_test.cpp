@@ -168,16 +168,17 @@ private slots:
     {
         Stage stage({square({10, 10}, 20)});
         const double nan = std::nan("");
-        // A long one, a point, one outside the view, one that is not a number.
-        const std::vector<clipping::Segment> pieces{{{10, 50}, {40, 50}},
-                                                    {{60.5, 60.5}, {60.5, 60.5}},
-                                                    {{200, 200}, {300, 200}},
-                                                    {{10, nan}, {40, 50}}};
+        // A long one, a point, one outside the view, one that is not a number, and none any more.
+        const std::vector<clipping::Clipped> pieces{{{{10, 50}, {40, 50}}, 0, 0},
+                                                    {{{60.5, 60.5}, {60.5, 60.5}}, 0, 0},
+                                                    {{{200, 200}, {300, 200}}, 0, 0},
+                                                    {{{10, nan}, {40, 50}}, 0, 0},
+                                                    {{{10, 80}, {40, 80}}, 99, 0}};
         stage.options.differing = pieces;
         stage.options.marked = {200, 0, 150};
         const app::Plate marks = stage.picture().differing;
         for (const app::Coat& coat : marks.coats) {
-            QVERIFY(coat.stroke && coat.stroke->width >= 1.9);
+            QVERIFY(coat.stroke && coat.stroke->width >= 2.25); // its own is 1
             QCOMPARE(coat.stroke->colour, stage.options.marked);
         }
         const auto magenta = [&](int x, int y) {
@@ -190,6 +191,10 @@ private slots:
         stage.options.ticks = app::PictureOptions::Ticks::Everywhere;
         QVERIFY(magenta(25, 47));
         QVERIFY(magenta(60, 60));
+        QVERIFY(!magenta(25, 80));
+        // Always thicker than the line itself.
+        stage.options.view.zoom = 4;
+        QCOMPARE(stage.picture().differing.coats.front().stroke->width, 4 + 1.5);
         stage.options.differing = {};
         QVERIFY(stage.picture().differing.coats.empty());
     }
