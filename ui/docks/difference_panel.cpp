@@ -12,6 +12,8 @@
 #include <QScopedValueRollback>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace ui {
 
 namespace {
@@ -19,6 +21,7 @@ namespace {
 constexpr int markerSize = 12;
 constexpr int asInContract = -1; // of the box with the ulps: below all that can be chosen
 constexpr int mostUlps = 1'000'000;
+constexpr int mostColumnWidth = 260;
 
 /// Published KWC loses lines, which is the difference to begin with.
 app::Clipper firstA()
@@ -49,7 +52,7 @@ QLabel* quiet(const QString& text)
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session), a_(chooser(tr("A"), firstA())),
       b_(chooser(tr("B"), app::exactClipper())), ulps_(new QSpinBox), tick_(new QLabel),
-      summary_(new QLabel), explanation_(new QLabel), table_(new DenseTable), nothing_(quiet({}))
+      summary_(new QLabel), explanation_(new QLabel), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -105,7 +108,6 @@ void DifferencePanel::addTable()
     explanation_->setWordWrap(true);
     explanation_->setFont(captionFont(font()));
     explanation_->setContentsMargins(space::labelToField, 6, space::labelToField, 6);
-    nothing_->setAlignment(Qt::AlignTop);
     auto* found = new QHBoxLayout;
     found->setContentsMargins(space::dockMargin, 2, space::dockMargin, 2);
     found->setSpacing(6);
@@ -119,9 +121,6 @@ void DifferencePanel::addTable()
     table_->setSortingEnabled(true);
     table_->sortByColumn(0, Qt::AscendingOrder);
     table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
-    const std::array widths{64, 168, 88, 208, 208, 132};
-    for (std::size_t i = 0; i < widths.size(); ++i)
-        table_->setColumnWidth(int(i), widths[i]);
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addLayout(margins);
     column->addLayout(found);
@@ -192,9 +191,10 @@ void DifferencePanel::follow()
 {
     const QScopedValueRollback quietly(following_, true);
     const app::Comparison comparison = wanted();
+    const double contract = app::contractUlps(comparison.a, comparison.b);
+    const int decimals = contract == std::floor(contract) ? 0 : 1;
     ulps_->setSpecialValueText(
-        tr("%1 ulps, as in the contract")
-            .arg(app::countText(std::size_t(app::contractUlps(comparison.a, comparison.b)))));
+        tr("%1 ulps, as in the contract").arg(app::numberText(contract, decimals)));
     ulps_->setSuffix(ulps_->value() == 1 ? tr(" ulp") : tr(" ulps"));
     QStringList wrong;
     for (const app::Clipper& clipper : {comparison.a, comparison.b})
@@ -204,8 +204,21 @@ void DifferencePanel::follow()
     explanation_->setVisible(!wrong.isEmpty());
     table_->setVisible(model_.rowCount() > 0);
     paintSummary();
+    fitColumns();
     if (const auto line = session_.inspected())
         choose(model_.rowOf(*line));
+}
+
+/// To what another comparison finds; then they stay, also while the window moves.
+void DifferencePanel::fitColumns()
+{
+    if (model_.rowCount() == 0 || fittedTo_ == session_.differences.asked())
+        return;
+    fittedTo_ = session_.differences.asked();
+    for (int column = 0; column < model_.columnCount(); ++column) {
+        table_->resizeColumnToContents(column);
+        table_->setColumnWidth(column, std::min(table_->columnWidth(column), mostColumnWidth));
+    }
 }
 
 void DifferencePanel::paintSummary()

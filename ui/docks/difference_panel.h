@@ -41,6 +41,7 @@ private:
     void swap();
     void follow();
     void paintSummary();
+    void fitColumns();
     void showRow(int row);
     void choose(int row);
 
@@ -50,7 +51,7 @@ private:
     QSpinBox* ulps_;
     QLabel *tick_, *summary_, *explanation_;
     DenseTable* table_;
-    QLabel* nothing_; ///< where the table is otherwise
+    std::optional<app::Comparison> fittedTo_; ///< whose texts the columns have room for
     bool following_ = false;
 };
 

@@ -36,6 +36,17 @@ public:
     }
 
 protected:
+    /// With room for the arrow, so that nothing jumps when it comes.
+    QSize sectionSizeFromContents(int section) const override
+    {
+        if (!model()) // it may go before the table does
+            return {};
+        const QString text = model()->headerData(section, Qt::Horizontal).toString();
+        return {fontMetrics().horizontalAdvance(text + QStringLiteral(" ▴")) + 2 * gap
+                    + (visualIndex(section) == 0 ? space::dockMargin - gap : 0),
+                space::dockTitleHeight};
+    }
+
     void paintSection(QPainter* painter, const QRect& rect, int section) const override
     {
         const Look& look = lookOf(palette());
@@ -61,6 +72,12 @@ public:
     explicit Cells(const DenseTable& table, QObject* parent)
         : QStyledItemDelegate(parent), table_(table)
     {
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        return {tabularWidth(QFontMetrics(option.font), index.data().toString()) + 3 * gap,
+                space::denseRowHeight};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -110,6 +127,7 @@ DenseTable::DenseTable(QWidget* parent) : QTableView(parent)
     setFrameShape(QFrame::NoFrame);
     setShowGrid(false);
     setWordWrap(false);
+    horizontalHeader()->setResizeContentsPrecision(200); // rows; the rest is much like these
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setTabKeyNavigation(false);

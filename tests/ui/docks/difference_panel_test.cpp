@@ -215,7 +215,7 @@ private slots:
         stage.show();
         const auto explanation = [&] {
             for (const QLabel* label : stage.panel.findChildren<QLabel*>())
-                if (label->isVisible() && label->text().contains("(ymin − y1)"))
+                if (label->isVisible() && label->text().contains("(ymin\u00a0−\u00a0y1)"))
                     return true;
             return false;
         };
