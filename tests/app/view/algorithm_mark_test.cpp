@@ -69,6 +69,8 @@ private slots:
     void hollowMarkersHaveTheSameOutline()
     {
         for (const auto& algorithm : clipping::algorithms()) {
+            if (!algorithm.published)
+                continue;
             const QImage filled = markerOf(algorithm, Form::Corrected),
                          hollow = markerOf(algorithm, Form::Published);
             QVERIFY2(painted(hollow) < 0.95 * painted(filled), algorithm.key.data());
