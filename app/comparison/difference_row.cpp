@@ -129,6 +129,13 @@ QString pieceHeading(const Comparison& comparison)
                            : Rows::tr("B: %1").arg(nameOf(comparison.b));
 }
 
+template <Side side>
+QString pieceMeaning(const Comparison& comparison)
+{
+    return Rows::tr("From where to where %1 leaves the line")
+        .arg(nameOf(clipperOf(comparison, side)));
+}
+
 QString superscript(int number)
 {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -143,19 +150,33 @@ QString superscript(int number)
 std::span<const DifferenceColumn> differenceColumns()
 {
     static const std::array columns{
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("Line"); }, lineText, byLine,
-                         true},
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("What differs"); }, whatText,
-                         byKind, false},
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("Line"); },
+                         [](const Comparison&) { return Rows::tr("The line's number"); }, lineText,
+                         byLine, true},
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("What differs"); },
+                         [](const Comparison&) {
+                             return Rows::tr("Which of the two sees the line, or that both do and "
+                                             "end it elsewhere");
+                         },
+                         whatText, byKind, false},
         DifferenceColumn{
             [](const Comparison&) { return Rows::tr("Ulps"); },
+            [](const Comparison&) {
+                return Rows::tr("How far the ends are apart, or how long the piece is "
+                                "that only one of the two sees, in units in the last "
+                                "place of the largest coordinate of line and window");
+            },
             [](const Session&, const Difference& difference) { return ulpsText(difference.ulps); },
             byUlps, true},
-        DifferenceColumn{pieceHeading<Side::A>, shortPieceText<Side::A>, byPiece<Side::A>, false},
-        DifferenceColumn{pieceHeading<Side::B>, shortPieceText<Side::B>, byPiece<Side::B>, false},
+        DifferenceColumn{pieceHeading<Side::A>, pieceMeaning<Side::A>, shortPieceText<Side::A>,
+                         byPiece<Side::A>, false},
+        DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,
+                         byPiece<Side::B>, false},
         // Shapes, and layers, come in the order of their lines.
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("Layer and shape"); }, placeText,
-                         byLine, false}};
+        DifferenceColumn{
+            [](const Comparison&) { return Rows::tr("Layer and shape"); },
+            [](const Comparison&) { return Rows::tr("Where in the drawing the line is"); },
+            placeText, byLine, false}};
     return columns;
 }
 

@@ -16,6 +16,7 @@ struct DifferenceColumn {
     using Key = std::array<double, 2>;
 
     QString (*heading)(const Comparison& comparison); ///< "Line"
+    QString (*meaning)(const Comparison& comparison); ///< of what is in it, a sentence
     /// As a person reads it, in the drawing's unit. Empty if the line is gone, or nobody looks.
     QString (*text)(const Session& session, const Difference& difference);
     Key (*key)(const Session& session, const Difference& difference);

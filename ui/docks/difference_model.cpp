@@ -62,9 +62,12 @@ QVariant DifferenceModel::headerData(int section, Qt::Orientation orientation, i
         return {};
     if (role == Qt::TextAlignmentRole)
         return sideOf(section);
+    const auto comparison =
+        session_.differences.asked().value_or(app::Comparison{app::exactClipper()});
     if (role == Qt::DisplayRole)
-        return columnOf(section).heading(
-            session_.differences.asked().value_or(app::Comparison{app::exactClipper()}));
+        return columnOf(section).heading(comparison);
+    if (role == Qt::ToolTipRole)
+        return columnOf(section).meaning(comparison);
     return {};
 }
 

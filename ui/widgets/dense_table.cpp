@@ -76,7 +76,8 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
-        return {tabularWidth(QFontMetrics(option.font), index.data().toString()) + 3 * gap,
+        return {tabularWidth(QFontMetrics(option.font), index.data().toString()) + 2 * gap
+                    + space::dockMargin - gap,
                 space::denseRowHeight};
     }
 

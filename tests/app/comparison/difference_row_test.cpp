@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/difference_row.h"
+
+#include <QTest>
+
+#include <limits>
+
+class DifferenceRowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void ulpsInWords_data()
+    {
+        QTest::addColumn<double>("ulps");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("a point") << 0.0 << "0";
+        QTest::newRow("whole") << 3.0 << "3";
+        QTest::newRow("half") << 3.5 << "3.5";
+        QTest::newRow("some") << 1234.4 << "1,234";
+        QTest::newRow("many") << 8.44e12 << "8.4 × 10¹²";
+        QTest::newRow("all") << std::numeric_limits<double>::infinity() << "∞";
+    }
+    void ulpsInWords()
+    {
+        QFETCH(double, ulps);
+        QTEST(app::ulpsText(ulps), "text");
+    }
+
+    /// Where both would read the same they are written out.
+    void endsThatDifferInTheLastPlaceAreSeenToDiffer()
+    {
+        app::Session session;
+        app::Sheet sheet;
+        sheet.window = {{1, 0}, {2, 2}};
+        for (const double y : {0.1, 0.7, 0.3, 0.9, 0.6}) {
+            app::Shape line;
+            line.paths = {{{-1, y}, {{{6, y + 1.6}}}}};
+            sheet.shapes.push_back(std::move(line));
+        }
+        session.drawing.load(std::move(sheet));
+        session.differences.ask(
+            app::Comparison{*app::findClipper("cb:published"), app::exactClipper(), 0});
+        session.differences.finish();
+        const auto& list = session.differences.found().list;
+        QVERIFY(!list.empty());
+        const auto columns = app::differenceColumns();
+        for (const app::Difference& difference : list) {
+            QCOMPARE(columns[1].text(session, difference), "ends apart");
+            QVERIFY(columns[3].text(session, difference) != columns[4].text(session, difference));
+        }
+        // Nobody looks any more, and the line is gone: no words, and no crash.
+        const app::Difference gone{99, app::Difference::Kind::OnlyA, 1};
+        QCOMPARE(columns[0].text(session, gone), "");
+        QCOMPARE(app::piecesInFull(session, gone), "");
+        const app::Difference first = list.front();
+        session.differences.ask(std::nullopt);
+        for (const std::size_t column : {0, 1, 3, 4, 5})
+            QCOMPARE(columns[column].text(session, first), "");
+    }
+
+    void everyColumnSortsBothWays()
+    {
+        app::Session session;
+        app::Sheet sheet;
+        sheet.window = {{0, 0}, {100, 100}};
+        for (int i = 0; i < 40; ++i) {
+            app::Shape line;
+            line.paths = {{{100. - 2 * i, 50. - i}, {{{100.5 - 2 * i, 60. + 7 * (i % 5)}}}}};
+            sheet.shapes.push_back(std::move(line));
+        }
+        session.drawing.load(std::move(sheet));
+        session.differences.ask(app::Comparison{*app::findClipper("kwc:published")});
+        session.differences.finish();
+        const auto& list = session.differences.found().list;
+        QVERIFY(list.size() > 10);
+        for (const app::DifferenceColumn& column : app::differenceColumns())
+            for (const auto order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
+                const auto rows = app::sortedBy(session, column, order);
+                QCOMPARE(rows.size(), list.size());
+                for (std::size_t i = 1; i < rows.size(); ++i) {
+                    const auto before = column.key(session, list[rows[i - 1]]);
+                    const auto after = column.key(session, list[rows[i]]);
+                    QVERIFY(order == Qt::AscendingOrder ? before <= after : before >= after);
+                    QVERIFY(before != after || rows[i - 1] < rows[i]);
+                }
+            }
+    }
+};
+
+QTEST_GUILESS_MAIN(DifferenceRowTest)
+#include "difference_row_test.moc"
