@@ -6,6 +6,9 @@
 
 namespace app {
 
+/// Under so many lines a clip time says nothing.
+constexpr std::size_t leastLinesToTime = 1000;
+
 /// The middle of the last 60 times: what the status bar shows, so that one slow frame says nothing.
 class FrameStatistics {
 public:

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/live_race.h"
+
+#include "app/view/frame_statistics.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr int tenthOfASecond = 100;
+constexpr double sliceMilliseconds = 8;
+constexpr std::size_t leastRounds = 8; // of a big drawing, whose rounds take long
+constexpr qint64 longEnough = 10'000;  // milliseconds
+
+} // namespace
+
+LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), session_(session)
+{
+    for (QTimer* timer : {&next_, &show_}) {
+        timer->setSingleShot(true);
+        timer->setInterval(tenthOfASecond);
+    }
+    connect(&work_, &QTimer::timeout, this, &LiveRace::work); // whenever nothing else is to be done
+    connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
+    connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
+    connect(&session.drawing, &Drawing::changed, this, &LiveRace::follow);
+}
+
+void LiveRace::setContestants(std::vector<Contestant> contestants)
+{
+    contestants_ = std::move(contestants);
+    if (running()) {
+        stop();
+        start();
+    }
+}
+
+void LiveRace::start()
+{
+    if (running())
+        return;
+    race_.emplace(contestants_);
+    begin();
+}
+
+void LiveRace::stop()
+{
+    race_.reset();
+    for (QTimer* timer : {&work_, &next_, &show_})
+        timer->stop();
+}
+
+void LiveRace::frameShown(const clipping::Window& window)
+{
+    window_ = window;
+    if (running() && !race_->running() && !now().sameAs(race_->frame()))
+        begin();
+}
+
+std::span<const RaceRow> LiveRace::rows() const
+{
+    if (!running() || race_->rows().empty() || race_->rows().front().milliseconds.empty())
+        return {};
+    return race_->rows();
+}
+
+std::size_t LiveRace::lines() const { return running() ? race_->frame().lines.size() : 0; }
+
+bool LiveRace::upToDate() const
+{
+    return running() && !race_->running() && race_->rounds() > 0 && now().sameAs(race_->frame());
+}
+
+// The scene hears of it first: its lines are the new ones already.
+void LiveRace::follow(const Change& change)
+{
+    if (change.kind == Change::Kind::Window) {
+        window_.reset(); // a gesture is over, or undone
+        return;
+    }
+    ++revision_;
+    if (!running())
+        return;
+    race_->drop();
+    work_.stop();
+    next_.start();
+}
+
+RaceFrame LiveRace::now() const
+{
+    return {session_.scene.segments(), window_.value_or(session_.sheet().window), revision_};
+}
+
+void LiveRace::begin()
+{
+    const RaceFrame frame = now();
+    next_.stop();
+    sinceBegin_.start();
+    if (!frame.sameAs(race_->frame()) || race_->rounds() == 0)
+        sinceNew_.start();
+    race_->begin(frame);
+    settled_ = false;
+    if (race_->running())
+        work_.start(0);
+}
+
+void LiveRace::work()
+{
+    QElapsedTimer clock;
+    clock.start();
+    do
+        if (race_->step())
+            return roundOver();
+    while (double(clock.nsecsElapsed()) * 1e-6 < sliceMilliseconds);
+}
+
+void LiveRace::roundOver()
+{
+    work_.stop();
+    if (!show_.isActive())
+        show_.start();
+    if (!now().sameAs(race_->frame()))
+        return begin();
+    settled_ = enough();
+    if (!settled_)
+        next_.start(int(std::max<qint64>(0, tenthOfASecond - sinceBegin_.elapsed())));
+}
+
+bool LiveRace::enough() const
+{
+    const std::size_t rounds = race_->rounds();
+    return rounds >= Race::length || (rounds >= leastRounds && sinceNew_.elapsed() >= longEnough)
+           || (rounds >= 2 && lines() < leastLinesToTime);
+}
+
+} // namespace app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/race.h"
+#include "app/document/session.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+namespace app {
+
+/// A race on what an editor shows, while somebody looks at it: after each frame that differs from
+/// the last one (at most one round a frame), and then ten rounds a second until the numbers have
+/// settled. It works between events, some milliseconds at a time, so that nothing has to wait for
+/// it; the window moves on meanwhile, and the next round is on the newest frame.
+class LiveRace : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LiveRace(const Session& session, QObject* parent = nullptr);
+
+    /// Who races; what was measured is forgotten.
+    void setContestants(std::vector<Contestant> contestants);
+    std::span<const Contestant> contestants() const { return contestants_; }
+    void start(); ///< on what is shown now
+    void stop();  ///< what was measured is forgotten
+    bool running() const { return race_.has_value(); }
+
+    /// A frame was shown, with this clip window.
+    void frameShown(const clipping::Window& window);
+
+    /// After the last finished round; none before the first one.
+    std::span<const RaceRow> rows() const;
+    std::size_t lines() const; ///< of that round
+    /// The last finished round is on what is shown.
+    bool upToDate() const;
+    /// Enough has been measured of what is shown: nothing goes on.
+    bool settled() const { return settled_; }
+
+signals:
+    void advanced(); ///< rounds were finished, or it has settled; at most ten times a second
+
+private:
+    void follow(const Change& change);
+    RaceFrame now() const; ///< what is shown
+    void begin();
+    void work();
+    void roundOver();
+    bool enough() const;
+
+    const Session& session_;
+    std::vector<Contestant> contestants_;
+    std::optional<Race> race_;
+    std::optional<clipping::Window> window_; ///< of the last frame
+    std::uint64_t revision_ = 0;             ///< of the lines
+    bool settled_ = false;
+    QElapsedTimer sinceNew_, sinceBegin_;
+    QTimer work_, next_, show_;
+};
+
+} // namespace app

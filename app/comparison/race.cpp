@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/race.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace app {
+
+using clipping::Clipped;
+
+namespace {
+
+constexpr std::size_t blockSize = 16384; // lines: some milliseconds even of the slowest
+constexpr std::size_t leastTelling = 6;  // rounds, from which on their spread says something
+
+std::span<const clipping::Segment> linesOf(const RaceFrame& frame, std::size_t block)
+{
+    const std::size_t begin = block * blockSize;
+    return frame.lines.subspan(begin, std::min(blockSize, frame.lines.size() - begin));
+}
+
+std::vector<clipping::Segment> evenly(std::span<const clipping::Segment> lines, std::size_t most)
+{
+    const std::size_t count = std::min(lines.size(), most);
+    std::vector<clipping::Segment> sample(count);
+    for (std::size_t i = 0; i < count; ++i)
+        sample[i] = lines[i * lines.size() / count];
+    return sample;
+}
+
+const auto& usesOf(const Contestant& contestant)
+{
+    return *clipping::usesOf(*contestant.algorithm, contestant.form);
+}
+
+} // namespace
+
+Summary RaceRow::summary() const
+{
+    const std::span all(milliseconds);
+    return summaryOf(ofThisFrame < leastTelling ? all : all.last(ofThisFrame));
+}
+
+Race::Race(std::vector<Contestant> contestants, Clock clock)
+    : clock_(std::move(clock)), nanoseconds_(contestants.size())
+{
+    for (const Contestant& contestant : contestants)
+        rows_.push_back({.contestant = contestant});
+}
+
+void Race::begin(const RaceFrame& frame)
+{
+    assert(!racing_);
+    if (frame.lines.size() != frame_.lines.size())
+        for (RaceRow& row : rows_)
+            row.milliseconds.clear();
+    if (!frame.sameAs(frame_) || begun_ == 0)
+        rounds_ = 0;
+    frame_ = frame;
+    next_ = rows_;
+    for (RaceRow& row : next_)
+        row.visible = 0;
+    std::ranges::fill(nanoseconds_, 0.0);
+    found_.resize(frame.lines.size());
+    if (judges()) {
+        truth_.resize(frame.lines.size());
+        truthEnds_.clear();
+        for (RaceRow& row : next_)
+            row.differences = {};
+    }
+    if (counts())
+        sample_ = evenly(frame.lines, judges() ? quickSample : thoroughSample);
+    turn_ = 0;
+    racing_ = turns() > 0;
+    ++begun_;
+}
+
+bool Race::step()
+{
+    assert(racing_);
+    const std::size_t n = rows_.size(), truths = judges() ? blocks() : 0;
+    if (turn_ < truths)
+        tellTruth(turn_);
+    else if (const std::size_t turn = turn_ - truths; turn < n * blocks())
+        clip((begun_ + turn / blocks()) % n, turn % blocks());
+    else
+        count(turn - n * blocks());
+    racing_ = ++turn_ < turns();
+    if (!racing_)
+        finish();
+    return !racing_;
+}
+
+std::size_t Race::blocks() const { return (frame_.lines.size() + blockSize - 1) / blockSize; }
+
+bool Race::counts() const
+{
+    return rounds_ == 0 || (rounds_ == 1 && frame_.lines.size() > quickSample);
+}
+
+std::size_t Race::turns() const
+{
+    const std::size_t n = rows_.size();
+    return (judges() ? blocks() : 0) + n * blocks() + (counts() ? n : 0);
+}
+
+void Race::tellTruth(std::size_t block)
+{
+    const std::size_t begin = truthEnds_.empty() ? 0 : truthEnds_.back();
+    truthEnds_.push_back(
+        begin
+        + clipping::exactAlgorithm().corrected.clipAll(linesOf(frame_, block), frame_.window,
+                                                       std::span(truth_).subspan(begin)));
+}
+
+void Race::clip(std::size_t contestant, std::size_t block)
+{
+    RaceRow& row = next_[contestant];
+    const auto lines = linesOf(frame_, block);
+    const auto out = std::span(found_).subspan(row.visible);
+    const auto& uses = usesOf(row.contestant);
+    const double start = clock_.nanoseconds();
+    const std::size_t visible = uses.clipAll(lines, frame_.window, out);
+    nanoseconds_[contestant] += clock_.nanoseconds() - start;
+    row.visible += visible;
+    if (judges())
+        judge(row, block, out.first(visible));
+}
+
+void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found) const
+{
+    const std::size_t from = block == 0 ? 0 : truthEnds_[block - 1];
+    const auto truth = std::span(truth_).first(truthEnds_[block]).subspan(from);
+    const Clipper contestant{row.contestant.algorithm, row.contestant.form};
+    const DifferenceCounts here = counted(differences(
+        linesOf(frame_, block), frame_.window, found, truth,
+        {contractUlps(contestant, exactClipper()), endsOf(contestant, exactClipper())}));
+    row.differences.onlyA += here.onlyA;
+    row.differences.onlyB += here.onlyB;
+    row.differences.endsApart += here.endsApart;
+}
+
+void Race::count(std::size_t contestant)
+{
+    RaceRow& row = next_[contestant];
+    const auto c = usesOf(row.contestant).count(sample_, frame_.window);
+    row.operations = double(c.comparisons + c.additions + c.multiplications + c.divisions)
+                     / double(std::max<std::size_t>(sample_.size(), 1));
+}
+
+void Race::finish()
+{
+    ++rounds_;
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+        auto& times = next_[i].milliseconds;
+        if (times.size() == length)
+            times.erase(times.begin());
+        times.push_back(nanoseconds_[i] * 1e-6);
+        next_[i].ofThisFrame = std::min(rounds_, length);
+    }
+    rows_ = std::move(next_);
+}
+
+} // namespace app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/difference.h"
+#include "app/experiment/experiment.h"
+
+namespace app {
+
+/// What is raced on. Lines and window of two frames are the same if these are equal, the lines by
+/// their revision.
+struct RaceFrame {
+    std::span<const clipping::Segment> lines; ///< stay where they are until the round is over
+    clipping::Window window{};
+    std::uint64_t revision = 0; ///< another number: other lines
+
+    bool sameAs(const RaceFrame& other) const
+    {
+        return revision == other.revision && window == other.window;
+    }
+};
+
+/// What one contestant needed and found.
+struct RaceRow {
+    Contestant contestant;
+    std::vector<double> milliseconds{}; ///< for all lines, of the last rounds, the newest last
+    std::size_t ofThisFrame = 0;        ///< how many of them: those at the end
+    std::size_t visible = 0;            ///< lines
+    DifferenceCounts differences{};     ///< A is the contestant, B `exact`
+    double operations = 0; ///< a line: comparisons, additions, multiplications, divisions
+
+    /// Of the rounds of this frame, or of all of them as long as those are too few to say anything.
+    Summary summary() const;
+};
+
+/// All contestants clip the same frame, round by round, each in turn and each into the same buffer;
+/// who begins changes from round to round. A round is made of many short steps, so that between
+/// them a window can answer. What is truly visible is what the row `exact` says. One thread.
+class Race {
+public:
+    static constexpr std::size_t length = 40; ///< rounds that are remembered
+    /// Lines whose arithmetic is counted, evenly spread: in the first round of a frame, and in the
+    /// second one, if there is one. Fewer lines are all counted.
+    static constexpr std::size_t quickSample = 1024, thoroughSample = 16384;
+
+    explicit Race(std::vector<Contestant> contestants, Clock clock = processorClock());
+
+    /// Begins a round. Times of another number of lines are forgotten. No round is under way.
+    void begin(const RaceFrame& frame);
+    bool running() const { return racing_; }
+    /// One contestant's turn on some of the lines, which takes some milliseconds. True: it was the
+    /// round's last one.
+    bool step();
+    /// Gives up the round under way, of which nothing is kept.
+    void drop() { racing_ = false; }
+
+    /// After the last round that was finished, in the order of the contestants.
+    const std::vector<RaceRow>& rows() const { return rows_; }
+    const RaceFrame& frame() const { return frame_; } ///< of the last round that was begun
+    std::size_t rounds() const { return rounds_; }    ///< finished ones, of this frame
+
+private:
+    std::size_t blocks() const;
+    bool judges() const { return rounds_ == 0; }
+    bool counts() const;
+    std::size_t turns() const;
+    void tellTruth(std::size_t block);
+    void clip(std::size_t contestant, std::size_t block);
+    void judge(RaceRow& row, std::size_t block, std::span<const clipping::Clipped> found) const;
+    void count(std::size_t contestant);
+    void finish();
+
+    Clock clock_;
+    std::vector<RaceRow> rows_, next_; ///< next_: what the round under way finds
+    std::vector<double> nanoseconds_;  ///< of the round under way
+    RaceFrame frame_;
+    std::size_t rounds_ = 0;
+    std::size_t begun_ = 0; ///< rounds of all frames: whose turn it is to begin
+    std::size_t turn_ = 0;  ///< of the round under way
+    bool racing_ = false;
+    std::vector<clipping::Segment> sample_;
+    std::vector<clipping::Clipped> found_, truth_; ///< sources count from the block's first line
+    std::vector<std::size_t> truthEnds_;           ///< of each block, in truth_
+};
+
+} // namespace app

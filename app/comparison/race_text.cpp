@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/race_text.h"
+
+#include "app/view/frame_statistics.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <map>
+
+namespace app {
+namespace {
+
+struct Races {
+    Q_DECLARE_TR_FUNCTIONS(Races)
+};
+
+/// "MD and LB", "MD, LB and CS".
+QString enumeration(QStringList names)
+{
+    const QString last = names.takeLast();
+    return names.isEmpty() ? last
+                           : Races::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+} // namespace
+
+QString tiesText(std::span<const RaceRow> rows)
+{
+    std::vector<Summary> summaries;
+    for (const RaceRow& row : rows)
+        summaries.push_back(row.summary());
+    const auto places = standings(summaries);
+    std::map<int, QStringList> ties;
+    for (const std::size_t i : sortedByMedian(summaries))
+        if (places[i].tie)
+            ties[*places[i].tie] << nameOf({rows[i].contestant.algorithm, rows[i].contestant.form});
+    QStringList texts;
+    for (const auto& [tie, names] : ties)
+        texts << Races::tr("%1 tie").arg(enumeration(names));
+    return texts.isEmpty()
+               ? QString()
+               : Races::tr("%1: too close to call").arg(texts.join(QStringLiteral(", ")));
+}
+
+QString fieldText(std::size_t lines)
+{
+    const QString count = countText(lines);
+    return lines < leastLinesToTime ? Races::tr("%1 lines: too few to time").arg(count)
+                                    : Races::tr("%1 lines, rotated order, 1 thread").arg(count);
+}
+
+} // namespace app

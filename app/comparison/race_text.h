@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/race.h"
+
+#include <QString>
+
+namespace app {
+
+/// "MD and LB tie: too close to call"; empty if every place is clear.
+QString tiesText(std::span<const RaceRow> rows);
+
+/// "9,969 lines, rotated order, 1 thread"; "312 lines: too few to time".
+QString fieldText(std::size_t lines);
+
+} // namespace app

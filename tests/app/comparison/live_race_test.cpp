@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "app/comparison/live_race.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <array>
+
+using namespace clipping;
+
+namespace {
+
+// Contestants that write down on what they were called.
+struct Call {
+    int who;
+    std::size_t lines;
+    Window window;
+};
+std::vector<Call> calls;
+
+template <int who>
+std::size_t clipAll(std::span<const Segment> in, const Window& window, std::span<Clipped> out)
+{
+    calls.push_back({who, in.size(), window});
+    return findAlgorithm("cs")->corrected.clipAll(in, window, out);
+}
+
+template <int who>
+Algorithm counting()
+{
+    Algorithm row = *findAlgorithm("cs");
+    row.corrected.clipAll = clipAll<who>;
+    return row;
+}
+
+/// A drawing of one zigzag.
+app::Sheet sheetOf(int lines)
+{
+    app::Sheet sheet;
+    sheet.window = {{10, 10}, {90, 90}};
+    app::Shape zigzag;
+    zigzag.style.stroke = app::Colour{};
+    zigzag.paths.push_back({{0, 0}, {}, false});
+    for (int i = 1; i <= lines; ++i)
+        zigzag.paths.back().stretches.push_back({{double(i % 101), double(i % 97)}});
+    sheet.shapes.push_back(zigzag);
+    return sheet;
+}
+
+struct Track {
+    std::array<Algorithm, 2> rows{counting<0>(), counting<1>()};
+    app::Session session;
+    app::LiveRace race{session};
+
+    explicit Track(int lines)
+    {
+        session.load({sheetOf(lines), {}});
+        race.setContestants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
+        calls.clear();
+    }
+    std::size_t roundsOn(const Window& window) const
+    {
+        return std::size_t(std::ranges::count_if(
+                   calls, [&](const Call& call) { return call.window == window; }))
+               / rows.size();
+    }
+};
+
+Window moved(double by) { return {{10 + by, 10}, {90 + by, 90}}; }
+
+} // namespace
+
+class LiveRaceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nobodyRunsUnlessSomebodyLooks()
+    {
+        Track t(2000);
+        t.race.frameShown(moved(1));
+        QTest::qWait(250);
+        QVERIFY(calls.empty());
+        QVERIFY(t.race.rows().empty());
+        t.race.start();
+        QTRY_VERIFY(t.race.rows().size() == 2);
+        t.race.stop();
+        const std::size_t before = calls.size();
+        t.race.frameShown(moved(2));
+        QTest::qWait(250);
+        QCOMPARE(calls.size(), before);
+        QVERIFY(t.race.rows().empty());
+    }
+    void nothingRunsInsideTheFrame()
+    {
+        Track t(2000);
+        t.race.start();
+        t.race.frameShown(moved(1));
+        QVERIFY(calls.empty());
+    }
+    /// Also in the middle of a gesture, which has not reached the drawing yet.
+    void itIsTheWindowThatWasShown()
+    {
+        Track t(2000);
+        t.race.frameShown(moved(3));
+        t.race.start();
+        QTRY_VERIFY(!t.race.rows().empty());
+        QVERIFY(
+            std::ranges::all_of(calls, [](const Call& call) { return call.window == moved(3); }));
+        QCOMPARE(t.race.lines(), std::size_t(2000));
+    }
+    void eachNewFrameIsRacedOn()
+    {
+        Track t(2000);
+        t.race.start();
+        for (int i = 1; i <= 10; ++i) {
+            t.race.frameShown(moved(i));
+            QTRY_VERIFY(t.roundsOn(moved(i)) >= 1);
+        }
+    }
+    void framesThatComeTooFastShareARound()
+    {
+        Track t(2000);
+        t.race.start();
+        for (int i = 1; i <= 10; ++i)
+            t.race.frameShown(moved(i));
+        QTRY_VERIFY(t.roundsOn(moved(10)) >= 1);
+        for (int i = 1; i < 10; ++i)
+            QCOMPARE(t.roundsOn(moved(i)), std::size_t(0));
+    }
+    void itSettlesAndThenRests()
+    {
+        Track t(2000);
+        QSignalSpy shown(&t.race, &app::LiveRace::advanced);
+        t.race.start();
+        QTRY_VERIFY_WITH_TIMEOUT(t.race.settled(), 20'000);
+        QCOMPARE(t.race.rows().front().milliseconds.size(), app::Race::length);
+        QTest::qWait(150); // for the last one to be shown
+        const std::size_t before = calls.size();
+        const auto times = shown.size();
+        QVERIFY(times >= 10 && times <= 60);
+        t.race.frameShown(moved(0)); // nothing new
+        QTest::qWait(300);
+        QCOMPARE(calls.size(), before);
+        t.race.frameShown(moved(1));
+        QTRY_VERIFY(calls.size() > before);
+        QVERIFY(!t.race.settled());
+    }
+    void tooFewLinesSettleAtOnce()
+    {
+        Track t(10);
+        t.race.start();
+        QTRY_VERIFY_WITH_TIMEOUT(t.race.settled(), 1000);
+        QCOMPARE(t.race.rows().front().visible,
+                 t.session.scene
+                     .clip(t.session.uses(), t.session.sheet().window, app::Scene::Removed::Left)
+                     .inside.size());
+    }
+    /// The lines of a round go away in the middle of it.
+    void otherLinesBeginAnew()
+    {
+        Track t(100'000);
+        t.race.start();
+        QTRY_VERIFY(!calls.empty());
+        t.session.load({sheetOf(3000), {}});
+        calls.clear();
+        QTRY_VERIFY(!t.race.rows().empty());
+        QVERIFY(std::ranges::all_of(calls, [](const Call& call) { return call.lines == 3000; }));
+        QCOMPARE(t.race.rows().front().milliseconds.size(), calls.size() / 2);
+    }
+    void undoneWindowsAreRacedOn()
+    {
+        Track t(2000);
+        t.race.frameShown(moved(5));
+        t.session.history.push(new app::SetWindow(t.session.drawing, moved(5)));
+        t.session.history.undo();
+        t.race.start();
+        QTRY_VERIFY(!t.race.rows().empty());
+        QVERIFY(t.roundsOn(t.session.sheet().window) >= 1);
+        QCOMPARE(t.roundsOn(moved(5)), std::size_t(0));
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveRaceTest)
+#include "live_race_test.moc"
