@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/formats/format.h"
+#include "ui/look.h"
 
 #include "tests/ui/canvas/stage.h"
 
@@ -177,6 +178,36 @@ inline void theClipFollowsTheGesture(ui::Backend backend)
     QCOMPARE(stage.session.history.count(), 0);
     stage.release({70, 35});
     QCOMPARE(stage.session.history.count(), 1);
+}
+
+/// Published KWC loses a line that leans by less than one unit.
+inline void whatDiffersIsColouredAndFollowsTheGesture(ui::Backend backend)
+{
+    Stage stage(backend, {line({100, 10}, {100.5, 90}), line({60, 30}, {90, 60})});
+    const auto isMarked = [&](app::Point p) {
+        const QColor pixel = stage.colourAt(p);
+        const QColor marked = ui::lookOf(QApplication::palette()).differs;
+        return std::abs(pixel.red() - marked.red()) + std::abs(pixel.green() - marked.green())
+                   + std::abs(pixel.blue() - marked.blue())
+               < 40;
+    };
+    QVERIFY(!isMarked({100.25, 50}));
+    stage.session.differences.ask(app::Comparison{*app::findClipper("kwc:published")});
+    QTRY_VERIFY(stage.session.differences.upToDate());
+    QVERIFY(isMarked({100.25, 50}));
+    QVERIFY(!isMarked({75, 45}));     // both see this one
+    QVERIFY(!isMarked({100.45, 85})); // outside the window
+    stage.key(Qt::Key_W);
+    stage.press({75, 80}); // the lower side
+    stage.move({75, 70}, Qt::LeftButton);
+    QVERIFY(isMarked({100.25, 50}));
+    QVERIFY(!isMarked({100.4, 75})); // now it is outside
+    stage.move({75, 95}, Qt::LeftButton);
+    QVERIFY(isMarked({100.45, 85}));
+    QCOMPARE(stage.session.history.count(), 0);
+    stage.release({75, 95});
+    stage.session.differences.ask(std::nullopt);
+    QVERIFY(!isMarked({100.25, 50}));
 }
 
 } // namespace cases

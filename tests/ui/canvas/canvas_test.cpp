@@ -22,6 +22,10 @@ private slots:
     void keysNavigate() { cases::keysNavigate(backend); }
     void theWindowIsDrawnMovedAndResized() { cases::theWindowIsDrawnMovedAndResized(backend); }
     void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
+    void whatDiffersIsColouredAndFollowsTheGesture()
+    {
+        cases::whatDiffersIsColouredAndFollowsTheGesture(backend);
+    }
     void withoutADisplayThereIsNoOpenGl()
     {
         if (QGuiApplication::platformName() != "offscreen")
