@@ -46,6 +46,15 @@ std::vector<double> lengthsBefore(std::span<const clipping::Segment> whole)
 
 } // namespace
 
+std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segments)
+{
+    std::vector<clipping::Clipped> all;
+    all.reserve(segments.size());
+    for (const auto& segment : segments)
+        all.push_back({segment, std::uint32_t(all.size()), 0});
+    return all;
+}
+
 Plating::Plating(const PictureOptions& options, std::size_t expectedPieces) : options_(options)
 {
     plate_.points.reserve(2 * expectedPieces);

@@ -5,6 +5,9 @@
 
 namespace app {
 
+/// All of them as whole pieces.
+std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segments);
+
 /// Makes a plate, shape by shape, bottom to top.
 class Plating {
 public:

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/difference_marks.h"
+
+#include "app/view/plating.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace app {
+
+using clipping::Clipped;
+using clipping::Segment;
+using Ticks = PictureOptions::Ticks;
+
+namespace {
+
+constexpr double leastWidth = 2.25, thicker = 1.5; // pixels
+constexpr double tickLength = 8, tooShort = 6;     // pixels
+constexpr std::size_t mostShort =
+    300; // pieces in the view; with ticks on more nothing else is seen
+
+bool isSeen(const Clipped& piece, const clipping::Window& view)
+{
+    const auto& [a, b] = piece.segment;
+    return std::max(a.x, b.x) >= view.min.x && std::min(a.x, b.x) <= view.max.x
+           && std::max(a.y, b.y) >= view.min.y && std::min(a.y, b.y) <= view.max.y;
+}
+
+/// Those in the view, of lines that are still there.
+std::vector<Clipped> seenOf(const Scene& scene, const PictureOptions& options)
+{
+    const clipping::Window view = options.view.visible();
+    std::vector<Clipped> seen;
+    std::ranges::copy_if(options.differing, std::back_inserter(seen), [&](const Clipped& piece) {
+        return piece.source < scene.segments().size() && isSeen(piece, view);
+    });
+    return seen;
+}
+
+std::optional<Segment> tickOf(const Segment& piece, const PictureOptions& options, bool few)
+{
+    const Point along = piece.b - piece.a;
+    const double length = glm::length(along), pixels = length * options.view.zoom;
+    const bool isShort = pixels < tooShort;
+    if (isShort ? !few : options.ticks == Ticks::WhereShort)
+        return std::nullopt;
+    const double tick = isShort ? tickLength : std::min(tickLength, 0.75 * pixels);
+    const Point across = length > 0 ? Point(-along.y, along.x) / length : Point(0.6, 0.8);
+    const Point half = across * (tick / 2 / options.view.zoom);
+    const Point middle = piece.a + along / 2.0;
+    return Segment{middle - half, middle + half};
+}
+
+std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions& options)
+{
+    const bool few = seen.size() <= mostShort;
+    std::vector<Segment> ticks;
+    if (!few && options.ticks == Ticks::WhereShort)
+        return ticks;
+    for (const Clipped& piece : seen)
+        if (const auto tick = tickOf(piece.segment, options, few))
+            ticks.push_back(*tick);
+    return ticks;
+}
+
+/// How thick the marks of lines are, in pixels; asked line by line.
+class Widths {
+public:
+    Widths(const Sheet& sheet, const Scene& scene, double zoom)
+        : sheet_(sheet), scene_(scene), zoom_(zoom)
+    {
+    }
+
+    double of(std::size_t line)
+    {
+        if (line < scene_.firstSegmentOf(shape_) || line >= scene_.firstSegmentOf(shape_ + 1))
+            shape_ = scene_.shapeOf(line);
+        const Style& style = sheet_.shapes[shape_].style;
+        return std::max(leastWidth, (style.stroke ? style.width * zoom_ : 0) + thicker);
+    }
+
+private:
+    const Sheet& sheet_;
+    const Scene& scene_;
+    double zoom_;
+    std::size_t shape_ = 0; // mostly that of the line before
+};
+
+} // namespace
+
+Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+{
+    const std::vector<Clipped> seen = seenOf(scene, options);
+    Plating plating(options, 2 * seen.size());
+    Shape mark;
+    mark.style.stroke = options.marked;
+    std::vector<Segment> alike; // as thick as each other
+    const auto paint = [&](double pixels) {
+        mark.style.width = pixels / options.view.zoom;
+        if (!alike.empty())
+            plating.add(mark, alike, 0, untouched(alike));
+        alike.clear();
+    };
+    Widths widths(sheet, scene, options.view.zoom);
+    double width = 0;
+    for (const Clipped& piece : seen) {
+        if (const double wanted = widths.of(piece.source); wanted != width) {
+            paint(width);
+            width = wanted;
+        }
+        alike.push_back(piece.segment);
+    }
+    paint(width);
+    alike = ticksOf(seen, options);
+    paint(leastWidth);
+    return plating.take();
+}
+
+} // namespace app

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/picture.h"
+
+namespace app {
+
+/// What `options.differing` looks like: always thicker than the lines that it lies upon, with ticks
+/// where they help.
+Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options);
+
+} // namespace app
