@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/chart_layout.h"
+#include "ui/look.h"
+#include "ui/widgets/chart_view.h"
+
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <QToolTip>
+
+#include "tests/app/charts/sample_charts.h"
+
+using namespace ui;
+
+namespace {
+
+app::Chart sampleChart()
+{
+    return chartOf(sample::seven(), app::measures().front(), app::paperTables().front());
+}
+
+} // namespace
+
+class ChartViewTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<ChartView> view_;
+
+    QPoint middleOfRow(std::size_t row) const
+    {
+        const auto layout =
+            layoutOf(view_->chart(), view_->rect().adjusted(8, 8, -8, -8), chartLookOf(*view_));
+        return layout.rows[row].center().toPoint();
+    }
+
+private slots:
+    void init()
+    {
+        applyTheme(*qApp, Theme::Light);
+        view_ = std::make_unique<ChartView>();
+        view_->setChart(sampleChart());
+        view_->resize(view_->sizeHint());
+        view_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    }
+    void theRowUnderThePointerIsLit()
+    {
+        QVERIFY(!view_->currentRow());
+        const QImage before = view_->grab().toImage();
+        QTest::mouseMove(view_.get(), middleOfRow(2));
+        QCOMPARE(view_->currentRow(), std::optional<std::size_t>(2));
+        QVERIFY(view_->grab().toImage() != before);
+    }
+    void itTellsWhatIsKnownOfARow()
+    {
+        QHelpEvent help(QEvent::ToolTip, middleOfRow(1), view_->mapToGlobal(middleOfRow(1)));
+        QApplication::sendEvent(view_.get(), &help);
+        QCOMPARE(QToolTip::text(), view_->chart().rows[1].detail);
+        QVERIFY(QToolTip::text().contains("Cohen-Sutherland"));
+    }
+    void keysGoThroughTheRows()
+    {
+        view_->activateWindow();
+        view_->setFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Down);
+        QCOMPARE(view_->currentRow(), std::optional<std::size_t>(0));
+        for (int i = 0; i < 20; ++i)
+            QTest::keyClick(view_.get(), Qt::Key_Down);
+        QCOMPARE(view_->currentRow(), std::optional<std::size_t>(6));
+        QCOMPARE(view_->accessibleDescription(), view_->chart().rows[6].detail);
+        QTest::keyClick(view_.get(), Qt::Key_Up);
+        QCOMPARE(view_->currentRow(), std::optional<std::size_t>(5));
+    }
+    void whoCannotSeeItIsTold()
+    {
+        QCOMPARE(view_->accessibleName(), view_->chart().title);
+        QVERIFY(view_->accessibleDescription().contains("Liang-Barsky"));
+    }
+    void itFollowsTheTheme()
+    {
+        const QColor light = view_->grab().toImage().pixelColor(2, 2);
+        applyTheme(*qApp, Theme::Dark);
+        const QColor dark = view_->grab().toImage().pixelColor(2, 2);
+        QVERIFY(light.lightness() > 200 && dark.lightness() < 80);
+    }
+    void narrowerIsHigher()
+    {
+        QVERIFY(view_->heightForWidth(220) >= view_->heightForWidth(700));
+        QVERIFY(view_->minimumSizeHint().height() < view_->sizeHint().height());
+    }
+    void itsMenuExports()
+    {
+        QSignalSpy spy(view_.get(), &ChartView::exportWanted);
+        QTimer::singleShot(0, [] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            menu->actions().front()->trigger();
+            menu->close();
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, view_->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(view_.get(), &event);
+        QCOMPARE(spy.count(), 1);
+    }
+};
+
+QTEST_MAIN(ChartViewTest)
+#include "chart_view_test.moc"
