@@ -21,13 +21,26 @@ double fastestOf(const PaperTable& paper)
     return std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
 }
 
-/// Whether this timing is the one of its algorithm that the paper's is set beside.
-bool comparable(const Record& record, const Timing& timing)
+/// Whether the paper's time of this algorithm is set beside this timing of it.
+bool comparable(const Record& record, const Timing& timing, const PaperTable& paper)
 {
-    return std::ranges::none_of(record.timings, [&](const Timing& other) {
-        return other.contestant.algorithm == timing.contestant.algorithm
-               && other.contestant.form < timing.contestant.form;
-    });
+    return columnOf(paper, timing.contestant.algorithm)
+           && std::ranges::none_of(record.timings, [&](const Timing& other) {
+                  return other.contestant.algorithm == timing.contestant.algorithm
+                         && other.contestant.form < timing.contestant.form;
+              });
+}
+
+/// Which of the sorted timings is called 1: the fastest, of those that the paper has where it is
+/// set beside them, or the two scales would have nothing to do with each other.
+std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
+                   const std::optional<PaperTable>& paper)
+{
+    if (!paper)
+        return order.front();
+    const auto found = std::ranges::find_if(
+        order, [&](std::size_t i) { return comparable(record, record.timings[i], *paper); });
+    return found == order.end() ? order.front() : *found;
 }
 
 QString detailOf(const Contestant& contestant, const Summary& times)
@@ -66,8 +79,6 @@ ChartRow rowOf(const Contestant& contestant, const Summary& times, double fastes
 void compare(ChartRow& row, const PaperTable& paper)
 {
     const PaperColumn* column = columnOf(paper, row.algorithm);
-    if (!column)
-        return;
     row.other = column->printedAverage / fastestOf(paper);
     row.numbers << ratioText(*row.other);
     row.detail += u'\n'
@@ -106,8 +117,11 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
 {
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
+    const std::size_t one = unitOf(record, order, paper);
     Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
-                .title = Charts::tr("%1, fastest = 1").arg(measure.name),
+                .title = (one == order.front() ? Charts::tr("%1, fastest = 1")
+                                               : Charts::tr("%1, fastest of the paper's = 1"))
+                             .arg(measure.name),
                 .subtitle = sceneText(record.options),
                 .legend = legendOf(record),
                 .columns = {Charts::tr("here")},
@@ -115,9 +129,8 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
                 .ties = tiesOf(times, order),
                 .reference = 1};
     for (const std::size_t i : order) {
-        chart.rows.push_back(
-            rowOf(record.timings[i].contestant, times[i], times[order.front()].median));
-        if (paper && comparable(record, record.timings[i]))
+        chart.rows.push_back(rowOf(record.timings[i].contestant, times[i], times[one].median));
+        if (paper && comparable(record, record.timings[i], *paper))
             compare(chart.rows.back(), *paper);
     }
     if (paper) {

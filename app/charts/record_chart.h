@@ -11,8 +11,8 @@ namespace app {
 
 /// What was measured, from the fastest to the slowest by median: bars in times of the fastest, with
 /// their 95 % confidence, ties in brackets. With a table of the paper, its averages in times of its
-/// own fastest, as hollow markers and a second column; algorithms that it has not have none. An
-/// algorithm that comes in both forms is compared in its corrected one.
+/// own fastest, as hollow markers and a second column; bars are in times of the fastest of the
+/// algorithms that it has, then. One that comes in both forms is compared in its corrected one.
 Chart chartOf(const Record& record, const Measure& measure,
               const std::optional<PaperTable>& paper = {});
 

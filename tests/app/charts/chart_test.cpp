@@ -112,6 +112,19 @@ private slots:
         for (const ChartRow& row : chart.rows)
             QVERIFY(!row.other || row.form == clipping::Form::Corrected);
     }
+    void thePapersFastestIsOneOnBothScales()
+    {
+        const sample::Times all[]{
+            {"EX", sample::ours, 2}, {"CS", sample::ours, 20}, {"MD", sample::ours, 30}};
+        const Record record = sample::record(all, 0.001);
+        const Chart with = chartOf(record, measures().front(), paperTables().front()),
+                    without = chartOf(record, measures().front());
+        QCOMPARE(barOf(without.rows[0]).length(), 1.0);
+        QCOMPARE(barOf(with.rows[1]).length(), 1.0);
+        QVERIFY(std::abs(barOf(with.rows[0]).length() - 0.1) < 0.001);
+        QVERIFY(with.title != without.title);
+        QCOMPARE(*with.rows[2].other, 1.0); // MD in the paper
+    }
     void operationsAddUp()
     {
         const OperationProfile profile = sample::operations();
