@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/verdict.h"
 
+#include "app/experiment/contestant_name.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -14,43 +15,25 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-QString latin(std::string_view text)
+std::vector<Contestant> contestantsOf(const Record& record)
 {
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+    std::vector<Contestant> all;
+    for (const Timing& timing : record.timings)
+        all.push_back(timing.contestant);
+    return all;
 }
 
-/// "KWC as published" where both forms take part, else "KWC".
 QString shortName(const Record& record, std::size_t i)
 {
-    const auto& timings = record.timings;
-    const Contestant& one = timings[i].contestant;
-    const bool mixed = std::ranges::any_of(
-        timings, [&](const Timing& timing) { return timing.contestant.form != one.form; });
-    const QString name = latin(one.algorithm->abbreviation);
-    return mixed && one.form == clipping::Form::Published
-               ? Experiments::tr("%1 as published").arg(name)
-               : name;
+    return nameAmong(contestantsOf(record), i);
 }
 
 /// "Nicholl-Lee-Nicholl (NLN)".
 QString longName(const Record& record, std::size_t i)
 {
-    return Experiments::tr("%1 (%2)").arg(latin(record.timings[i].contestant.algorithm->name),
+    const auto name = record.timings[i].contestant.algorithm->name;
+    return Experiments::tr("%1 (%2)").arg(QString::fromUtf8(name.data(), qsizetype(name.size())),
                                           shortName(record, i));
-}
-
-/// "CS, LB and MD".
-QString listText(const QStringList& names)
-{
-    if (names.size() < 2)
-        return names.join(QString());
-    return Experiments::tr("%1 and %2")
-        .arg(names.sliced(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
-}
-
-QString timeText(double nanoseconds)
-{
-    return Experiments::tr("%1 ns a line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
 }
 
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
@@ -111,29 +94,38 @@ QString proposedText(const Record& record, const Measure& measure)
 QString rankingSentence(const Trial& trial, const Measure& measure)
 {
     const auto check = rankingCheck(*trial.paper, trial.record, measure);
-    const std::size_t pairs = check.same + check.reversed + check.undecided;
     const QString own = proposedText(trial.record, measure);
-    if (!check.holds())
-        return Experiments::tr("The paper's ranking does not hold for that: %1, and %2 of %3 pairs "
-                               "come out the other way round (%4 are too close to call, there or "
-                               "here).")
-            .arg(own, countText(check.reversed), countText(pairs), countText(check.undecided));
-    return Experiments::tr(
-               "The paper's ranking holds for that as far as it can be told: %1, and no "
-               "pair comes out the other way round (%2 of %3 are too close to call, "
-               "there or here).")
-        .arg(own, countText(check.undecided), countText(pairs));
+    const QString pairs = countText(check.same + check.reversed + check.undecided),
+                  undecided = countText(check.undecided);
+    if (check.same + check.reversed == 0)
+        return Experiments::tr("Nothing can be said of the paper's ranking: all %1 pairs are too "
+                               "close to call.")
+            .arg(pairs);
+    return check.holds()
+               ? Experiments::tr("The paper's ranking holds: %1, %2 of %3 pairs come out as in the "
+                                 "paper, and %4 are too close to call.")
+                     .arg(own, countText(check.same), pairs, undecided)
+               : Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come "
+                                 "out the other way round (%4 are too close to call).")
+                     .arg(own, countText(check.reversed), pairs, undecided);
+}
+
+/// What the paper's own runs say by our rule.
+QString paperSentence(const Trial& trial)
+{
+    const Measure clip = measures().front();
+    return rankingCheck(*trial.paper, trial.record, clip).paperTies ? Experiments::tr(
+               "By the rule used here, the paper's own runs leave its fastest too "
+               "close to call.")
+                                                                    : QString();
 }
 
 QStringList lossSentences(const Record& record)
 {
     QStringList sentences;
     for (std::size_t i = 0; i < record.timings.size(); ++i) {
-        const auto& [contestant, generate, clip, draw, found, pixels] = record.timings[i];
-        const QString name =
-            contestant.form == clipping::Form::Published
-                ? Experiments::tr("%1 as published").arg(latin(contestant.algorithm->abbreviation))
-                : latin(contestant.algorithm->abbreviation);
+        const Findings& found = record.timings[i].found;
+        const QString name = nameOf(record.timings[i].contestant);
         const QString visible = countText(found.visible + found.lost - found.shown);
         if (found.lost > 0)
             sentences << Experiments::tr("%1 loses %2 of the %3 lines that are visible.")
@@ -148,8 +140,6 @@ QStringList lossSentences(const Record& record)
     return sentences;
 }
 
-QString shareText(double share) { return QString::number(100 * share, 'f', share < 0.1 ? 1 : 0); }
-
 } // namespace
 
 RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const Measure& measure)
@@ -158,14 +148,14 @@ RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const M
     for (const PaperColumn& column : paper.columns)
         theirs.push_back(summaryOf(column.runs));
     const auto ours = summaries(record, measure);
-    const auto theirPlaces = standings(theirs), ourPlaces = standings(ours);
-    const auto tied = [](const Standing& a, const Standing& b) { return a.tie && a.tie == b.tie; };
-    RankingCheck check;
+    const auto places = standings(ours);
+    RankingCheck check{.paperTies = leaders(theirs, standings(theirs)).size() > 1};
     for (std::size_t i = 0; i < ours.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (tied(theirPlaces[i], theirPlaces[j]) || tied(ourPlaces[i], ourPlaces[j]))
+            if (places[i].tie && places[i].tie == places[j].tie)
                 ++check.undecided;
-            else if ((theirs[i].median < theirs[j].median) == (ours[i].median < ours[j].median))
+            else if ((paper.columns[i].printedAverage < paper.columns[j].printedAverage)
+                     == (ours[i].median < ours[j].median))
                 ++check.same;
             else
                 ++check.reversed;
@@ -182,25 +172,10 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
         if (trial.paper)
             sentences.back() += u' ' + rankingSentence(trial, measure);
     }
-    return sentences + QStringList(lossSentences(trial.record).join(u' '));
-}
-
-QStringList reasons(const Explanation& explanation)
-{
-    const auto& classes = explanation.classes.classes;
-    const auto most =
-        std::ranges::max_element(classes, {}, [](const ClassTimes& one) { return one.of.share; });
-    if (most == classes.end() || most->record.timings.empty())
-        return {};
-    const auto times = summaries(most->record, measures().front());
-    const auto order = sortedByMedian(times);
-    const auto of = [&](std::size_t i) {
-        return Experiments::tr("%1 with %2")
-            .arg(shortName(most->record, i), timeText(times[i].median));
-    };
-    return {Experiments::tr("%1 % of the lines: %2. For those the fastest is %3, the slowest %4.")
-                .arg(shareText(most->of.share), words(most->of.lineClass), of(order.front()),
-                     of(order.back()))};
+    QStringList further = lossSentences(trial.record);
+    if (trial.paper && !paperSentence(trial).isEmpty())
+        further << paperSentence(trial);
+    return sentences << further.join(u' ');
 }
 
 } // namespace app

@@ -31,6 +31,12 @@ public:
         proposed = proposal;
         return save;
     }
+    QString fileToWrite(const QString&, const QString& proposal, const QString&,
+                        const QString&) override
+    {
+        proposed = proposal;
+        return save;
+    }
     Answer saveChanges(const QString&) override { return ++asked, answer; }
     bool saveAsNewFile(const std::vector<app::Loss>&) override { return asNewFile; }
     void showLosses(const QString&, const std::vector<app::Loss>&) override {}

@@ -79,6 +79,17 @@ QString Questions::fileToSave(const QString& title, const QString& proposal, For
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString Questions::fileToWrite(const QString& title, const QString& proposal, const QString& kind,
+                               const QString& ending)
+{
+    QFileDialog dialog(&window_, title, QFileInfo(proposal).path(),
+                       QStringLiteral("%1 (*.%2)").arg(kind, ending));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(ending);
+    dialog.selectFile(QFileInfo(proposal).fileName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 Questions::Answer Questions::saveChanges(const QString& name)
 {
     const int verb = ask(window_, tr("Save the changes to %1?").arg(name),

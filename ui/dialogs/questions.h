@@ -24,6 +24,10 @@ public:
     /// Where to write, one of all formats that can be or of the native one; empty: cancelled. An
     /// ending is added where there is none.
     virtual QString fileToSave(const QString& title, const QString& proposal, Formats which);
+    /// Where to write something that is no drawing: a table, a chart, a report. `kind` is what it
+    /// is called, `ending` what its name ends with, which is added where there is none.
+    virtual QString fileToWrite(const QString& title, const QString& proposal, const QString& kind,
+                                const QString& ending);
     virtual Answer saveChanges(const QString& name);
     /// What an import lost is about to be lost for good; true: save as a new file.
     virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);

@@ -2,6 +2,7 @@
 #include "app/comparison/agreement.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/experiment/experiment_window.h"
 #include "ui/main_window.h"
 
 #include <QCoreApplication>
@@ -113,6 +114,13 @@ MenuInfo compareMenu()
                  {},
                  [](MainWindow& w) { inspectNext(w, -1); },
                  someLines},
+                {},
+                {"reproduce-paper",
+                 tr("&Reproduce the paper…"),
+                 {QKeySequence("Ctrl+F7")},
+                 Reach::Window,
+                 "chart",
+                 showExperiment},
             }};
 }
 

@@ -272,7 +272,8 @@ private slots:
         const auto check = app::rankingCheck(paper, trial.record, app::measures().front());
         QCOMPARE(check.reversed, 0u);
         QCOMPARE(check.same + check.undecided, 21u);
-        QVERIFY(check.same >= 10);
+        QVERIFY(check.same >= 18); // its averages and its medians hardly differ
+        QVERIFY(!check.paperTies);
         const auto told = app::verdict(trial, clipOnly()).join('\n');
         QVERIFY2(told.contains("Matthes-Drakopoulos (MD) is the fastest"), qPrintable(told));
         QVERIFY2(told.contains("ranking holds"), qPrintable(told));
@@ -289,11 +290,19 @@ private slots:
         trial.record.timings[5].found = {.visible = 39'000, .lost = 1000};
         const auto check = app::rankingCheck(paper, trial.record, app::measures().front());
         QCOMPARE(check.same, 0u);
-        QVERIFY(check.reversed >= 10);
+        QVERIFY(check.reversed >= 18);
         const auto told = app::verdict(trial, app::measures()).join('\n');
         QVERIFY2(told.contains("does not hold"), qPrintable(told));
         QVERIFY2(told.contains("KWC as published loses 1,000 of the 40,000"), qPrintable(told));
-        QCOMPARE(told.count("ranking"), 2); // clipping only, and the total
+        QCOMPARE(told.count("ranking does not hold"), 2); // clipping only, and the total
+    }
+
+    void theRunsOfTheFirstTableAreTooCloseToCall()
+    {
+        const auto paper = app::paperTables()[0];
+        const auto trial = invented(paper, likeThePaper(paper));
+        QVERIFY(app::rankingCheck(paper, trial.record, clipOnly()[0]).paperTies);
+        QVERIFY(app::verdict(trial, clipOnly()).back().contains("paper's own runs leave"));
     }
 
     void tiesHaveNoWinner()
@@ -309,8 +318,20 @@ private slots:
     void theReasonIsTheCommonestClass()
     {
         const auto study = app::study(*app::planOf(few("rejected")).value);
-        const auto told = app::reasons(*study->explanation).join(' ');
-        QVERIFY2(told.startsWith("100 % of the lines: rejected at once."), qPrintable(told));
+        const auto told = app::reasons(*study->explanation);
+        QCOMPARE(told.size(), qsizetype(app::tablesOf(*study->explanation).size()));
+        QVERIFY2(told[0].startsWith("Most lines, 100 %, are of the class “rejected at once”."),
+                 qPrintable(told[0]));
+        QVERIFY2(told[1].contains("fewest operations"), qPrintable(told[1]));
+        QVERIFY2(told[2].startsWith("All of them find the same lines"), qPrintable(told[2]));
+    }
+
+    void whoLosesLinesIsNamed()
+    {
+        app::Choice choice = few("paper");
+        choice.lines = 20'000;
+        const auto told = app::reasons(*app::study(*app::planOf(choice).value)->explanation)[2];
+        QVERIFY2(told.startsWith("KWC as published drops"), qPrintable(told));
     }
 };
 

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/experiment_window.h"
+#include "ui/widgets/table_view.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QTabWidget>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+qsizetype threads()
+{
+    return QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+}
+
+/// The editor with two lines, and the window that its menu opens.
+class Stage {
+public:
+    Stage()
+    {
+        test.window->files().open(test.twoLines());
+        test.show();
+        test.action("reproduce-paper")->trigger();
+        window = test.window->findChild<ExperimentWindow*>();
+        auto prepared = std::make_unique<PreparedAnswers>(*window);
+        answers = prepared.get();
+        window->setQuestions(std::move(prepared));
+    }
+
+    template <class Widget>
+    Widget* named(const QString& name) const
+    {
+        for (Widget* widget : window->findChildren<Widget*>())
+            if (widget->accessibleName() == name)
+                return widget;
+        return nullptr;
+    }
+    QPushButton* button(const QString& text) const
+    {
+        for (QPushButton* one : window->findChildren<QPushButton*>())
+            if (one->text().remove('&') == text)
+                return one;
+        return nullptr;
+    }
+    void click(const QString& text) const { QTest::mouseClick(button(text), Qt::LeftButton); }
+    void choose(const QString& key) const
+    {
+        auto* subject = named<QComboBox>("What is measured");
+        subject->setCurrentIndex(subject->findData(key));
+    }
+    /// A thousand lines, twice.
+    void chooseFew() const
+    {
+        named<QSpinBox>("Lines")->setValue(1000);
+        named<QSpinBox>("Runs")->setValue(2);
+    }
+    bool measuring() const { return button("Cancel")->isVisible(); }
+    void runFew(const QString& key) const
+    {
+        choose(key);
+        chooseFew();
+        click("Run");
+        QTRY_VERIFY_WITH_TIMEOUT(!measuring(), 20'000);
+    }
+    QString state() const { return window->findChild<QLabel*>("state")->text(); }
+    QList<TableView*> shownTables() const
+    {
+        QList<TableView*> shown;
+        for (TableView* view : window->findChildren<TableView*>())
+            if (view->isVisible())
+                shown << view;
+        return shown;
+    }
+
+    TestWindow test;
+    ExperimentWindow* window;
+    PreparedAnswers* answers;
+};
+
+QString digitsOf(QString text)
+{
+    return text.remove(QLocale().groupSeparator()).replace(QChar(0x2212), '-');
+}
+
+} // namespace
+
+class ExperimentWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itIsOneWindowAndComesUpAskingForThePaper()
+    {
+        const Stage stage;
+        stage.test.action("reproduce-paper")->trigger();
+        QCOMPARE(stage.test.window->findChildren<ExperimentWindow*>().size(), 1);
+        QVERIFY(!stage.window->isModal());
+        QCOMPARE(stage.named<QComboBox>("What is measured")->currentData().toString(), "all");
+        QCOMPARE(stage.named<QSpinBox>("Lines")->text(), "as in the paper");
+        QCOMPARE(stage.named<QSpinBox>("Runs")->value(), 10);
+        int ticked = 0;
+        for (const auto& algorithm : clipping::algorithms())
+            ticked += stage.named<QCheckBox>(algorithm.name.data())->isChecked();
+        QCOMPARE(ticked, 7);
+        QVERIFY(!stage.measuring() && !stage.window->study());
+    }
+
+    void clicksBringTheTables()
+    {
+        const Stage stage;
+        stage.runFew("all");
+        const app::Study* study = stage.window->study();
+        QVERIFY(study);
+        QCOMPARE(study->trials.size(), 2u);
+        QCOMPARE(study->trials[0].record.options.lines, 1000u);
+        QCOMPARE(study->measures.size(), 3u);
+        const auto wanted =
+            app::tablesOf(study->trials[0], study->measures[0], app::Against::Paper);
+        const auto shown = stage.shownTables();
+        QVERIFY(shown.size() >= 2);
+        for (std::size_t t = 0; t < wanted.size(); ++t) {
+            QCOMPARE(shown[int(t)]->table().key, wanted[t].key);
+            const auto* model = shown[int(t)]->model();
+            QCOMPARE(model->rowCount(), int(wanted[t].rows.size()));
+            for (int row = 0; row < model->rowCount(); ++row)
+                for (int column = 0; column < model->columnCount(); ++column)
+                    QCOMPARE(digitsOf(model->index(row, column).data().toString()),
+                             wanted[t].rows[std::size_t(row)][column]);
+        }
+        QVERIFY(stage.named<QLabel>("What came out")->text().contains("ranking"));
+    }
+
+    void aSceneHasTheAlgorithmsThatAreTicked()
+    {
+        const Stage stage;
+        stage.choose("near-miss");
+        for (const auto& algorithm : clipping::algorithms())
+            if (algorithm.abbreviation != "CS" && algorithm.abbreviation != "KWC")
+                QTest::mouseClick(stage.named<QCheckBox>(algorithm.name.data()), Qt::LeftButton, {},
+                                  {8, 8});
+        stage.runFew("near-miss");
+        QVERIFY(stage.window->study());
+        const auto& timings = stage.window->study()->trials[0].record.timings;
+        QCOMPARE(timings.size(), 2u);
+        QCOMPARE(timings[0].contestant.algorithm, clipping::findAlgorithm("CS"));
+        // The paper brings its seven, and does not forget what was ticked.
+        stage.choose("table1");
+        QVERIFY(stage.named<QCheckBox>(clipping::findAlgorithm("MD")->name.data())->isChecked());
+        stage.choose("long");
+        QVERIFY(!stage.named<QCheckBox>(clipping::findAlgorithm("MD")->name.data())->isChecked());
+    }
+
+    void withoutAlgorithmsItSaysWhatIsMissing()
+    {
+        const Stage stage;
+        stage.choose("inside");
+        for (const auto& algorithm : clipping::algorithms())
+            QTest::mouseClick(stage.named<QCheckBox>(algorithm.name.data()), Qt::LeftButton, {},
+                              {8, 8});
+        QVERIFY(!stage.button("Run")->isEnabled() && !stage.button("Quick run")->isEnabled());
+        bool said = false;
+        for (const QLabel* label : stage.window->findChildren<QLabel*>())
+            said = said || label->text() == "Choose at least one algorithm.";
+        QVERIFY(said);
+    }
+
+    void noNumberOfLinesIsTooSmallOrTooLarge()
+    {
+        const Stage stage;
+        stage.choose("paper");
+        auto* lines = stage.named<QSpinBox>("Lines");
+        for (const char* typed : {"0", "-5", "99999999999999", "", "abc"}) {
+            lines->selectAll();
+            QTest::keyClicks(lines, typed);
+            QTest::keyClick(lines, Qt::Key_Tab);
+            QVERIFY(lines->value() >= 1 && lines->value() <= 1'000'000'000);
+        }
+    }
+
+    void progressArrivesAndCancelEndsIt()
+    {
+        const Stage stage;
+        const auto before = threads();
+        stage.click("Run");
+        QVERIFY(stage.measuring());
+        QTRY_VERIFY_WITH_TIMEOUT(stage.named<QProgressBar>("Progress")->value() > 0, 20'000);
+        QVERIFY2(stage.state().contains("left"), qPrintable(stage.state()));
+        QElapsedTimer timer;
+        timer.start();
+        stage.click("Cancel");
+        QVERIFY2(timer.elapsed() < 500, qPrintable(QString::number(timer.elapsed())));
+        QVERIFY(!stage.measuring() && !stage.window->study());
+        QVERIFY(stage.button("Run")->isEnabled());
+        QTRY_COMPARE(threads(), before);
+    }
+
+    void theEditorStaysUsable()
+    {
+        const Stage stage;
+        stage.click("Run");
+        auto& session = stage.test.window->session();
+        const auto before = session.display().algorithm;
+        QElapsedTimer timer;
+        timer.start();
+        for (QAction* action : stage.test.window->findChildren<QAction*>())
+            if (action->objectName() == "algorithm-2")
+                action->trigger();
+        QTest::keyClick(stage.test.drawingArea(), Qt::Key_5);
+        QVERIFY(session.display().algorithm != before);
+        QVERIFY(timer.elapsed() < 500);
+        QVERIFY(stage.measuring());
+        stage.click("Cancel");
+    }
+
+    void closingStopsIt()
+    {
+        const Stage stage;
+        const auto before = threads();
+        stage.click("Run");
+        QTest::qWait(100);
+        stage.window->close();
+        QTRY_COMPARE(threads(), before);
+        stage.test.action("reproduce-paper")->trigger();
+        QVERIFY(stage.window->isVisible() && !stage.measuring());
+        stage.runFew("table1"); // and it can be used again
+        QVERIFY(stage.window->study());
+    }
+
+    void theEditorMayGoInTheMiddle()
+    {
+        const auto before = threads();
+        {
+            const Stage stage;
+            stage.click("Run");
+            QTest::qWait(50);
+        }
+        QTRY_VERIFY(threads() <= before);
+    }
+
+    void escStopsFirstAndClosesThen()
+    {
+        const Stage stage;
+        stage.click("Run");
+        QTest::keyClick(stage.window, Qt::Key_Escape);
+        QVERIFY(stage.window->isVisible() && !stage.measuring());
+        QTest::keyClick(stage.window, Qt::Key_Escape);
+        QVERIFY(!stage.window->isVisible());
+    }
+
+    void theDrawingCanBeMeasuredIfItHasLines()
+    {
+        const Stage stage;
+        const auto* model =
+            qobject_cast<QStandardItemModel*>(stage.named<QComboBox>("What is measured")->model());
+        const auto* row = model->item(model->rowCount() - 1);
+        QVERIFY(row->isEnabled());
+        stage.choose("drawing");
+        QCOMPARE(stage.named<QSpinBox>("Lines")->value(), 2);
+        stage.test.window->files().startNew();
+        QVERIFY(!row->isEnabled());
+        QCOMPARE(stage.named<QComboBox>("What is measured")->currentData().toString(), "all");
+        stage.test.window->files().open(stage.test.twoLines());
+        stage.runFew("drawing");
+        QVERIFY(stage.window->study());
+        for (const auto& timing : stage.window->study()->trials[0].record.timings)
+            QCOMPARE(timing.found.visible, 1000u); // its window is the page
+    }
+
+    void exportsAreWhatIsShown()
+    {
+        const Stage stage;
+        stage.runFew("table1");
+        const app::Study& study = *stage.window->study();
+        stage.answers->save = stage.test.path("out.csv");
+        stage.window->findChild<QAction*>("export-0-csv")->trigger();
+        for (const app::Table& table : app::tablesOf(study)) {
+            QFile file(stage.test.folder.filePath("out-" + table.key + ".csv"));
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+            const auto lines = file.readAll().trimmed().split('\n');
+            QCOMPARE(lines.size(), qsizetype(table.rows.size()) + 1);
+            QVERIFY(lines[0].startsWith(table.names.join(',').toUtf8()));
+            QVERIFY(lines[1].startsWith(table.rows[0].join(',').toUtf8()));
+        }
+        for (const QString ending : {"json", "md", "tex"}) {
+            stage.answers->save = stage.test.folder.filePath("out." + ending);
+            stage.window->findChild<QAction*>("export-0-" + ending)->trigger();
+            QFile file(stage.answers->save);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            QVERIFY2(text.contains("Against the paper"), qPrintable(ending));
+        }
+        stage.answers->save = "/nowhere/at/all.json";
+        stage.window->findChild<QAction*>("export-0-json")->trigger();
+        QTRY_VERIFY(stage.window->findChild<MessageStrip*>()->sentence().startsWith(
+            "Cannot write /nowhere/at/all.json"));
+    }
+
+    void everyChartIsAFile()
+    {
+        const Stage stage;
+        stage.runFew("near-miss");
+        for (const QString ending : {"svg", "pdf", "png"}) {
+            stage.answers->save = stage.test.folder.filePath("chart." + ending);
+            stage.window->findChild<QAction*>("export-1-" + ending)->trigger();
+            const auto files = QDir(stage.test.folder.path()).entryList({"chart-*." + ending});
+            QVERIFY2(files.size() >= 4, qPrintable(files.join(' ')));
+        }
+    }
+
+    void aTableIsCopiedWithItsHeadings()
+    {
+        const Stage stage;
+        stage.runFew("table1");
+        QTest::mouseClick(stage.shownTables()[1]->viewport(), Qt::LeftButton, {}, {30, 10});
+        stage.click("Copy table");
+        QVERIFY(QApplication::clipboard()->text().startsWith("Algorithm\tPaper s\tOurs s"));
+        QTest::mouseClick(stage.shownTables()[0]->viewport(), Qt::LeftButton, {}, {30, 10});
+        stage.click("Copy table");
+        const QString text = QApplication::clipboard()->text();
+        QVERIFY2(text.startsWith("Exec.\tCS\tLB\tCB\tNLN\tSkala\tKWC\tProp."), qPrintable(text));
+        QCOMPARE(text.count('\n'), 4); // headings, two runs, their average
+    }
+
+    void withoutExplanationItsTabIsOff()
+    {
+        const Stage stage;
+        for (QCheckBox* box : stage.window->findChildren<QCheckBox*>())
+            if (box->text().startsWith("Explain"))
+                box->setChecked(false);
+        stage.runFew("long");
+        auto* tabs = stage.window->findChild<QTabWidget*>();
+        for (int i = 0; i < tabs->count(); ++i)
+            QCOMPARE(tabs->isTabEnabled(i), tabs->tabText(i) != "&Why");
+    }
+
+    void itRemembersItsSize()
+    {
+        const Stage stage;
+        stage.window->resize(900, 600);
+        stage.window->close();
+        const ExperimentWindow another(stage.test.window->session(), [] { return QString("x"); });
+        QCOMPARE(another.size(), QSize(900, 600));
+    }
+};
+
+QTEST_MAIN(ExperimentWindowTest)
+#include "experiment_window_test.moc"

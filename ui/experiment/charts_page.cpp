@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/charts_page.h"
+
+#include "ui/look.h"
+#include "ui/widgets/chart_view.h"
+
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int widest = 920;
+
+} // namespace
+
+ChartsPage::ChartsPage(QWidget* parent) : QScrollArea(parent)
+{
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // heights follow from widths
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    viewport()->setBackgroundRole(QPalette::Base);
+    auto* body = new QWidget;
+    body->setBackgroundRole(QPalette::Base);
+    column_ = new QVBoxLayout(body);
+    column_->setContentsMargins(space::betweenGroups, space::dockMargin, space::betweenGroups,
+                                space::betweenGroups);
+    column_->setSpacing(24);
+    column_->addStretch();
+    setWidget(body);
+}
+
+ChartView* ChartsPage::viewOf(app::Chart chart)
+{
+    auto* view = new ChartView;
+    view->setMaximumWidth(widest);
+    view->setChart(std::move(chart));
+    connect(view, &ChartView::exportWanted, this,
+            [this, view] { emit exportWanted(view->chart()); });
+    return view;
+}
+
+void ChartsPage::show(std::vector<app::Chart> charts)
+{
+    qDeleteAll(views_);
+    views_.clear();
+    for (app::Chart& chart : charts) {
+        views_ << viewOf(std::move(chart));
+        column_->insertWidget(column_->count() - 1, views_.back());
+    }
+    verticalScrollBar()->setValue(0);
+}
+
+} // namespace ui

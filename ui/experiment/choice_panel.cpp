@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/choice_panel.h"
+
+#include "ui/look.h"
+#include "ui/widgets/segments.h"
+
+#include <QGridLayout>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include <limits>
+
+namespace ui {
+
+namespace {
+
+enum Forms { Published, Corrected, Both };
+
+QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+QSpinBox* numberField(const QString& name, int least, int most)
+{
+    auto* field = new QSpinBox;
+    field->setAccessibleName(name);
+    field->setRange(least, most);
+    field->setGroupSeparatorShown(true);
+    field->setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
+    field->setAlignment(Qt::AlignRight);
+    return field;
+}
+
+QLabel* caption(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setFont(captionFont(label->font()));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
+    : QWidget(parent), subjects_(app::subjects()), drawing_(std::move(drawing)),
+      subject_(new QComboBox), meaning_(caption({})),
+      lines_(numberField(tr("Lines"), 1, 1'000'000'000)),
+      runs_(numberField(tr("Runs"), 1, int(app::mostRuns))),
+      seed_(numberField(tr("Seed"), 0, std::numeric_limits<int>::max())),
+      order_(new Segments(tr("Order"), {tr("As they come"), tr("By class")})),
+      forms_(new Segments(tr("Forms"), {tr("Published"), tr("Corrected"), tr("Both")})),
+      drawn_(new QCheckBox(tr("Draw what is visible, too"))),
+      explained_(new QCheckBox(tr("Explain the times")))
+{
+    runs_->setValue(10);
+    seed_->setValue(1);
+    seed_->setGroupSeparatorShown(false);
+    lines_->setSpecialValueText(tr("as in the paper"));
+    order_->setToolTip(tr("By class: lines inside, rejected, cut and missed together, which spares "
+                          "the processor from guessing."));
+    forms_->setToolTip(
+        tr("Published: as the authors printed it, faults included. Corrected: without them."));
+    drawn_->setChecked(true);
+    drawn_->setToolTip(tr("The paper timed making, clipping and drawing together."));
+    explained_->setChecked(true);
+    explained_->setToolTip(
+        tr("What a line of each class costs, how much arithmetic it takes, and how true it is."));
+    own_.assign(clipping::algorithms().size(), true);
+    meaning_->setMinimumHeight(3 * meaning_->fontMetrics().lineSpacing() + 2);
+    meaning_->setAlignment(Qt::AlignTop);
+    addSubjects();
+
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    grid->setColumnStretch(1, 1);
+    const auto row = [&](const QString& name, QWidget* field) {
+        auto* label = new QLabel(name);
+        label->setBuddy(field);
+        grid->addWidget(label, grid->rowCount(), 0);
+        const bool wide = qobject_cast<QSpinBox*>(field);
+        grid->addWidget(field, grid->rowCount() - 1, 1, wide ? Qt::Alignment() : Qt::AlignLeft);
+    };
+    row(tr("&Lines"), lines_);
+    row(tr("&Runs"), runs_);
+    row(tr("&Seed"), seed_);
+    row(tr("Order"), order_);
+    row(tr("Forms"), forms_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(subject_);
+    column->addWidget(meaning_);
+    column->addLayout(grid);
+    column->addSpacing(space::labelToField);
+    column->addWidget(new QLabel(tr("Algorithms")));
+    column->addWidget(algorithmBoxes());
+    column->addSpacing(space::labelToField);
+    column->addWidget(drawn_);
+    column->addWidget(explained_);
+
+    connect(subject_, &QComboBox::currentIndexChanged, this, &ChoicePanel::showSubject);
+    for (QSpinBox* field : {lines_, runs_, seed_})
+        connect(field, &QSpinBox::valueChanged, this, &ChoicePanel::changed);
+    for (Segments* segments : {order_, forms_})
+        connect(segments, &Segments::picked, this, &ChoicePanel::changed);
+    for (QCheckBox* box : {drawn_, explained_})
+        connect(box, &QCheckBox::toggled, this, &ChoicePanel::changed);
+    showSubject();
+}
+
+void ChoicePanel::addSubjects()
+{
+    subject_->setAccessibleName(tr("What is measured"));
+    subject_->setMaxVisibleItems(20);
+    bool papers = true;
+    for (const app::Subject& subject : subjects_) {
+        if (papers && subject.papers.empty())
+            subject_->insertSeparator(subject_->count());
+        papers = !subject.papers.empty();
+        subject_->addItem(subject.name, subject.key);
+    }
+    subject_->insertSeparator(subject_->count());
+    subject_->addItem(tr("Lines of the current drawing"), QStringLiteral("drawing"));
+}
+
+QWidget* ChoicePanel::algorithmBoxes()
+{
+    constexpr int columns = 3;
+    auto* boxes = new QWidget;
+    auto* grid = new QGridLayout(boxes);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    for (const auto& algorithm : clipping::algorithms()) {
+        auto* box = new QCheckBox(latin(algorithm.abbreviation));
+        box->setToolTip(latin(algorithm.name));
+        box->setAccessibleName(latin(algorithm.name));
+        const int i = int(algorithms_.size());
+        grid->addWidget(box, i / columns, i % columns);
+        connect(box, &QCheckBox::clicked, this, [this, box, i] {
+            own_[std::size_t(i)] = box->isChecked();
+            emit changed();
+        });
+        algorithms_ << box;
+    }
+    return boxes;
+}
+
+bool ChoicePanel::ofDrawing() const { return subject_->currentData() == QStringLiteral("drawing"); }
+
+void ChoicePanel::followDrawing(std::size_t lines)
+{
+    auto* rows = qobject_cast<QStandardItemModel*>(subject_->model());
+    rows->item(subject_->count() - 1)->setEnabled(lines > 0);
+    if (ofDrawing() && lines == 0)
+        subject_->setCurrentIndex(0);
+    else if (ofDrawing())
+        showSubject();
+}
+
+/// What is chosen, with its number of lines; the paper brings its own algorithms.
+void ChoicePanel::showSubject()
+{
+    const auto subject = choice().subject;
+    const bool tables = subject.papers.size() > 1;
+    meaning_->setText(subject.meaning);
+    const QSignalBlocker quiet(lines_);
+    lines_->setMinimum(tables ? 0 : 1);
+    lines_->setValue(tables                   ? 0
+                     : subject.papers.empty() ? int(subject.options.lines)
+                                              : int(subject.papers.front().lines));
+    showAlgorithms();
+    emit changed();
+}
+
+void ChoicePanel::showAlgorithms()
+{
+    const auto papers = choice().subject.papers;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        const auto* algorithm = &clipping::algorithms()[i];
+        const bool paper =
+            !papers.empty() && std::ranges::any_of(papers.front().columns, [&](const auto& column) {
+                return column.algorithm == algorithm;
+            });
+        algorithms_[qsizetype(i)]->setEnabled(papers.empty());
+        algorithms_[qsizetype(i)]->setChecked(papers.empty() ? own_[i] : paper);
+    }
+}
+
+app::Choice ChoicePanel::choice() const
+{
+    app::Choice choice;
+    for (const app::Subject& subject : subjects_)
+        if (subject.key == subject_->currentData())
+            choice.subject = subject;
+    if (ofDrawing())
+        choice.subject = drawing_().value_or(subjects_.front());
+    if (lines_->value() > 0)
+        choice.lines = lines_->value();
+    choice.runs = std::size_t(runs_->value());
+    choice.seed = std::uint64_t(seed_->value());
+    choice.order = order_->chosen() == 0 ? app::Order::AsTheyCome : app::Order::ByClass;
+    choice.forms.clear();
+    if (forms_->chosen() != Corrected)
+        choice.forms.push_back(clipping::Form::Published);
+    if (forms_->chosen() != Published)
+        choice.forms.push_back(clipping::Form::Corrected);
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        if (own_[i])
+            choice.algorithms.push_back(&clipping::algorithms()[i]);
+    if (drawn_->isChecked())
+        choice.easel = app::rasterEasel;
+    choice.explained = explained_->isChecked();
+    return choice;
+}
+
+} // namespace ui

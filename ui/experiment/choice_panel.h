@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/choice.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+
+#include <functional>
+
+namespace ui {
+
+class Segments;
+
+/// What is measured: the paper's tables, a scene or the drawing; how many lines, how often, and by
+/// whom. As it comes up it asks for the paper's own experiment.
+class ChoicePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The lines of the drawing as it is now, asked for when they are needed.
+    using Drawing = std::function<std::optional<app::Subject>()>;
+    explicit ChoicePanel(Drawing drawing, QWidget* parent = nullptr);
+
+    app::Choice choice() const;
+
+    /// The drawing has changed, and has so many lines; without any it cannot be chosen.
+    void followDrawing(std::size_t lines);
+
+signals:
+    void changed();
+
+private:
+    void addSubjects();
+    QWidget* algorithmBoxes();
+    void showSubject();
+    void showAlgorithms();
+    bool ofDrawing() const;
+
+    std::vector<app::Subject> subjects_;
+    Drawing drawing_;
+    QComboBox* subject_;
+    QLabel* meaning_;
+    QSpinBox *lines_, *runs_, *seed_;
+    Segments *order_, *forms_;
+    QList<QCheckBox*> algorithms_;
+    QCheckBox *drawn_, *explained_;
+    std::vector<bool> own_; ///< the algorithms that were ticked for scenes
+};
+
+} // namespace ui

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/experiment_window.h"
+
+#include "app/charts/chart_file.h"
+#include "app/experiment/duration.h"
+#include "ui/dialogs/in_background.h"
+#include "ui/experiment/choice_panel.h"
+#include "ui/experiment/results.h"
+#include "ui/files.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/main_window.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize usual(1120, 760), smallest(720, 460);
+constexpr int leftWidth = 300, barWidth = 180;
+
+QPushButton* button(const QString& text, std::string_view iconKey = {})
+{
+    auto* one = new QPushButton(text);
+    one->setAutoDefault(false);
+    if (!iconKey.empty())
+        one->setIcon(icon(iconKey));
+    return one;
+}
+
+QLabel* aside(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setFont(captionFont(label->font()));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setWordWrap(true);
+    return label;
+}
+
+/// What stands where results will be.
+QWidget* invitation()
+{
+    auto* text = new QLabel(ExperimentWindow::tr(
+        "<p><b>Which way of cutting lines at a window is the fastest?</b></p>"
+        "<p>In 2019 D. Matthes and V. Drakopoulos cut one and ten million random lines at a window "
+        "by seven methods, six well-known ones and their own, ten times each, and found their own "
+        "the fastest.</p>"
+        "<p><b>Run</b> repeats that on this machine and says what came out. <b>Quick run</b> takes "
+        "fewer lines and a few seconds. Other lines, and those of your drawing, can be chosen at "
+        "the left.</p>"));
+    text->setWordWrap(true);
+    text->setMaximumWidth(460);
+    auto* page = new QWidget;
+    auto* row = new QHBoxLayout(page); // no alignment: the text's height follows from its width
+    row->addStretch(1);
+    row->addWidget(text, 1000);
+    row->addStretch(1);
+    return page;
+}
+
+QString titleOf(app::StudyFile::Group group)
+{
+    using Group = app::StudyFile::Group;
+    return group == Group::Tables   ? ExperimentWindow::tr("Tables as")
+           : group == Group::Charts ? ExperimentWindow::tr("Charts as")
+                                    : ExperimentWindow::tr("Report as");
+}
+
+/// A line of one pixel.
+QFrame* rule(QFrame::Shape shape)
+{
+    auto* line = new QFrame;
+    line->setFrameShape(shape);
+    line->setFrameShadow(QFrame::Plain);
+    line->setForegroundRole(QPalette::Mid);
+    line->setLineWidth(1);
+    return line;
+}
+
+} // namespace
+
+ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString()> name,
+                                   QWidget* parent)
+    : QDialog(parent, Qt::Window), session_(session), name_(std::move(name)),
+      questions_(std::make_unique<Questions>(*this)), choice_(new ChoicePanel([this] {
+          return app::drawingSubject(name_(), session_.scene, session_.sheet());
+      })),
+      run_(button(tr("&Run"), "play")), quick_(button(tr("&Quick run"))),
+      cancel_(button(tr("&Cancel"))), copy_(button(tr("Co&py table"))), export_(new QToolButton),
+      effort_(aside({})), state_(new QLabel), bar_(new QProgressBar), strip_(new MessageStrip),
+      stack_(new QStackedWidget), results_(new Results({copy_, export_}))
+{
+    setObjectName(QStringLiteral("experiment"));
+    setWindowTitle(tr("Reproduce the paper"));
+    setMinimumSize(smallest);
+    resize(usual);
+    restoreGeometry(QSettings().value("experimentGeometry").toByteArray());
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(0);
+    middle->addWidget(left());
+    middle->addWidget(rule(QFrame::VLine));
+    middle->addWidget(right(), 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(middle, 1);
+    column->addWidget(rule(QFrame::HLine));
+    column->addWidget(below());
+    addTools();
+
+    connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
+    connect(run_, &QPushButton::clicked, this, [this] { run(choice_->choice()); });
+    connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
+    connect(cancel_, &QPushButton::clicked, this, &ExperimentWindow::cancel);
+    connect(&measuring_, &Measuring::progressed, this, &ExperimentWindow::showProgress);
+    connect(&measuring_, &Measuring::finished, this, &ExperimentWindow::finish);
+    connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
+    followDrawing();
+    showEffort();
+    showState();
+}
+
+ExperimentWindow::~ExperimentWindow() = default;
+
+void ExperimentWindow::setQuestions(std::unique_ptr<Questions> questions)
+{
+    questions_ = std::move(questions);
+}
+
+const app::Study* ExperimentWindow::study() const { return results_->study().get(); }
+
+QWidget* ExperimentWindow::left()
+{
+    auto* fields = new QWidget;
+    auto* column = new QVBoxLayout(fields);
+    column->setContentsMargins(space::betweenGroups, space::dockMargin, space::betweenGroups,
+                               space::dockMargin);
+    column->addWidget(choice_);
+    column->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(fields);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(run_, 1);
+    buttons->addWidget(quick_, 1);
+    auto* foot = new QVBoxLayout;
+    foot->setContentsMargins(space::betweenGroups, space::labelToField, space::betweenGroups,
+                             space::dockMargin);
+    foot->setSpacing(space::labelToField);
+    effort_->setMinimumHeight(2 * effort_->fontMetrics().lineSpacing());
+    effort_->setAlignment(Qt::AlignTop);
+    foot->addWidget(effort_);
+    foot->addLayout(buttons);
+    auto* whole = new QWidget;
+    whole->setFixedWidth(leftWidth);
+    auto* all = new QVBoxLayout(whole);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(scroll, 1);
+    all->addLayout(foot);
+    return whole;
+}
+
+QWidget* ExperimentWindow::right()
+{
+    stack_->addWidget(invitation());
+    stack_->addWidget(results_);
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(strip_);
+    column->addWidget(stack_, 1);
+    return whole;
+}
+
+QWidget* ExperimentWindow::below()
+{
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setFixedSize(barWidth, 8);
+    bar_->setAccessibleName(tr("Progress"));
+    for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
+    state_->setFont(captionFont(state_->font()));
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut
+    state_->setObjectName(QStringLiteral("state"));
+    auto* whole = new QWidget;
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(space::betweenGroups, 6, space::betweenGroups, 6);
+    row->setSpacing(space::dockMargin);
+    row->addWidget(state_, 1);
+    row->addWidget(bar_);
+    row->addWidget(cancel_);
+    return whole;
+}
+
+void ExperimentWindow::addTools()
+{
+    auto* menu = new QMenu(this);
+    std::optional<app::StudyFile::Group> last;
+    for (const app::StudyFile& row : app::studyFiles()) {
+        if (last != row.group)
+            menu->addSection(titleOf(row.group));
+        last = row.group;
+        auto* action = menu->addAction(tr("%1…").arg(row.name));
+        action->setObjectName(QStringLiteral("export-%1-%2").arg(int(row.group)).arg(row.ending));
+        connect(action, &QAction::triggered, this, [this, row] { exportAs(row); });
+    }
+    export_->setText(tr("&Export"));
+    export_->setIcon(icon("export"));
+    export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    export_->setFixedHeight(space::fieldHeight);
+    export_->setProperty("framed", true);
+    export_->setPopupMode(QToolButton::InstantPopup);
+    export_->setMenu(menu);
+    copy_->setFocusPolicy(Qt::TabFocus); // a click leaves it to the table
+    copy_->setToolTip(tr("The table that was clicked last, or the first: with tabs, for a "
+                         "spreadsheet."));
+    connect(results_, &Results::tabChanged, this,
+            [this] { copy_->setEnabled(results_->showsTables()); });
+    connect(results_, &Results::exportWanted, this, &ExperimentWindow::exportChart);
+    connect(copy_, &QPushButton::clicked, this, [this] {
+        results_->copyTable();
+        state_->setText(tr("The table is on the clipboard."));
+    });
+}
+
+QString ExperimentWindow::folder() const
+{
+    const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QSettings().value("experimentFolder", usual).toString();
+}
+
+void ExperimentWindow::exportAs(const app::StudyFile& row)
+{
+    const QString path = questions_->fileToWrite(
+        tr("Export"), QStringLiteral("%1/clearcut.%2").arg(folder(), row.ending), row.name,
+        row.ending);
+    if (path.isEmpty())
+        return;
+    QSettings().setValue("experimentFolder", QFileInfo(path).path());
+    const auto written = inBackground(this, tr("Writing…"), [study = results_->study(), row, path] {
+        return row.write(*study, path);
+    });
+    if (written)
+        tellWritten(*written);
+    else
+        state_->setText(tr("Cancelled. What was written so far stays."));
+}
+
+void ExperimentWindow::exportChart(const app::Chart& chart)
+{
+    const app::ChartFormat& format = app::chartFormats().front();
+    const QString ending = QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
+    const QString path = questions_->fileToWrite(
+        tr("Export chart"), QStringLiteral("%1/%2.%3").arg(folder(), chart.key, ending),
+        format.name, ending);
+    if (path.isEmpty())
+        return;
+    QSettings().setValue("experimentFolder", QFileInfo(path).path());
+    const auto error = app::writeChart(chart, path, app::chartLook(app::Ground::Light));
+    using Written = app::Result<QStringList>;
+    tellWritten(error ? Written::failure(*error) : Written::of({path}));
+}
+
+void ExperimentWindow::tellWritten(const app::Result<QStringList>& written)
+{
+    if (!written)
+        return strip_->tell({Message::Kind::Warning, written.error});
+    const QStringList& paths = *written.value;
+    strip_->tell(
+        {Message::Kind::Done,
+         paths.size() == 1
+             ? tr("Wrote %1.").arg(paths.front())
+             : tr("Wrote %n files: %1 and so on.", nullptr, int(paths.size())).arg(paths.front())});
+}
+
+void ExperimentWindow::run(app::Choice choice)
+{
+    auto plan = app::planOf(choice);
+    if (!plan || measuring_.active())
+        return showEffort();
+    bar_->setValue(0);
+    state_->setText(tr("Begins…"));
+    measuring_.start(std::move(*plan.value));
+    showState();
+}
+
+void ExperimentWindow::cancel()
+{
+    measuring_.cancel();
+    showState();
+    state_->setText(tr("Cancelled. Nothing was changed."));
+}
+
+void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
+{
+    results_->show(study);
+    stack_->setCurrentWidget(results_);
+    showState();
+    state_->setText(tr("Done."));
+}
+
+void ExperimentWindow::showProgress(const app::Progress& progress)
+{
+    bar_->setValue(int(1000 * progress.share));
+    state_->setText(
+        tr("%1. Working elsewhere meanwhile disturbs the times.").arg(app::progressText(progress)));
+}
+
+/// What it will take, or why it cannot be done.
+void ExperimentWindow::showEffort()
+{
+    const auto plan = app::planOf(choice_->choice());
+    effort_->setText(plan ? app::effortText(*plan.value) : plan.error);
+    showState();
+}
+
+void ExperimentWindow::showState()
+{
+    const bool active = measuring_.active();
+    const bool can = app::planOf(choice_->choice()).value.has_value();
+    choice_->setEnabled(!active);
+    run_->setEnabled(can && !active);
+    quick_->setEnabled(can && !active);
+    bar_->setVisible(active);
+    cancel_->setVisible(active);
+}
+
+void ExperimentWindow::followDrawing() { choice_->followDrawing(session_.scene.segments().size()); }
+
+void ExperimentWindow::hideEvent(QHideEvent* event)
+{
+    QSettings().setValue("experimentGeometry", saveGeometry());
+    if (measuring_.active() && !event->spontaneous())
+        cancel();
+    QDialog::hideEvent(event);
+}
+
+/// Esc stops what goes on first.
+void ExperimentWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && measuring_.active())
+        return cancel();
+    QDialog::keyPressEvent(event);
+}
+
+void showExperiment(MainWindow& window)
+{
+    auto* experiment = window.findChild<ExperimentWindow*>();
+    if (!experiment)
+        experiment = new ExperimentWindow(
+            window.session(), [&window] { return window.files().name(); }, &window);
+    experiment->show();
+    experiment->raise();
+    experiment->activateWindow();
+}
+
+} // namespace ui

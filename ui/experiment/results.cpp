@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/results.h"
+
+#include "app/charts/study_charts.h"
+#include "app/experiment/verdict.h"
+#include "ui/experiment/charts_page.h"
+#include "ui/experiment/tables_page.h"
+#include "ui/look.h"
+#include "ui/widgets/chart_view.h"
+#include "ui/widgets/segments.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+QLabel* sentences()
+{
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QStringList namesOf(const std::vector<app::Measure>& measures)
+{
+    QStringList names;
+    for (const app::Measure& measure : measures)
+        names << measure.name;
+    return names;
+}
+
+/// Runs in the paper's layout have their average below; else a heading sorts.
+TableView::Rows rowsOf(const app::Table& table)
+{
+    return table.names.front() == u"algorithm" ? TableView::Rows::Sortable
+                                               : TableView::Rows::SumIsLast;
+}
+
+} // namespace
+
+Results::Results(const QList<QWidget*>& tools, QWidget* parent)
+    : QWidget(parent), row_(new QHBoxLayout), trial_(new QComboBox),
+      reasons_(new Segments(tr("Explanation"), {tr("By class"), tr("Operations"), tr("Accuracy")})),
+      verdict_(sentences()), reason_(sentences()), tabs_(new QTabWidget), charts_(new ChartsPage),
+      reasonChart_(new ChartView), tables_(new TablesPage), why_(new TablesPage),
+      circumstances_(new TablesPage)
+{
+    trial_->setAccessibleName(tr("Result"));
+    trial_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    verdict_->setAccessibleName(tr("What came out"));
+    row_->setSpacing(space::labelToField);
+    row_->addWidget(trial_);
+    row_->addStretch();
+    for (QWidget* tool : tools)
+        row_->addWidget(tool);
+    addPages();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    top->setContentsMargins(space::betweenGroups, space::dockMargin, space::betweenGroups,
+                            space::dockMargin);
+    top->setSpacing(space::labelToField);
+    top->addLayout(row_);
+    top->addWidget(verdict_);
+    column->addLayout(top);
+    column->addWidget(tabs_, 1);
+    connect(trial_, &QComboBox::currentIndexChanged, this, &Results::showTrial);
+    connect(reasons_, &Segments::picked, this, &Results::showReasons);
+    connect(tabs_, &QTabWidget::currentChanged, this, &Results::tabChanged);
+    connect(charts_, &ChartsPage::exportWanted, this, &Results::exportWanted);
+    connect(reasonChart_, &ChartView::exportWanted, this,
+            [this] { emit exportWanted(reasonChart_->chart()); });
+}
+
+void Results::addPages()
+{
+    auto* top = new QWidget;
+    auto* column = new QVBoxLayout(top);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(space::labelToField);
+    column->addWidget(reasons_, 0, Qt::AlignLeft);
+    column->addWidget(reason_);
+    reasonChart_->setMaximumWidth(920);
+    column->addWidget(reasonChart_);
+    why_->setTop(top);
+    tabs_->setDocumentMode(true);
+    tabs_->addTab(tables_, tr("&Tables"));
+    tabs_->addTab(charts_, tr("C&harts"));
+    tabs_->addTab(why_, tr("&Why"));
+    tabs_->addTab(circumstances_, tr("C&ircumstances"));
+}
+
+void Results::show(std::shared_ptr<const app::Study> study)
+{
+    study_ = std::move(study);
+    const QSignalBlocker quiet(trial_);
+    trial_->clear();
+    for (const app::Trial& trial : study_->trials)
+        trial_->addItem(app::nameOf(trial));
+    showMeasures();
+    showTrial();
+    const int why = tabs_->indexOf(why_);
+    tabs_->setTabEnabled(why, study_->explanation.has_value());
+    tabs_->setTabToolTip(why, study_->explanation ? QString()
+                                                  : tr("“Explain the times” was not ticked."));
+    if (study_->explanation)
+        showReasons();
+    circumstances_->show({{app::circumstancesTable(*study_), TableView::Rows::Plain}});
+}
+
+/// There are more of them if something was drawn.
+void Results::showMeasures()
+{
+    const int chosen = measures_ ? measures_->chosen() : 0;
+    delete measures_;
+    measures_ = new Segments(tr("Measure"), namesOf(study_->measures));
+    measures_->choose(std::min(chosen, int(study_->measures.size()) - 1));
+    row_->insertWidget(1, measures_);
+    connect(measures_, &Segments::picked, this, &Results::showTrial);
+}
+
+const app::Trial& Results::trial() const
+{
+    return study_->trials[std::size_t(std::max(0, trial_->currentIndex()))];
+}
+
+const app::Measure& Results::measure() const
+{
+    return study_->measures[std::size_t(measures_->chosen())];
+}
+
+void Results::showTrial()
+{
+    std::vector<TablesPage::Entry> entries;
+    for (app::Table& table : app::tablesOf(trial(), measure(), app::Against::Paper))
+        entries.push_back({table, rowsOf(table)});
+    if (trial().paper) {
+        entries.push_back({app::paperLayout(*trial().paper), TableView::Rows::SumIsLast});
+        entries.push_back({app::timesTable(trial().record, measure()), TableView::Rows::Sortable});
+    }
+    showVerdict();
+    tables_->show(std::move(entries));
+    charts_->show(app::chartsOf(trial(), measure()));
+}
+
+/// What is said of a measure begins with its name.
+void Results::showVerdict()
+{
+    QString text;
+    for (const QString& sentence : app::verdict(trial(), study_->measures)) {
+        QString marked = sentence.toHtmlEscaped();
+        for (const app::Measure& measure : study_->measures)
+            if (sentence.startsWith(measure.name + u':'))
+                marked.replace(0, measure.name.size() + 1,
+                               QStringLiteral("<b>%1:</b>").arg(measure.name));
+        text += QStringLiteral("<p style='margin:0 0 4px 0'>%1</p>").arg(marked);
+    }
+    verdict_->setText(text);
+}
+
+void Results::showReasons()
+{
+    auto tables = app::tablesOf(*study_->explanation);
+    const app::Table& table = tables[std::size_t(reasons_->chosen())];
+    reason_->setText(app::reasons(*study_->explanation)[reasons_->chosen()]);
+    why_->show({{table, TableView::Rows::Sortable}});
+    auto charts = app::chartsOf(*study_->explanation);
+    const auto chart = std::ranges::find_if( // there is none of accuracy
+        charts, [&](const app::Chart& one) { return one.key.endsWith(table.key); });
+    reasonChart_->setVisible(chart != charts.end());
+    if (chart != charts.end())
+        reasonChart_->setChart(std::move(*chart));
+}
+
+bool Results::showsTables() const { return tabs_->currentWidget() != charts_; }
+
+void Results::copyTable() const
+{
+    if (showsTables())
+        static_cast<TablesPage*>(tabs_->currentWidget())->copy();
+}
+
+} // namespace ui

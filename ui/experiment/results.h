@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/charts/chart.h"
+#include "app/experiment/study.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTabWidget>
+
+#include <memory>
+
+class QHBoxLayout;
+
+namespace ui {
+
+class ChartsPage;
+class ChartView;
+class Segments;
+class TablesPage;
+
+/// What came out of a study: a verdict in plain sentences, and tabs with tables, charts, what
+/// explains the times, and the circumstances. One trial and one measure are shown at a time.
+class Results : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `tools` stand at the right, in the row of what is shown.
+    explicit Results(const QList<QWidget*>& tools, QWidget* parent = nullptr);
+
+    void show(std::shared_ptr<const app::Study> study);
+    const std::shared_ptr<const app::Study>& study() const { return study_; } ///< null: none yet
+
+    bool showsTables() const; ///< in the tab that is in front
+    void copyTable() const;   ///< of the tab that is in front
+
+signals:
+    void tabChanged();
+    void exportWanted(const app::Chart& chart);
+
+private:
+    void addPages();
+    void showMeasures();
+    void showTrial();
+    void showVerdict();
+    void showReasons();
+    const app::Trial& trial() const;
+    const app::Measure& measure() const;
+
+    std::shared_ptr<const app::Study> study_;
+    QHBoxLayout* row_;
+    QComboBox* trial_;
+    Segments *measures_ = nullptr, *reasons_;
+    QLabel *verdict_, *reason_;
+    QTabWidget* tabs_;
+    ChartsPage* charts_;
+    ChartView* reasonChart_;
+    TablesPage *tables_, *why_, *circumstances_;
+};
+
+} // namespace ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/widgets/table_view.h"
+
+#include <QScrollArea>
+
+class QGridLayout;
+
+namespace ui {
+
+/// Tables to read, with their titles and notes, two beside each other where there is room.
+class TablesPage : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit TablesPage(QWidget* parent = nullptr);
+
+    struct Entry {
+        app::Table table;
+        TableView::Rows rows = TableView::Rows::Sortable;
+    };
+    void show(std::vector<Entry> entries);
+
+    /// Copies the table that had the focus last, or the first.
+    void copy() const;
+
+    /// Something to stand above the tables; it is kept.
+    void setTop(QWidget* top);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Block {
+        QWidget* whole;
+        TableView* view;
+    };
+    Block blockOf(Entry entry);
+    void place();
+
+    QWidget* body_;
+    QGridLayout* grid_;
+    QWidget* top_ = nullptr;
+    std::vector<Block> blocks_;
+    TableView* last_ = nullptr; ///< what had the focus last
+    bool paired_ = false;
+};
+
+} // namespace ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/tables/table.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+
+/// A table of an experiment, for people: headings instead of names, numbers in the words of the
+/// locale and at the right, algorithms by their abbreviations.
+class TableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        SortRole = Qt::UserRole, ///< a number where the column has numbers
+        ContestantRole,          ///< of an algorithm's cell: its key, and its form's word
+        FaultRole                ///< whether the cell counts what is wrong, and there is some
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(app::Table table);
+    const app::Table& table() const { return table_; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    const QString& field(const QModelIndex& index) const;
+    QVariant contestant(const QModelIndex& index) const;
+    bool isFault(const QModelIndex& index) const;
+    QString shown(const QModelIndex& index) const;
+
+    app::Table table_;
+    std::vector<bool> numeric_;
+};
+
+} // namespace ui
