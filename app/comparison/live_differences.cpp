@@ -122,6 +122,8 @@ void LiveDifferences::begin()
         return keep(*std::exchange(passing_, std::nullopt));
     growing_ = Differences{drawing_.sheet().window};
     work_.start(0);
+    if (scene_.segments().size() > mostAtOnce)
+        emit begun();
     work();
 }
 

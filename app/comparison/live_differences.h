@@ -59,6 +59,7 @@ public:
 
 signals:
     void changed(); ///< the question, or what was found
+    void begun();   ///< to look at so many lines that it takes a while
 
 private:
     void outdate(const Change& change);

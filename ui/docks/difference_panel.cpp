@@ -60,6 +60,8 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     addChoosers();
     addTable();
     connect(&session.differences, &app::LiveDifferences::changed, this, &DifferencePanel::follow);
+    connect(&session.differences, &app::LiveDifferences::begun, this,
+            &DifferencePanel::paintSummary);
     paintMarkers();
     follow();
 }

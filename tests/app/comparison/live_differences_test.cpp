@@ -95,9 +95,11 @@ private slots:
     {
         app::Session session;
         session.drawing.load(sheetOf(LiveDifferences::mostAtOnce + 12'345));
+        QSignalSpy begun(&session.differences, &LiveDifferences::begun);
         session.differences.ask(kwcAgainstExact());
         QVERIFY(session.differences.piecesAt(paper).empty()); // hidden until it is known
         QTRY_VERIFY(session.differences.upToDate());
+        QCOMPARE(begun.size(), 1);
         const auto& found = session.differences.found();
         QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), paper));
         // Of lines whose ends are apart both pieces are coloured.
