@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/contestant_name.h"
+
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+QString abbreviation(const Contestant& contestant)
+{
+    const auto text = contestant.algorithm->abbreviation;
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+} // namespace
+
+QString nameOf(const Contestant& contestant)
+{
+    return contestant.form == clipping::Form::Published
+               ? Experiments::tr("%1 as published").arg(abbreviation(contestant))
+               : abbreviation(contestant);
+}
+
+QString nameAmong(std::span<const Contestant> all, std::size_t i)
+{
+    const bool mixed = std::ranges::any_of(
+        all, [&](const Contestant& other) { return other.form != all[i].form; });
+    return mixed ? nameOf(all[i]) : abbreviation(all[i]);
+}
+
+QString listText(const QStringList& names)
+{
+    if (names.size() < 2)
+        return names.join(QString());
+    return Experiments::tr("%1 and %2")
+        .arg(names.sliced(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
+}
+
+QString timeText(double nanoseconds)
+{
+    return Experiments::tr("%1 ns a line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
+}
+
+} // namespace app

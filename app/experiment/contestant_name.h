@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/experiment.h"
+
+#include <QStringList>
+
+namespace app {
+
+/// "KWC as published"; of a corrected form "KWC".
+QString nameOf(const Contestant& contestant);
+
+/// The name among others: without its form if all have the same.
+QString nameAmong(std::span<const Contestant> all, std::size_t i);
+
+/// "CS, LB and MD".
+QString listText(const QStringList& names);
+
+/// "22.30 ns a line".
+QString timeText(double nanoseconds);
+
+} // namespace app

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/reasons.h"
+
+#include "app/experiment/contestant_name.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+template <class Rows>
+std::vector<Contestant> contestantsOf(const Rows& rows)
+{
+    std::vector<Contestant> all;
+    for (const auto& row : rows)
+        all.push_back(row.contestant);
+    return all;
+}
+
+QString shareText(double share) { return numberText(100 * share, share < 0.1 ? 1 : 0); }
+
+QString classReason(const ClassProfile& profile)
+{
+    const auto most = std::ranges::max_element(profile.classes, {},
+                                               [](const ClassTimes& one) { return one.of.share; });
+    if (most == profile.classes.end() || most->record.timings.empty())
+        return {};
+    const auto all = contestantsOf(most->record.timings);
+    const auto times = summaries(most->record, measures().front());
+    const auto order = sortedByMedian(times);
+    const auto of = [&](std::size_t i) {
+        return Experiments::tr("%1 with %2").arg(nameAmong(all, i), timeText(times[i].median));
+    };
+    return Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the fastest is %3, "
+                           "the slowest %4.")
+        .arg(shareText(most->of.share), words(most->of.lineClass), of(order.front()),
+             of(order.back()));
+}
+
+QString operationReason(const OperationProfile& profile)
+{
+    const auto all = contestantsOf(profile.rows);
+    const auto perLine = [&](const ContestantOperations& row) {
+        const auto counts = row.scene();
+        return double(counts.comparisons + counts.additions + counts.multiplications
+                      + counts.divisions)
+               / double(profile.options.lines);
+    };
+    const auto [fewest, most] = std::ranges::minmax_element(profile.rows, {}, perLine);
+    const auto of = [&](auto row) {
+        return nameAmong(all, std::size_t(row - profile.rows.begin()));
+    };
+    return Experiments::tr("%1 does with the fewest operations, %2 a line; %3 takes the most, %4. "
+                           "A guess that goes wrong costs the processor as much as many of them.")
+        .arg(of(fewest), numberText(perLine(*fewest), 1), of(most), numberText(perLine(*most), 1));
+}
+
+/// Who is wrong, and in what.
+QString faultText(const Accuracy& row)
+{
+    QStringList faults;
+    if (row.lost > 0)
+        faults << Experiments::tr("drops %1 visible lines").arg(countText(row.lost));
+    if (row.shown > 0)
+        faults << Experiments::tr("shows %1 that are not visible").arg(countText(row.shown));
+    if (row.outside > 0)
+        faults << Experiments::tr("leaves %1 with an end outside the window")
+                      .arg(countText(row.outside));
+    return faults.isEmpty()
+               ? QString()
+               : Experiments::tr("%1 %2.").arg(nameOf(row.contestant), listText(faults));
+}
+
+QString accuracyReason(const std::vector<Accuracy>& accuracies)
+{
+    QStringList sentences;
+    for (const Accuracy& row : accuracies)
+        if (const QString text = faultText(row); !text.isEmpty())
+            sentences << text;
+    return sentences.isEmpty() ? Experiments::tr("All of them find the same lines as exact "
+                                                 "arithmetic, and no end is outside the window.")
+                               : sentences.join(u' ');
+}
+
+} // namespace
+
+QStringList reasons(const Explanation& explanation)
+{
+    return {classReason(explanation.classes), operationReason(explanation.operations),
+            accuracyReason(explanation.accuracies)};
+}
+
+} // namespace app
