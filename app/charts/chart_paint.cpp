@@ -159,7 +159,7 @@ void paintNames(const Canvas& c, const ChartRow& row, double middle)
     c.line(around(c.layout.nameLeft, c.layout.nameRight, middle, u), Qt::AlignLeft, bold,
            c.look.text, row.name);
     const double end = c.layout.nameLeft + QFontMetricsF(bold).horizontalAdvance(row.name) + 6 * u;
-    if (c.layout.notes)
+    if (c.layout.notes && end < c.layout.nameRight)
         c.line(around(end, c.layout.nameRight, middle, u), Qt::AlignLeft, caption, c.look.muted,
                row.note);
     if (c.layout.values)
