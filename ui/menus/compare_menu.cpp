@@ -116,7 +116,7 @@ MenuInfo compareMenu()
                  someLines},
                 {},
                 {"reproduce-paper",
-                 tr("&Reproduce the paper…"),
+                 tr("Reproduce t&he paper…"),
                  {QKeySequence("Ctrl+F7")},
                  Reach::Window,
                  "chart",
