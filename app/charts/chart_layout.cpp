@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_layout.h"
 
+#include "app/view/numbers.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 
@@ -239,6 +241,19 @@ void placeRows(ChartLayout& layout, const Chart& chart, const QRectF& area, doub
         below->translate(0, y);
 }
 
+/// With as many marks as have room for what is written at them.
+Axis readableAxis(const ChartLayout& layout, const Chart& chart, std::size_t panel,
+                  const ChartLook& look)
+{
+    const QFontMetricsF caption(captionFont(look));
+    const double width = layout.panels[panel].width(), gap = 12 * layout.unit;
+    Axis axis = axisOf(chart, panel, width / (46 * layout.unit));
+    double label = 0;
+    for (const double tick : axis.ticks)
+        label = widest(caption, numberText(tick, axis.decimals), label);
+    return label + gap > 46 * layout.unit ? axisOf(chart, panel, width / (label + gap)) : axis;
+}
+
 double heightFor(const Chart& chart, double width, const ChartLook& look, double stretch)
 {
     ChartLayout layout{};
@@ -271,7 +286,7 @@ ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& lo
                  natural = std::max(naturalHeight(chart, layout.unit), 1.0);
     placeRows(layout, chart, area, top, std::clamp(room / natural, squeezed, 1.15));
     for (std::size_t p = 0; p < chart.panels.size(); ++p)
-        layout.axes.push_back(axisOf(chart, p, layout.panels[p].width() / (46 * layout.unit)));
+        layout.axes.push_back(readableAxis(layout, chart, p, look));
     return layout;
 }
 

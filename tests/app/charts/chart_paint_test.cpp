@@ -261,6 +261,31 @@ private slots:
                 QVERIFY2(leastHeight(chart, width, look) < height, what);
             }
     }
+    void wordsDoNotTouch()
+    {
+        const ChartLook look = chartLook(Ground::Light);
+        const QFontMetricsF caption(captionFont(look));
+        std::vector<Chart> charts = allCharts();
+        charts.push_back(barsOf({123'456'789, 234'567'890}));
+        for (const Chart& chart : charts)
+            for (int width = 200; width < 1000; width += 37) {
+                const QByteArray what = (chart.key + ' ' + QString::number(width)).toUtf8();
+                const ChartLayout layout = layoutOf(chart, QRectF(0, 0, width, 400), look);
+                for (std::size_t i = 0; i < layout.legend.size(); ++i) {
+                    QVERIFY2(layout.legend[i].text.right() <= width + 1, what);
+                    for (std::size_t k = 0; k < i; ++k)
+                        QVERIFY2(!layout.legend[k].text.intersects(layout.legend[i].symbol), what);
+                }
+                for (std::size_t p = 0; p < layout.panels.size(); ++p)
+                    for (std::size_t t = 1; t < layout.axes[p].ticks.size(); ++t) {
+                        const Axis& axis = layout.axes[p];
+                        const double room =
+                            layout.x(p, axis.ticks[t]) - layout.x(p, axis.ticks[t - 1]);
+                        const QString label = QLocale().toString(axis.ticks[t], 'f', axis.decimals);
+                        QVERIFY2(room > caption.horizontalAdvance(label), what);
+                    }
+            }
+    }
     void pointsFindTheirRowAndValue()
     {
         const Chart chart = chartOf(sample::seven(), clip(), paperTables().front());
