@@ -5,6 +5,7 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
+#include "ui/experiment/experiment_window.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -79,6 +80,7 @@ void MainWindow::connectStart(StartPanel& start)
     connect(&start, &StartPanel::openWanted, this, [this] { files_->open(); });
     connect(&start, &StartPanel::fileWanted, this,
             [this](const QString& path) { files_->open(path); });
+    connect(&start, &StartPanel::paperWanted, this, [this] { showExperiment(*this); });
     connect(&start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
     const auto follow = [this, &start] { start.showRecent(files_->recent()); };
     connect(files_.get(), &Files::recentChanged, &start, follow);

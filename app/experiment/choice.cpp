@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 
+#include "app/experiment/contestant_name.h"
 #include "app/experiment/duration.h"
 #include "app/view/numbers.h"
 
@@ -115,6 +116,19 @@ std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, c
         {.scene = drawingScene(name, {lines.begin(), lines.end()}),
          .field = {sheet.page.rectangle(), sheet.window},
          .lines = lines.size()}};
+}
+
+QString leftOutText(const Choice& choice)
+{
+    QStringList names;
+    for (const auto* algorithm : choice.algorithms)
+        if (std::ranges::none_of(choice.forms, [&](clipping::Form form) {
+                return clipping::usesOf(*algorithm, form);
+            }))
+            names << nameOf({algorithm, clipping::Form::Corrected});
+    if (!choice.subject.papers.empty() || names.isEmpty())
+        return {};
+    return Experiments::tr("Without a published form, so left out: %1.").arg(listText(names));
 }
 
 Result<Plan> planOf(const Choice& choice)

@@ -40,6 +40,9 @@ constexpr std::uint64_t mostLines = 4'000'000'000, mostRuns = 10'000;
 /// The same as a plan, or a sentence that says what is missing.
 Result<Plan> planOf(const Choice& choice);
 
+/// Which of the algorithms have none of the forms, and so take no part; empty: all take part.
+QString leftOutText(const Choice& choice);
+
 /// A hundred thousand lines, three times: some seconds.
 Choice quick(Choice choice);
 

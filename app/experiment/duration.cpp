@@ -30,8 +30,10 @@ QString durationText(double seconds)
 
 QString progressText(const Progress& progress)
 {
-    return Experiments::tr("%1 %, %2 left")
-        .arg(count(std::floor(100 * progress.share)), durationText(progress.secondsLeft));
+    const QString share = count(std::floor(100 * progress.share));
+    if (progress.share < 0.02) // nothing can be told of the rest yet
+        return Experiments::tr("%1 %").arg(share);
+    return Experiments::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
 }
 
 } // namespace app

@@ -132,7 +132,7 @@ Table timesTable(const Record& record, const Measure& measure)
     for (std::size_t i = 0; i < times.size(); ++i)
         table.rows.push_back(rowOf(record.timings[i], times[i], places[i]));
     table.notes << Experiments::tr(
-        "From low_ns to high_ns: where the middle lies with 95 % confidence. Lost: lines that are "
+        "From low to high: where the middle lies with 95 % confidence. Lost: lines that are "
         "visible and that it drops; shown: lines that are not and that it keeps.");
     if (hasTies(places))
         table.notes << Experiments::tr(

@@ -31,9 +31,10 @@ QString shortName(const Record& record, std::size_t i)
 /// "Nicholl-Lee-Nicholl (NLN)".
 QString longName(const Record& record, std::size_t i)
 {
-    const auto name = record.timings[i].contestant.algorithm->name;
-    return Experiments::tr("%1 (%2)").arg(QString::fromUtf8(name.data(), qsizetype(name.size())),
-                                          shortName(record, i));
+    const auto latin = record.timings[i].contestant.algorithm->name;
+    const QString name = QString::fromUtf8(latin.data(), qsizetype(latin.size()));
+    const QString brief = shortName(record, i);
+    return brief.startsWith(name) ? brief : Experiments::tr("%1 (%2)").arg(name, brief);
 }
 
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
@@ -134,9 +135,11 @@ QStringList lossSentences(const Record& record)
             sentences << Experiments::tr("%1 shows %2 lines that are not visible.")
                              .arg(name, countText(found.shown));
     }
+    const std::size_t visible = record.timings.front().found.visible;
     if (sentences.isEmpty())
-        sentences << Experiments::tr("All of them find the same %1 visible lines.")
-                         .arg(countText(record.timings.front().found.visible));
+        sentences << (visible == 0 ? Experiments::tr("All of them find that no line is visible.")
+                                   : Experiments::tr("All of them find the same %1 visible lines.")
+                                         .arg(countText(visible)));
     return sentences;
 }
 

@@ -89,6 +89,8 @@ StartPanel::StartPanel(QWidget* parent)
 {
     auto* draw = new StartButton("pencil", tr("Draw"), tr("a new A3 sheet"));
     auto* open = new StartButton("folder", tr("Open…"), readableFormats());
+    auto* paper = new StartButton("chart", tr("Reproduce the paper…"),
+                                  tr("which way of cutting is the fastest"));
     recent_->setAccessibleName(tr("Recent drawings"));
     recent_->setFrameShape(QFrame::NoFrame);
     recent_->setMouseTracking(true);
@@ -113,6 +115,9 @@ StartPanel::StartPanel(QWidget* parent)
     column->addLayout(heading(tr("Recent"), {}));
     column->addWidget(noRecent_);
     column->addWidget(recent_);
+    column->addSpacing(6);
+    column->addLayout(heading(tr("The paper"), {}));
+    column->addWidget(paper);
     column->addStretch();
     auto* scroll = new QScrollArea;
     scroll->setWidget(body);
@@ -130,6 +135,7 @@ StartPanel::StartPanel(QWidget* parent)
 
     connect(draw, &QAbstractButton::clicked, this, &StartPanel::drawWanted);
     connect(open, &QAbstractButton::clicked, this, &StartPanel::openWanted);
+    connect(paper, &QAbstractButton::clicked, this, &StartPanel::paperWanted);
     connect(gallery_, &Gallery::chosen, this, &StartPanel::sampleWanted);
     connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
         emit fileWanted(item->data(PathRole).toString());

@@ -26,6 +26,7 @@ signals:
     void openWanted();
     void sampleWanted(const app::Sample& sample);
     void fileWanted(const QString& path);
+    void paperWanted();
 
 private:
     Gallery* gallery_;

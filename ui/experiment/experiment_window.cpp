@@ -25,7 +25,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1120, 760), smallest(720, 460);
+constexpr QSize usual(1120, 760), smallest(800, 560);
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -221,13 +221,13 @@ void ExperimentWindow::addTools()
         action->setObjectName(QStringLiteral("export-%1-%2").arg(int(row.group)).arg(row.ending));
         connect(action, &QAction::triggered, this, [this, row] { exportAs(row); });
     }
-    export_->setText(tr("&Export"));
+    export_->setText(tr("&Export ▾"));
     export_->setIcon(icon("export"));
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight);
     export_->setProperty("framed", true);
-    export_->setPopupMode(QToolButton::InstantPopup);
-    export_->setMenu(menu);
+    connect(export_, &QToolButton::clicked, menu,
+            [this, menu] { menu->popup(export_->mapToGlobal(export_->rect().bottomLeft())); });
     copy_->setFocusPolicy(Qt::TabFocus); // a click leaves it to the table
     copy_->setToolTip(tr("The table that was clicked last, or the first: with tabs, for a "
                          "spreadsheet."));
@@ -326,8 +326,11 @@ void ExperimentWindow::showProgress(const app::Progress& progress)
 /// What it will take, or why it cannot be done.
 void ExperimentWindow::showEffort()
 {
-    const auto plan = app::planOf(choice_->choice());
-    effort_->setText(plan ? app::effortText(*plan.value) : plan.error);
+    const app::Choice choice = choice_->choice();
+    const auto plan = app::planOf(choice);
+    effort_->setText(
+        plan ? (app::effortText(*plan.value) + u' ' + app::leftOutText(choice)).trimmed()
+             : plan.error);
     showState();
 }
 

@@ -14,6 +14,17 @@ namespace {
 
 constexpr int gap = 32, noteWidth = 620;
 
+/// Sentences in a limited width, of which layouts are told (they ask for the height in all there
+/// is).
+class Note : public QLabel {
+public:
+    using QLabel::QLabel;
+    int heightForWidth(int width) const override
+    {
+        return QLabel::heightForWidth(std::min(width, maximumWidth()));
+    }
+};
+
 } // namespace
 
 TablesPage::TablesPage(QWidget* parent)
@@ -59,7 +70,7 @@ TablesPage::Block TablesPage::blockOf(Entry entry)
     const QString notes = entry.table.notes.join(u'\n');
     view->show(std::move(entry.table), entry.rows);
     if (!notes.isEmpty()) {
-        auto* label = new QLabel(notes);
+        auto* label = new Note(notes);
         label->setFont(captionFont(label->font()));
         label->setForegroundRole(QPalette::PlaceholderText);
         label->setWordWrap(true);

@@ -65,8 +65,8 @@ QSize ChartView::minimumSizeHint() const
 
 int ChartView::heightForWidth(int width) const
 {
-    return int(std::ceil(naturalHeight(chart_, width - 2 * margin, chartLookOf(*this))))
-           + 2 * margin;
+    const int inner = std::min(width, maximumWidth()) - 2 * margin;
+    return int(std::ceil(naturalHeight(chart_, inner, chartLookOf(*this)))) + 2 * margin;
 }
 
 QRectF ChartView::area() const { return rect().adjusted(margin, margin, -margin, -margin); }

@@ -32,6 +32,8 @@ void TableModel::show(app::Table table)
     beginResetModel();
     table_ = std::move(table);
     numeric_ = app::numericColumns(table_);
+    if (const auto checksum = table_.names.indexOf(QStringLiteral("checksum")); checksum >= 0)
+        numeric_[std::size_t(checksum)] = false; // though it may be made of digits
     endResetModel();
 }
 
