@@ -111,7 +111,9 @@ std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, c
     return Subject{
         "drawing",
         Experiments::tr("Lines of %1").arg(name),
-        Experiments::tr("Its %1 lines, clipped at its window.").arg(countText(lines.size())),
+        Experiments::tr(
+            "Its %1 lines, clipped at its window; if more are asked for, the same again.")
+            .arg(countText(lines.size())),
         {},
         {.scene = drawingScene(name, {lines.begin(), lines.end()}),
          .field = {sheet.page.rectangle(), sheet.window},

@@ -14,6 +14,8 @@ namespace ui {
 
 namespace {
 
+constexpr std::uint64_t fewestTimed = 100'000; // a small drawing again and again
+
 enum Forms { Published, Corrected, Both };
 
 QString latin(std::string_view text)
@@ -165,11 +167,12 @@ void ChoicePanel::showSubject()
 {
     const auto subject = choice().subject;
     const bool tables = subject.papers.size() > 1;
+    const auto own = std::max(subject.options.lines, fewestTimed);
     meaning_->setText(subject.meaning);
     const QSignalBlocker quiet(lines_);
     lines_->setMinimum(tables ? 0 : 1);
     lines_->setValue(tables                   ? 0
-                     : subject.papers.empty() ? int(subject.options.lines)
+                     : subject.papers.empty() ? int(own)
                                               : int(subject.papers.front().lines));
     showAlgorithms();
     emit changed();

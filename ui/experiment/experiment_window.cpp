@@ -297,6 +297,7 @@ void ExperimentWindow::run(app::Choice choice)
         return showEffort();
     bar_->setValue(0);
     state_->setText(tr("Begins…"));
+    taken_.start();
     measuring_.start(std::move(*plan.value));
     showState();
 }
@@ -313,7 +314,7 @@ void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
     results_->show(study);
     stack_->setCurrentWidget(results_);
     showState();
-    state_->setText(tr("Done."));
+    state_->setText(tr("Done in %1.").arg(app::durationText(double(taken_.elapsed()) / 1000)));
 }
 
 void ExperimentWindow::showProgress(const app::Progress& progress)

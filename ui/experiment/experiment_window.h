@@ -10,6 +10,7 @@
 #include "ui/widgets/message_strip.h"
 
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -68,6 +69,7 @@ private:
     MessageStrip* strip_;
     QStackedWidget* stack_;
     Results* results_;
+    QElapsedTimer taken_;
     Measuring measuring_;
 };
 
