@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/application.h"
 #include "app/command_line/command.h"
 #include "ui/editor.h"
-
-#include <QCoreApplication>
 
 int main(int argc, char** argv)
 {
@@ -10,7 +9,7 @@ int main(int argc, char** argv)
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
     if (app::isCommandLine(arguments)) {
-        const QCoreApplication application(argc, argv);
+        const auto application = app::applicationFor(arguments, argc, argv);
         return app::runCommandLine(arguments);
     }
     return ui::runEditor(argc, argv, arguments);

@@ -16,11 +16,6 @@ Study measured(const Plan& plan)
     return *study(plan, {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
-EaselMaker easelFor(const std::vector<Measure>& wanted)
-{
-    return std::ranges::any_of(wanted, &Measure::draws) ? rasterEasel : EaselMaker();
-}
-
 std::vector<Table> tablesOf(const Study& study, Against against)
 {
     std::vector<Table> tables;
@@ -36,8 +31,7 @@ std::vector<Table> sceneTables(const Given& given)
     const auto contestants = contestantsGiven(given);
     if (contestants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
-    ExperimentOptions options = experimentGiven(given);
-    options.easel = easelFor(wanted.measures);
+    const ExperimentOptions options = experimentGiven(given, wanted);
     std::vector<Table> tables;
     if (!wanted.measures.empty())
         tables = tablesOf(measured({{{std::nullopt, options, contestants}}, wanted.measures}),
@@ -73,19 +67,18 @@ std::vector<clipping::Form> paperForms(const Given& given)
 
 std::vector<Table> paperTables(const Given& given)
 {
-    const auto [wanted, others] = wantedGiven(given, QStringLiteral("clip,draw,total"));
-    if (!others.empty())
+    const Wanted wanted = wantedGiven(given, QStringLiteral("clip,draw,total"));
+    if (!wanted.analyses.empty())
         throw WrongUsage{Commands::tr("--paper measures clip, draw and total: leave “%1” away.")
-                             .arg(others[0].key)};
+                             .arg(wanted.analyses[0].key)};
     const bool against = given.has(QStringLiteral("against-paper"));
     const bool ownLines = given.has(QStringLiteral("lines")) || given.has(QStringLiteral("quick"));
-    ExperimentOptions options = experimentGiven(given);
-    options.easel = easelFor(wanted);
+    const ExperimentOptions options = experimentGiven(given, wanted);
     std::vector<Table> tables;
     for (const PaperTable& paper : papersGiven(given)) {
         if (against)
             tables.push_back(paperLayout(paper));
-        Plan plan{{}, wanted};
+        Plan plan{{}, wanted.measures};
         for (const clipping::Form form : paperForms(given)) {
             plan.trials.push_back({paper, options, contestants(paper, form)});
             if (!ownLines)
@@ -141,7 +134,8 @@ Command benchCommand()
          "clearcut bench --quick --scene near-miss --order sorted",
          "clearcut bench --measure classes,operations,accuracy"},
         0,
-        bench};
+        bench,
+        true};
 }
 
 } // namespace app

@@ -3,6 +3,7 @@
 
 #include "app/command_line/refusal.h"
 #include "app/experiment/choice.h"
+#include "app/experiment/threads.h"
 #include "app/formats/format.h"
 
 #include <QFileInfo>
@@ -13,6 +14,8 @@
 
 namespace app {
 namespace {
+
+const QStringList precisions{"double", "single"};
 
 template <class Row>
 QStringList keysOf(const std::vector<Row>& rows)
@@ -77,6 +80,43 @@ void takeField(const Given& given, ExperimentOptions& options)
                                       "on all four sides: see --space and --window.")};
 }
 
+QStringList easelWords() { return QStringList(QStringLiteral("auto")) + keysOf(easelKinds()); }
+
+EaselMaker easelGiven(const Given& given)
+{
+    const auto choice = given.choice(QStringLiteral("draw-with"), easelWords());
+    if (choice == 0)
+        return bestEasel();
+    const EaselKind kind = easelKinds()[choice - 1];
+    if (EaselMaker maker = kind.maker())
+        return maker;
+    throw Failure{Commands::tr("%1 cannot draw here: it needs a display. Leave --draw-with away.")
+                      .arg(kind.name)};
+}
+
+/// Threads and other cores' work are seen by the clock on the wall alone.
+void takeThreads(const Given& given, ExperimentOptions& options)
+{
+    if (!given.has(QStringLiteral("threads")))
+        return;
+    if (mostThreads() == 1)
+        throw Failure{Commands::tr("--threads: this machine has one core, or Clearcut was built "
+                                   "without oneTBB.")};
+    options.threads = *given.count(QStringLiteral("threads"), 1, mostThreads());
+    if (options.threads > 1)
+        options.clock = wallClock();
+}
+
+void takePrecision(const Given& given, ExperimentOptions& options)
+{
+    if (given.choice(QStringLiteral("precision"), precisions) == 0)
+        return;
+    if (given.has(QStringLiteral("paper")) || given.has(QStringLiteral("form")))
+        throw WrongUsage{Commands::tr("--precision single has the corrected forms alone: leave "
+                                      "--paper and --form away.")};
+    options.precision = Precision::Single;
+}
+
 } // namespace
 
 std::vector<Option> experimentOptions()
@@ -103,13 +143,22 @@ std::vector<Option> experimentOptions()
         {{"form"},
          "both|corrected|published",
          Commands::tr("Algorithms without their published faults, or with them (both).")},
+        {{"precision"},
+         precisions.join(u'|'),
+         Commands::tr("Which numbers are clipped; single: corrected forms only (double).")},
+        {{"threads"},
+         "N",
+         Commands::tr("Threads for each algorithm, timed by the clock on the wall (1).")},
+        {{"draw-with"},
+         easelWords().join(u'|'),
+         Commands::tr("What draws; auto: OpenGL off the screen where there is a display (auto).")},
         {{"measure"},
          "LIST",
          Commands::tr("What to tell, with commas between: %1 (clip).").arg(allMeasures())},
     };
 }
 
-ExperimentOptions experimentGiven(const Given& given)
+ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
 {
     ExperimentOptions options;
     takeScene(given, options);
@@ -128,12 +177,18 @@ ExperimentOptions experimentGiven(const Given& given)
     take("seed", 0, std::numeric_limits<quint64>::max(), options.seed);
     if (given.choice(QStringLiteral("order"), {"shuffled", "sorted"}) == 1)
         options.order = Order::ByClass;
+    takePrecision(given, options);
+    takeThreads(given, options);
+    if (std::ranges::any_of(wanted.measures, &Measure::draws))
+        options.easel = easelGiven(given);
     return options;
 }
 
 std::vector<clipping::Form> formsGiven(const Given& given)
 {
     constexpr std::array both{clipping::Form::Corrected, clipping::Form::Published};
+    if (given.choice(QStringLiteral("precision"), precisions) == 1)
+        return {clipping::Form::Corrected};
     const auto choice = given.choice(QStringLiteral("form"), {"both", "corrected", "published"});
     if (choice == 0)
         return {both.begin(), both.end()};

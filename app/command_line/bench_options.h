@@ -9,21 +9,21 @@ namespace app {
 /// The options of `bench` that say what is measured.
 std::vector<Option> experimentOptions();
 
-/// What they ask for; throws WrongUsage, or Failure where a drawing cannot be read. Nothing is
-/// drawn.
-ExperimentOptions experimentGiven(const Given& given);
-
-/// The forms that --form names: both, the corrected one first, unless it names one.
-std::vector<clipping::Form> formsGiven(const Given& given);
-
-/// The algorithms and forms they name: both forms unless --form names one.
-std::vector<Contestant> contestantsGiven(const Given& given);
-
 /// What --measure names: times, and analyses.
 struct Wanted {
     std::vector<Measure> measures;
     std::vector<Analysis> analyses;
 };
 Wanted wantedGiven(const Given& given, const QString& otherwise);
+
+/// What they ask for; throws WrongUsage, or Failure where a drawing cannot be read or nothing can
+/// draw as it is asked. The easel is made only if `wanted` draws.
+ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted);
+
+/// The forms that --form names: both, the corrected one first, unless it names one.
+std::vector<clipping::Form> formsGiven(const Given& given);
+
+/// The algorithms and forms they name: both forms unless --form names one.
+std::vector<Contestant> contestantsGiven(const Given& given);
 
 } // namespace app

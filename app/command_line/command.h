@@ -30,6 +30,7 @@ struct Command {
     QStringList examples; ///< whole command lines
     qsizetype operands;   ///< how many arguments that are no options; others are a wrong usage
     void (*run)(const Given& given); ///< throws WrongUsage or Failure (refusal.h)
+    bool paints = false;             ///< whether it needs fonts or OpenGL, and so a QGuiApplication
 };
 std::vector<Command> commands();
 
@@ -37,8 +38,8 @@ std::vector<Command> commands();
 /// and so need no display. A file that is called like a command is opened as ./NAME or -- NAME.
 bool isCommandLine(const QStringList& arguments);
 
-/// Runs them and returns the exit code. Needs a QCoreApplication, no display. From then on a closed
-/// pipe is an error like others, and Ctrl-C ends with 130.
+/// Runs them and returns the exit code. Needs an application (application.h), no display. From then
+/// on a closed pipe is an error like others, and Ctrl-C ends with 130.
 int runCommandLine(const QStringList& arguments);
 
 } // namespace app

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace app {
 
@@ -15,5 +16,14 @@ constexpr std::uint64_t mixed(std::uint64_t x)
     return x ^ (x >> 31);
 }
 inline std::uint64_t mixed(double x) { return mixed(std::bit_cast<std::uint64_t>(x)); }
+
+/// Of pixels, by FNV: quick, and the place counts.
+constexpr std::uint64_t checksumOf(std::span<const std::uint32_t> pixels)
+{
+    std::uint64_t sum = 0;
+    for (const std::uint32_t pixel : pixels)
+        sum = (sum ^ pixel) * 0x100000001b3;
+    return mixed(sum);
+}
 
 } // namespace app

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
-#include <ctime>
 
 namespace app {
 namespace {
@@ -27,14 +25,6 @@ constexpr std::uint64_t blockSize = 1'000'000;
 /// What is made or drawn between two looks at whether to stop: some hundredths of a second.
 constexpr std::size_t bit = 50'000;
 
-/// The lines that are clipped, and where what is visible goes.
-struct Block {
-    std::uint64_t first = 0; ///< the number of its first line in the scene
-    std::vector<Segment> lines;
-    std::vector<Clipped> visible;
-    std::vector<Clipped> truth; ///< what is truly visible, while findings are made
-};
-
 /// The experiment while it goes on.
 class Bench {
 public:
@@ -46,18 +36,22 @@ public:
 
 private:
     void begin();
-    void fill(const LineSource& source, std::uint64_t first);
-    void order();
+    void fill(const LineSource& source);
+    void make(const LineSource& source, std::span<Segment> lines);
+    void order(std::span<Segment> lines) const;
     void tellTruth();
     void turn(Timing& timing);
     double drawn(std::span<const Clipped> lines);
-    void find(Timing& timing, std::size_t visible);
+    void find(Timing& timing, std::span<const Clipped> pieces);
     void divide(std::size_t r);
 
     const ExperimentOptions& options_;
     Pace pace_;
     Block block_;
+    std::uint64_t first_ = 0;    ///< the number of the block's first line in the scene
+    std::vector<Clipped> truth_; ///< what is truly visible of the block, while findings are made
     std::unique_ptr<Easel> easel_;
+    Clock drawClock_;
     std::vector<Timing> timings_;
     bool finding_ = false;
 };
@@ -68,7 +62,9 @@ Bench::Bench(const ExperimentOptions& options, std::span<const Contestant> conte
              const Follower& follower)
     : options_(options), pace_(follower, double((options.warmUps + options.runs)
                                                 * blocksOf(options.lines) * contestants.size())),
-      easel_(options.easel ? options.easel(options.field) : nullptr)
+      block_({options.field.window, options.precision, options.threads}),
+      easel_(options.easel ? options.easel(options.field) : nullptr),
+      drawClock_(easel_ ? drawClock(options, *easel_) : options.clock)
 {
     for (const Contestant& contestant : contestants)
         timings_.push_back({.contestant = contestant, .generate = {}, .clip = {}, .draw = {}});
@@ -79,12 +75,12 @@ bool Bench::run(std::size_t r)
     finding_ = r == 0;
     begin();
     const LineSource source = options_.scene.begin(options_.field, options_.seed);
-    for (std::uint64_t first = 0; first < options_.lines; first += blockSize) {
-        fill(source, first);
+    for (first_ = 0; first_ < options_.lines; first_ += blockSize) {
+        fill(source);
         for (std::size_t i = 0; i < timings_.size(); ++i) {
             if (pace_.stopped())
                 return false;
-            turn(timings_[(r + first / blockSize + i) % timings_.size()]);
+            turn(timings_[(r + first_ / blockSize + i) % timings_.size()]);
             pace_.turnDone();
         }
     }
@@ -101,68 +97,70 @@ void Bench::begin()
             times->push_back(0);
 }
 
-void Bench::fill(const LineSource& source, std::uint64_t first)
+void Bench::fill(const LineSource& source)
 {
-    block_.first = first;
-    block_.lines.resize(std::min(blockSize, options_.lines - first));
-    block_.visible.resize(block_.lines.size());
-    const double start = options_.clock.nanoseconds();
-    for (std::size_t at = 0; at < block_.lines.size() && !pace_.stopped(); at += bit)
-        source(std::span(block_.lines).subspan(at, std::min(bit, block_.lines.size() - at)));
-    const double took = options_.clock.nanoseconds() - start;
-    for (Timing& timing : timings_)
-        timing.generate.back() += took;
-    if (options_.order == Order::ByClass)
-        order();
+    block_.refill(std::min(blockSize, options_.lines - first_),
+                  [&](std::span<Segment> lines) { make(source, lines); });
     if (finding_)
         tellTruth();
 }
 
+void Bench::make(const LineSource& source, std::span<Segment> lines)
+{
+    const double start = options_.clock.nanoseconds();
+    for (std::size_t at = 0; at < lines.size() && !pace_.stopped(); at += bit)
+        source(lines.subspan(at, std::min(bit, lines.size() - at)));
+    const double took = options_.clock.nanoseconds() - start;
+    for (Timing& timing : timings_)
+        timing.generate.back() += took;
+    if (options_.order == Order::ByClass)
+        order(lines);
+}
+
 /// As they came, class by class.
-void Bench::order()
+void Bench::order(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;
-    for (const Segment& line : block_.lines)
+    for (const Segment& line : lines)
         classes[std::size_t(lineClassOf(line, options_.field.window))].push_back(line);
-    auto to = block_.lines.begin();
-    for (const auto& lines : classes)
-        to = std::ranges::copy(lines, to).out;
+    auto to = lines.begin();
+    for (const auto& some : classes)
+        to = std::ranges::copy(some, to).out;
 }
 
 void Bench::tellTruth()
 {
-    block_.truth.resize(block_.lines.size());
-    block_.truth.resize(clipping::exactAlgorithm().corrected.clipAll(
-        block_.lines, options_.field.window, block_.truth));
+    truth_.resize(block_.lines().size());
+    truth_.resize(
+        clipping::exactAlgorithm().corrected.clipAll(block_.lines(), block_.window(), truth_));
 }
 
 void Bench::turn(Timing& timing)
 {
-    const auto& uses = *clipping::usesOf(*timing.contestant.algorithm, timing.contestant.form);
     const double start = options_.clock.nanoseconds();
-    const std::size_t visible = uses.clipAll(block_.lines, options_.field.window, block_.visible);
+    const std::size_t visible = block_.clip(timing.contestant);
     timing.clip.back() += options_.clock.nanoseconds() - start;
+    const auto pieces = block_.pieces(visible);
     if (easel_) {
         easel_->wipe();
-        timing.draw.back() += drawn(std::span(block_.visible).first(visible));
+        timing.draw.back() += drawn(pieces);
     }
     if (finding_)
-        find(timing, visible);
+        find(timing, pieces);
 }
 
 /// The nanoseconds that it took.
 double Bench::drawn(std::span<const Clipped> lines)
 {
-    const double start = options_.clock.nanoseconds();
+    const double start = drawClock_.nanoseconds();
     for (; !lines.empty() && !pace_.stopped(); lines = lines.subspan(std::min(bit, lines.size())))
         easel_->draw(lines.first(std::min(bit, lines.size())));
-    return options_.clock.nanoseconds() - start;
+    return drawClock_.nanoseconds() - start;
 }
 
-void Bench::find(Timing& timing, std::size_t visible)
+void Bench::find(Timing& timing, std::span<const Clipped> pieces)
 {
-    timing.found = added(timing.found, std::span(block_.visible).first(visible), block_.truth,
-                         options_.field.window, block_.first);
+    timing.found = added(timing.found, pieces, truth_, block_.window(), first_);
     if (easel_)
         timing.pixels = mixed(timing.pixels ^ easel_->checksum());
 }
@@ -175,44 +173,14 @@ void Bench::divide(std::size_t r)
             if (r < options_.warmUps)
                 times->pop_back();
         }
-    block_.truth = {};
+    truth_ = {};
 }
 
 } // namespace
 
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms,
-                                    clipping::Form form)
+Clock drawClock(const ExperimentOptions& options, const Easel& easel)
 {
-    std::vector<Contestant> all;
-    for (const auto* algorithm : algorithms)
-        if (clipping::usesOf(*algorithm, form))
-            all.push_back({algorithm, form});
-    return all;
-}
-
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms)
-{
-    auto all = contestants(algorithms, clipping::Form::Corrected);
-    const auto published = contestants(algorithms, clipping::Form::Published);
-    all.insert(all.end(), published.begin(), published.end());
-    return all;
-}
-
-Clock wallClock()
-{
-    return {QStringLiteral("wall"), [] {
-                const auto now = std::chrono::steady_clock::now().time_since_epoch();
-                return std::chrono::duration<double, std::nano>(now).count();
-            }};
-}
-
-Clock processorClock()
-{
-    return {QStringLiteral("processor time of the thread"), [] {
-                timespec now{};
-                ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-                return double(now.tv_sec) * 1e9 + double(now.tv_nsec);
-            }};
+    return easel.drawsElsewhere() ? wallClock() : options.clock;
 }
 
 std::vector<Measure> measures()

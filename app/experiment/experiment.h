@@ -1,41 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/experiment/block.h"
+#include "app/experiment/clock.h"
 #include "app/experiment/easel.h"
 #include "app/experiment/findings.h"
 #include "app/experiment/statistics.h"
-#include "clipping/algorithm.h"
 
 #include <stop_token>
 
 namespace app {
 
-/// One form of one algorithm, which it has.
-struct Contestant {
-    const clipping::Algorithm* algorithm;
-    clipping::Form form;
-};
-
-/// Every form that these algorithms have, the corrected ones first.
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms);
-
-/// Every one of them in one form, without those that do not have it.
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms,
-                                    clipping::Form form);
-
 /// The order of the lines: as they come, or those of one class (line_class.h) together, block by
 /// block, which spares the processor from guessing.
 enum class Order : std::uint8_t { AsTheyCome, ByClass };
-
-/// What times are taken with.
-struct Clock {
-    QString name;                        ///< for the record
-    std::function<double()> nanoseconds; ///< since some moment; never goes back
-};
-Clock wallClock();
-/// The processor time of the thread that asks: what other programs take does not count, so it is
-/// the fairer one, but what threads and graphics cards do for the thread does not count either.
-Clock processorClock();
 
 struct ExperimentOptions {
     TestScene scene = testScenes().front();
@@ -45,9 +23,14 @@ struct ExperimentOptions {
     std::size_t warmUps = 1;         ///< whole runs that do not count, at least one
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
-    EaselMaker easel = nullptr; ///< rasterEasel or another; null: nothing is drawn
-    Clock clock = processorClock();
+    EaselMaker easel = nullptr;              ///< rasterEasel or another; null: nothing is drawn
+    Precision precision = Precision::Double; ///< single: corrected forms only
+    std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
+    Clock clock = processorClock();          ///< of the wall if there are more threads than one
 };
+
+/// What drawing is timed with: the options' clock, unless others draw for the thread.
+Clock drawClock(const ExperimentOptions& options, const Easel& easel);
 
 /// What one contestant needed and found. Times are nanoseconds a line, one number a run.
 struct Timing {

@@ -16,17 +16,6 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-QString numbersOf(const clipping::Window& window)
-{
-    std::string text;
-    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y}) {
-        if (!text.empty())
-            text += ',';
-        appendNumber(text, number);
-    }
-    return QString::fromStdString(text);
-}
-
 QString inNanoseconds(double time) { return QString::number(time, 'f', 2); }
 
 /// No time is below 0; one run says nothing of where the middle lies.
@@ -38,6 +27,16 @@ QString bound(double time)
 QString hexadecimal(std::uint64_t checksum)
 {
     return QStringLiteral("%1").arg(checksum, 16, 16, QLatin1Char('0'));
+}
+
+/// "OpenGL 4.5, llvmpipe; wall clock"
+QString easelText(const ExperimentOptions& options)
+{
+    const auto easel = options.easel(options.field);
+    const Clock clock = drawClock(options, *easel);
+    return clock.name == options.clock.name
+               ? easel->name()
+               : easel->name() + QStringLiteral("; clock: ") + clock.name;
 }
 
 bool hasTies(const std::vector<Standing>& all)
@@ -69,8 +68,8 @@ std::optional<Record> recorded(const ExperimentOptions& options,
     auto timings = experiment(options, contestants, follower);
     if (!timings)
         return std::nullopt;
-    return Record{options, options.easel ? options.easel(options.field)->name() : QString(),
-                  circumstances(), std::move(*timings)};
+    return Record{options, options.easel ? easelText(options) : QString(), circumstances(),
+                  std::move(*timings)};
 }
 
 std::vector<Summary> summaries(const Record& record, const Measure& measure)
@@ -81,16 +80,21 @@ std::vector<Summary> summaries(const Record& record, const Measure& measure)
     return all;
 }
 
+QString rectangleText(const clipping::Window& window)
+{
+    std::string text;
+    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y}) {
+        if (!text.empty())
+            text += ',';
+        appendNumber(text, number);
+    }
+    return QString::fromStdString(text);
+}
+
 QString placeText(const Standing& standing)
 {
     return standing.rank ? QString::number(*standing.rank)
                          : Experiments::tr("tie %1").arg(QChar(u'a' + *standing.tie % 26));
-}
-
-QString wordOf(clipping::Form form)
-{
-    return form == clipping::Form::Corrected ? QStringLiteral("corrected")
-                                             : QStringLiteral("published");
 }
 
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options)
@@ -99,8 +103,8 @@ std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& option
         {"scene", options.scene.key},
         {"lines", QString::number(options.lines)},
         {"seed", QString::number(options.seed)},
-        {"space", numbersOf(options.field.space)},
-        {"window", numbersOf(options.field.window)},
+        {"space", rectangleText(options.field.space)},
+        {"window", rectangleText(options.field.window)},
     };
 }
 
@@ -110,6 +114,8 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
     auto facts = factsOf(options);
     facts.emplace_back("order", options.order == Order::ByClass ? QStringLiteral("by class")
                                                                 : QStringLiteral("as they come"));
+    facts.emplace_back("precision", wordOf(options.precision));
+    facts.emplace_back("threads", QString::number(options.threads));
     facts.emplace_back("runs", QString::number(options.runs));
     facts.emplace_back("warmup", QString::number(options.warmUps));
     facts.emplace_back("clock", options.clock.name);
@@ -137,6 +143,26 @@ Table timesTable(const Record& record, const Measure& measure)
     if (hasTies(places))
         table.notes << Experiments::tr(
             "Ties with the same letter are too close to call: their intervals overlap.");
+    return table;
+}
+
+Table runsTable(const Record& record, std::span<const Measure> measures)
+{
+    Table table{.names = {"algorithm", "form", "measure", "run", "lines", "visible", "seconds"},
+                .title = Experiments::tr("Every run"),
+                .key = QStringLiteral("runs"),
+                .facts = factsOf(record)};
+    std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });
+    for (const Measure& measure : measures)
+        for (const Timing& timing : record.timings) {
+            int run = 0;
+            for (const double time : measure.times(timing))
+                table.rows.push_back(
+                    {QString::fromUtf8(timing.contestant.algorithm->key),
+                     wordOf(timing.contestant.form), measure.key, QString::number(++run),
+                     QString::number(record.options.lines), QString::number(timing.found.visible),
+                     QString::number(time * double(record.options.lines) * 1e-9, 'f', 9)});
+        }
     return table;
 }
 

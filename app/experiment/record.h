@@ -9,7 +9,7 @@ namespace app {
 /// What was measured, how, and on what: all that tables, charts and reports show.
 struct Record {
     ExperimentOptions options;
-    QString easel; ///< what drew; empty where nothing was drawn
+    QString easel; ///< what drew, and by which clock if by another; empty where nothing was drawn
     std::vector<std::pair<QString, QString>> circumstances;
     std::vector<Timing> timings;
 };
@@ -22,11 +22,11 @@ std::optional<Record> recorded(const ExperimentOptions& options,
 /// One summary a timing, in their order.
 std::vector<Summary> summaries(const Record& record, const Measure& measure);
 
+/// "-100,-75,100,75", as the command line takes it.
+QString rectangleText(const clipping::Window& window);
+
 /// "2", "tie a".
 QString placeText(const Standing& standing);
-
-/// "corrected", "published".
-QString wordOf(clipping::Form form);
 
 /// What is true of all lines: scene, how many, seed, space and window.
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);
@@ -36,5 +36,8 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
 /// One row a contestant: what it needed, its place among the others, and what it found.
 Table timesTable(const Record& record, const Measure& measure);
+
+/// One row a contestant, measure and run: seconds for all lines.
+Table runsTable(const Record& record, std::span<const Measure> measures);
 
 } // namespace app

@@ -29,6 +29,16 @@ std::vector<TableFormat> tableFormats()
     };
 }
 
+QString oneLine(const QString& text)
+{
+    QString line = text;
+    for (QChar& c : line)
+        if (c.category() == QChar::Other_Control || c == QChar::LineSeparator
+            || c == QChar::ParagraphSeparator)
+            c = u' ';
+    return line;
+}
+
 bool isNumber(const QString& field)
 {
     bool is = false;

@@ -1,42 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tables/table.h"
 
+#include <map>
+
 namespace app {
 namespace {
 
-/// What means something to TeX, as itself; signs beyond ASCII that Clearcut writes, in TeX.
+/// What means something to TeX, as itself. A row that begins with [ or * would be taken for what
+/// may follow the end of the one before.
+const std::map<char16_t, const char*>& signs()
+{
+    static const std::map<char16_t, const char*> all{
+        {u'\\', "\\textbackslash{}"},
+        {u'~', "\\textasciitilde{}"},
+        {u'^', "\\textasciicircum{}"},
+        {u'<', "\\textless{}"},
+        {u'>', "\\textgreater{}"},
+        {u'|', "\\textbar{}"},
+        {u'"', "\\textquotedbl{}"},
+        {u'[', "{[}"},
+        {u'*', "{*}"},
+        {u'&', "\\&"},
+        {u'%', "\\%"},
+        {u'$', "\\$"},
+        {u'#', "\\#"},
+        {u'_', "\\_"},
+        {u'{', "\\{"},
+        {u'}', "\\}"},
+        {u'\u00a0', "~"},
+        {u'\u202f', "~"},
+        {u'\u2009', "~"},
+        {u'\u2212', "$-$"},
+        {u'\u00d7', "$\\times$"},
+    };
+    return all;
+}
+
+/// What every TeX knows, with the packages below: Latin letters, and quotation marks and dashes.
+bool isKnown(QChar c) { return c < u'\u0180' || (c >= u'\u2013' && c <= u'\u2026'); }
+
 QString escaped(const QString& text)
 {
     QString result;
-    for (const QChar c : text)
-        switch (c.unicode()) {
-        case u'\\':
-            result += QStringLiteral("\\textbackslash{}");
-            break;
-        case u'~':
-            result += QStringLiteral("\\textasciitilde{}");
-            break;
-        case u'^':
-            result += QStringLiteral("\\textasciicircum{}");
-            break;
-        case u'<':
-            result += QStringLiteral("\\textless{}");
-            break;
-        case u'>':
-            result += QStringLiteral("\\textgreater{}");
-            break;
-        case u'&':
-        case u'%':
-        case u'$':
-        case u'#':
-        case u'_':
-        case u'{':
-        case u'}':
-            result += u'\\';
-            [[fallthrough]];
-        default:
-            result += c;
-        }
+    for (const QChar c : oneLine(text))
+        if (const auto sign = signs().find(c.unicode()); sign != signs().end())
+            result += QLatin1StringView(sign->second);
+        else
+            result += isKnown(c)
+                          ? QString(c)
+                          : QStringLiteral("U+%1 ").arg(c.unicode(), 4, 16, QLatin1Char('0'));
     return result;
 }
 

@@ -8,8 +8,8 @@ namespace {
 QString escaped(const QString& text)
 {
     QString result;
-    for (const QChar c : text) {
-        if (QStringView(u"\\|*_`<>[]").contains(c))
+    for (const QChar c : oneLine(text)) {
+        if (QStringView(u"\\|*_`<>[]&~$").contains(c))
             result += u'\\';
         result += c;
     }

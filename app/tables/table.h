@@ -33,6 +33,9 @@ struct TableFormat {
 /// Every format; the first one is for people.
 std::vector<TableFormat> tableFormats();
 
+/// On one line: line breaks and other control characters are spaces. For formats of lines.
+QString oneLine(const QString& text);
+
 /// Whether a field is a number; a column of numbers (some may be empty) stands to the right.
 bool isNumber(const QString& field);
 std::vector<bool> numericColumns(const Table& table);

@@ -11,7 +11,7 @@ QString alignedLine(const QStringList& fields, const std::vector<qsizetype>& wid
 {
     QString line;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-        const QString& field = fields[qsizetype(i)];
+        const QString field = oneLine(fields[qsizetype(i)]);
         line += numeric[i] ? field.rightJustified(widths[i]) : field.leftJustified(widths[i]);
         line += QStringLiteral("  ");
     }
@@ -43,7 +43,7 @@ QString plainText(std::span<const Table> tables)
         if (&table != &tables.front())
             text += u'\n';
         if (!table.title.isEmpty())
-            text += table.title + QStringLiteral("\n\n");
+            text += oneLine(table.title) + QStringLiteral("\n\n");
         const auto widths = widthsOf(table);
         const auto numeric = numericColumns(table);
         text += alignedLine(table.names, widths, numeric);
@@ -52,13 +52,13 @@ QString plainText(std::span<const Table> tables)
         if (!table.notes.isEmpty())
             text += u'\n';
         for (const QString& note : table.notes)
-            text += note + u'\n';
+            text += oneLine(note) + u'\n';
         const Table* next = &table == &tables.back() ? nullptr : &table + 1;
         if (table.facts.empty() || (next && next->facts == table.facts))
             continue;
         text += u'\n';
         for (const auto& [name, value] : table.facts)
-            text += (name + QStringLiteral(": ")).leftJustified(12) + value + u'\n';
+            text += (name + QStringLiteral(": ")).leftJustified(12) + oneLine(value) + u'\n';
     }
     return text;
 }

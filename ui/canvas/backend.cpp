@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/backend.h"
 
+#include "app/view/open_gl.h"
+
 #include <QCoreApplication>
-#include <QGuiApplication>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 
 namespace ui {
 
-// Platforms such as offscreen make a context where there is a DISPLAY, and crash on showing it.
 GlProbe probeGl()
 {
-    static const QStringList able{"xcb", "wayland", "wayland-egl", "windows", "cocoa"};
-    if (!able.contains(QGuiApplication::platformName()))
-        return {};
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    QOpenGLContext context;
-    context.setFormat(format);
-    if (!context.create() || context.format().version() < qMakePair(3, 3))
+    if (!app::platformHasGl())
         return {};
     QOffscreenSurface surface;
-    surface.setFormat(context.format());
+    surface.setFormat(app::coreFormat());
     surface.create();
-    if (!surface.isValid() || !context.makeCurrent(&surface))
+    const auto context = app::contextOn(surface);
+    if (!context)
         return {};
-    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
-    const QString renderer = QString::fromLatin1(name ? name : "");
-    const bool software = renderer.contains("llvmpipe", Qt::CaseInsensitive)
-                          || renderer.contains("softpipe", Qt::CaseInsensitive)
-                          || renderer.contains("software", Qt::CaseInsensitive);
-    return {true, software, renderer.section(' ', 0, 2).section('(', 0, 0).trimmed()};
+    const QString renderer = app::rendererOf(*context);
+    return {true, app::isSoftware(renderer), renderer};
 }
 
 Choice chooseBackend(Backend wish, const GlProbe& probe)

@@ -17,7 +17,20 @@
 namespace {
 
 /// All that could be taken for markup.
-const QString hostile = QStringLiteral("a\\b{c}_d^e~f%g&h$i#j|k*l`m<n>o[p],\"q\"");
+const QString hostile = QStringLiteral("[a\\b{c}_d^e~f%g&h$i#j|k*l`m<n>o[p],\"q\"");
+/// The name of a drawing of somebody who likes to tease; the last letters are Greek and an omega.
+const QString drawing = QStringLiteral(
+    "*&amp;_%$#<b>\"|\n\n\r\t\\input{x}\x01 \u2212\u202f1 \u00d7 \u201cq\u201d \u03b1.svg");
+
+std::vector<app::Table> teasing()
+{
+    return {{.names = {drawing, "n"},
+             .rows = {{drawing, "1"}, {"[x] " + drawing, "2"}},
+             .title = drawing,
+             .key = "teasing",
+             .facts = {{"scene", drawing}},
+             .notes = {drawing}}};
+}
 
 std::vector<app::Table> twoTables()
 {
@@ -56,6 +69,40 @@ private slots:
         QCOMPARE(std::size_t(keys.size()), app::tableFormats().size());
         QCOMPARE(endings.size(), keys.size());
         QCOMPARE(app::tableFormats()[0].key, "text");
+    }
+
+    void aRowIsALineWhateverItHolds()
+    {
+        const auto lines = [](const QString& text) { return text.trimmed().split('\n'); };
+        const auto text = lines(textAs(u"text", teasing()));
+        QCOMPARE(text.size(), 9); // title, names, rows, note, facts; three empty ones
+        QVERIFY(text[4].startsWith("[x] *&amp;_%$#<b>\"|    \\input{x}"));
+        const auto markdown = lines(textAs(u"markdown", teasing()));
+        QCOMPARE(markdown.size(), 9);
+        static const QRegularExpression markup("(?<!\\\\)[&*_$<>\\[\\]]"), bare("(?<!\\\\)\\|");
+        for (const QString& line : markdown)
+            QVERIFY2(!markup.match(line).hasMatch(), qPrintable(line));
+        for (const int i : {2, 4, 5})
+            QCOMPARE(markdown[i].count(bare), 3);
+        const auto json = QJsonDocument::fromJson(textAs(u"json", teasing()).toUtf8()).array();
+        QCOMPARE(json[0]["rows"][0][drawing].toString(), drawing);
+        QCOMPARE(json[0]["facts"]["scene"].toString(), drawing);
+    }
+
+    void latexTakesNoNameForItsOwn()
+    {
+        const QString text = textAs(u"latex", teasing());
+        const auto rows = text.split('\n').filter(QRegularExpression(" \\\\\\\\$"));
+        QCOMPARE(rows.size(), 3);
+        for (const QString& row : rows) {
+            QVERIFY(!row.startsWith('[') && !row.startsWith('*'));
+            QVERIFY(
+                row.contains("\\&amp;\\_\\%\\$\\#\\textless{}b\\textgreater{}\\textquotedbl{}"));
+            QVERIFY(row.contains("\\textbackslash{}input\\{x\\}"));
+            QVERIFY(row.contains("$-$~1 $\\times$ \u201cq\u201d U+03b1 .svg"));
+        }
+        for (const QChar c : text)
+            QVERIFY(c == '\n' || c >= ' ');
     }
 
     void textStandsInColumns()
@@ -116,7 +163,7 @@ private slots:
     void markdownHasPipesWhereColumnsAre()
     {
         const auto lines = textAs(u"markdown", twoTables()).split('\n');
-        QCOMPARE(lines[0], "## Times & more\\_");
+        QCOMPARE(lines[0], "## Times \\& more\\_");
         static const QRegularExpression bare("(?<!\\\\)\\|");
         for (const int i : {2, 3, 4, 5})
             QCOMPARE(lines[i].count(bare), 4);
@@ -170,7 +217,9 @@ private slots:
         QTemporaryDir folder;
         QFile file(folder.filePath("tables.tex"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(textAs(u"latex", twoTables()).toUtf8());
+        auto tables = twoTables();
+        tables.push_back(teasing()[0]);
+        file.write(textAs(u"latex", tables).toUtf8());
         file.close();
         QProcess process;
         process.setWorkingDirectory(folder.path());

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/application.h"
+
+#include "app/command_line/command.h"
+
+#include <QGuiApplication>
+#include <QLoggingCategory>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+bool paints(const QStringList& arguments)
+{
+    const auto all = commands();
+    return std::ranges::any_of(all, [&](const Command& command) {
+        return command.paints && arguments.first() == QLatin1StringView(command.key);
+    });
+}
+
+/// Qt tries them from left to right; a display that cannot be reached is none.
+QByteArray platforms()
+{
+    const QByteArray asked = qgetenv("QT_QPA_PLATFORM");
+    if (!asked.isEmpty())
+        return asked + ";offscreen";
+    if (!qEnvironmentVariableIsEmpty("DISPLAY"))
+        return "xcb;offscreen";
+    if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        return "wayland;offscreen";
+    return "offscreen";
+}
+
+} // namespace
+
+std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, int& argc,
+                                                 char** argv)
+{
+    if (!paints(arguments))
+        return std::make_unique<QCoreApplication>(argc, argv);
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.qpa.*=false"));
+    qputenv("QT_QPA_PLATFORM", platforms());
+    return std::make_unique<QGuiApplication>(argc, argv);
+}
+
+} // namespace app

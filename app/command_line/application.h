@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+
+#include <memory>
+
+namespace app {
+
+/// What a command runs in: a QGuiApplication for one that paints, which takes the display if there
+/// is one and works without, and a QCoreApplication for all others.
+std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, int& argc,
+                                                 char** argv);
+
+} // namespace app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/checksum.h"
+#include "app/experiment/easel.h"
+#include "app/view/open_gl.h"
+
+#include <QOpenGLExtraFunctions>
+
+#include <array>
+
+namespace app {
+namespace {
+
+constexpr const char* vertexShader = "#version 330 core\n"
+                                     "layout(location = 0) in vec2 position;\n"
+                                     "uniform vec2 size;\n"
+                                     "void main()\n"
+                                     "{ gl_Position = vec4(2.0 * position / size - 1.0, 0, 1); }\n";
+constexpr const char* fragmentShader = "#version 330 core\n"
+                                       "out vec4 colour;\n"
+                                       "void main() { colour = vec4(1); }\n";
+
+/// A vertex array and one buffer that is filled anew for each draw.
+class GlEasel : public Easel {
+public:
+    GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
+            std::unique_ptr<QOpenGLContext> context);
+    ~GlEasel() override { context_->makeCurrent(surface_.get()); }
+
+    QString name() const override;
+    bool drawsElsewhere() const override { return true; }
+    void wipe() override;
+    void draw(std::span<const clipping::Clipped> lines) override;
+    std::uint64_t checksum() const override;
+
+private:
+    void makeCanvas();
+    void makeProgram();
+    void makeBuffer();
+    std::array<float, 4> shown(const clipping::Segment& line) const
+    {
+        const glm::dvec2 a = (line.a - corner_) * fit_.scale, b = (line.b - corner_) * fit_.scale;
+        return {float(a.x), float(a.y), float(b.x), float(b.y)};
+    }
+
+    std::shared_ptr<QOffscreenSurface> surface_;
+    std::unique_ptr<QOpenGLContext> context_; // takes all that is made in it along
+    QOpenGLExtraFunctions& gl_;
+    EaselFit fit_;
+    glm::dvec2 corner_;
+};
+
+GlEasel::GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
+                 std::unique_ptr<QOpenGLContext> context)
+    : surface_(std::move(surface)), context_(std::move(context)), gl_(*context_->extraFunctions()),
+      fit_(fitOf(field)), corner_(field.space.min)
+{
+    makeCanvas();
+    makeProgram();
+    makeBuffer();
+    wipe();
+}
+
+void GlEasel::makeCanvas()
+{
+    GLuint pixels = 0, frame = 0;
+    gl_.glGenRenderbuffers(1, &pixels);
+    gl_.glBindRenderbuffer(GL_RENDERBUFFER, pixels);
+    gl_.glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, fit_.size.width(), fit_.size.height());
+    gl_.glGenFramebuffers(1, &frame);
+    gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+    gl_.glViewport(0, 0, fit_.size.width(), fit_.size.height());
+}
+
+void GlEasel::makeProgram()
+{
+    const GLuint program = gl_.glCreateProgram();
+    for (auto [kind, text] : {std::pair(GL_VERTEX_SHADER, vertexShader),
+                              std::pair(GL_FRAGMENT_SHADER, fragmentShader)}) {
+        const GLuint shader = gl_.glCreateShader(GLenum(kind));
+        gl_.glShaderSource(shader, 1, &text, nullptr);
+        gl_.glCompileShader(shader);
+        gl_.glAttachShader(program, shader);
+    }
+    gl_.glLinkProgram(program);
+    gl_.glUseProgram(program);
+    gl_.glUniform2f(gl_.glGetUniformLocation(program, "size"), float(fit_.size.width()),
+                    float(fit_.size.height()));
+}
+
+void GlEasel::makeBuffer()
+{
+    GLuint array = 0, buffer = 0;
+    gl_.glGenVertexArrays(1, &array);
+    gl_.glBindVertexArray(array);
+    gl_.glGenBuffers(1, &buffer);
+    gl_.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl_.glEnableVertexAttribArray(0);
+    gl_.glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+QString GlEasel::name() const
+{
+    const auto [major, minor] = context_->format().version();
+    return QStringLiteral("OpenGL %1.%2, %3").arg(major).arg(minor).arg(rendererOf(*context_));
+}
+
+void GlEasel::wipe()
+{
+    context_->makeCurrent(surface_.get());
+    gl_.glClearColor(0, 0, 0, 1);
+    gl_.glClear(GL_COLOR_BUFFER_BIT);
+    gl_.glFinish();
+}
+
+void GlEasel::draw(std::span<const clipping::Clipped> lines)
+{
+    context_->makeCurrent(surface_.get());
+    constexpr std::size_t most = 65'536; // a megabyte
+    std::vector<std::array<float, 4>> some;
+    some.reserve(std::min(most, lines.size()));
+    for (; !lines.empty(); lines = lines.subspan(some.size())) {
+        some.clear();
+        for (const auto& line : lines.first(std::min(most, lines.size())))
+            some.push_back(shown(line.segment));
+        gl_.glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(some.size() * sizeof some[0]), some.data(),
+                         GL_STREAM_DRAW);
+        gl_.glDrawArrays(GL_LINES, 0, GLsizei(2 * some.size()));
+    }
+    gl_.glFinish();
+}
+
+std::uint64_t GlEasel::checksum() const
+{
+    context_->makeCurrent(surface_.get());
+    std::vector<std::uint32_t> pixels(std::size_t(fit_.size.width())
+                                      * std::size_t(fit_.size.height()));
+    gl_.glReadPixels(0, 0, fit_.size.width(), fit_.size.height(), GL_RGBA, GL_UNSIGNED_BYTE,
+                     pixels.data());
+    return checksumOf(pixels);
+}
+
+} // namespace
+
+EaselMaker openGlEasel()
+{
+    if (!platformHasGl())
+        return nullptr;
+    auto surface = std::make_shared<QOffscreenSurface>(); // some platforms want it made here
+    surface->setFormat(coreFormat());
+    surface->create();
+    if (!contextOn(*surface))
+        return nullptr;
+    return [surface](const Field& field) -> std::unique_ptr<Easel> {
+        if (auto context = contextOn(*surface))
+            return std::make_unique<GlEasel>(field, surface, std::move(context));
+        return rasterEasel(field); // says so by its name
+    };
+}
+
+} // namespace app
