@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line/bench_options.h"
+#include "app/command_line/bench_files.h"
+#include "app/command_line/bench_plan.h"
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
-#include "app/experiment/study.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
+
+constexpr auto eachRun = "each-run";
+
+/// What is told if nobody says what: all of it for people who read a report.
+QString usualMeasures(const Given& given, bool forPeople)
+{
+    QStringList keys{QStringLiteral("clip")};
+    if (forPeople || given.has(QStringLiteral("paper")))
+        keys << QStringLiteral("draw") << QStringLiteral("total");
+    if (forPeople && precisionGiven(given) == Precision::Double)
+        for (const Analysis& analysis : analyses())
+            keys << analysis.key;
+    return keys.join(u',');
+}
 
 Study measured(const Plan& plan)
 {
@@ -16,103 +30,81 @@ Study measured(const Plan& plan)
     return *study(plan, {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
+Table analysed(const Analysis& analysis, const PlannedTrial& trial)
+{
+    ProgressLine line;
+    return *analysis.table(trial.options, trial.contestants,
+                           {{}, [&](const Progress& progress) { line.show(progress); }});
+}
+
+/// In the order of trials, the paper's own numbers before the first that repeats them.
 std::vector<Table> tablesOf(const Study& study, Against against)
 {
     std::vector<Table> tables;
-    for (const Trial& trial : study.trials)
+    QString last;
+    for (const Trial& trial : study.trials) {
+        if (against == Against::Paper && trial.paper->key != last) {
+            tables.push_back(paperLayout(*trial.paper));
+            last = trial.paper->key;
+        }
         for (const Measure& measure : study.measures)
             std::ranges::move(tablesOf(trial, measure, against), std::back_inserter(tables));
-    return tables;
-}
-
-std::vector<Table> sceneTables(const Given& given)
-{
-    const Wanted wanted = wantedGiven(given, QStringLiteral("clip"));
-    const auto contestants = contestantsGiven(given);
-    if (contestants.empty())
-        throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
-    const ExperimentOptions options = experimentGiven(given, wanted);
-    std::vector<Table> tables;
-    if (!wanted.measures.empty())
-        tables = tablesOf(measured({{{std::nullopt, options, contestants}}, wanted.measures}),
-                          Against::Nothing);
-    for (const Analysis& analysis : wanted.analyses) {
-        ProgressLine line;
-        tables.push_back(*analysis.table(
-            options, contestants, {{}, [&](const Progress& progress) { line.show(progress); }}));
     }
     return tables;
 }
 
-/// The tables of the paper that --paper names.
-std::vector<PaperTable> papersGiven(const Given& given)
+std::vector<Table> runsTables(const Study& study)
 {
-    if (given.has(QStringLiteral("algorithms")))
-        throw WrongUsage{Commands::tr("--paper has algorithms of its own: leave -a away.")};
-    auto tables = paperTables();
-    QStringList words;
-    for (const PaperTable& table : tables)
-        words << table.key;
-    const auto choice = given.choice(QStringLiteral("paper"), words + QStringList("all"));
-    if (choice < tables.size())
-        return {tables[choice]};
+    std::vector<Table> tables;
+    for (const Trial& trial : study.trials)
+        tables.push_back(runsTable(trial.record, study.measures));
     return tables;
 }
 
-std::vector<clipping::Form> paperForms(const Given& given)
+std::vector<Table> tablesOf(const Given& given, const Study& study)
 {
-    const auto forms = formsGiven(given);
-    return given.has(QStringLiteral("form")) ? forms : std::vector{clipping::Form::Published};
-}
-
-std::vector<Table> paperTables(const Given& given)
-{
-    const Wanted wanted = wantedGiven(given, QStringLiteral("clip,draw,total"));
-    if (!wanted.analyses.empty())
-        throw WrongUsage{Commands::tr("--paper measures clip, draw and total: leave “%1” away.")
-                             .arg(wanted.analyses[0].key)};
-    const bool against = given.has(QStringLiteral("against-paper"));
-    const bool ownLines = given.has(QStringLiteral("lines")) || given.has(QStringLiteral("quick"));
-    const ExperimentOptions options = experimentGiven(given, wanted);
-    std::vector<Table> tables;
-    for (const PaperTable& paper : papersGiven(given)) {
-        if (against)
-            tables.push_back(paperLayout(paper));
-        Plan plan{{}, wanted.measures};
-        for (const clipping::Form form : paperForms(given)) {
-            plan.trials.push_back({paper, options, contestants(paper, form)});
-            if (!ownLines)
-                plan.trials.back().options.lines = paper.lines;
-        }
-        std::ranges::move(tablesOf(measured(plan), against ? Against::Paper : Against::Nothing),
-                          std::back_inserter(tables));
-    }
+    const Against against = againstGiven(given);
+    auto tables =
+        given.has(QLatin1StringView(eachRun)) ? runsTables(study) : tablesOf(study, against);
+    if (study.explanation)
+        std::ranges::move(tablesOf(*study.explanation), std::back_inserter(tables));
     return tables;
 }
 
 void bench(const Given& given)
 {
     const auto output = tableOutput(given);
-    const bool paper = given.has(QStringLiteral("paper"));
-    if (given.has(QStringLiteral("against-paper")) && !paper)
-        throw WrongUsage{Commands::tr("--against-paper needs --paper table1, table2 or all.")};
-    writeTables(output, paper ? paperTables(given) : sceneTables(given));
+    const auto files = filesGiven(given);
+    againstGiven(given); // refuses before the work
+    const Wanted wanted = wantedGiven(given, usualMeasures(given, !files.empty()));
+    if (wanted.measures.empty() && !files.empty())
+        throw WrongUsage{Commands::tr("Reports and charts need clip, draw or total in --measure.")};
+    Plan plan = planGiven(given, wanted);
+    const PlannedTrial explained = explanationOf(plan);
+    if (wanted.measures.empty())
+        plan.trials.clear();
+    if (!files.empty() && !wanted.analyses.empty())
+        plan.explained = explained;
+    const Study study = measured(plan);
+    auto tables = tablesOf(given, study);
+    if (!study.explanation)
+        for (const Analysis& analysis : wanted.analyses)
+            tables.push_back(analysed(analysis, explained));
+    writeTables(output, tables);
+    writeFiles(files, study);
 }
 
 std::vector<Option> benchOptions()
 {
-    std::vector<Option> options{
-        {{"paper"},
-         "table1|table2|all",
-         Commands::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
-                      "1000000 and 10000000 lines, 10 runs; clip, draw and total apart.")},
-        {{"against-paper"}, {}, Commands::tr("With --paper: the paper's own numbers beside ours.")},
+    std::vector<Option> all = paperOptions();
+    const auto add = [&](std::vector<Option> more) {
+        std::ranges::move(more, std::back_inserter(all));
     };
-    for (Option& option : experimentOptions())
-        options.push_back(std::move(option));
-    for (Option& option : tableOptions())
-        options.push_back(std::move(option));
-    return options;
+    add(experimentOptions());
+    add({{{eachRun}, {}, Commands::tr("A row a run instead of one that sums them up.")}});
+    add(tableOptions());
+    add(fileOptions());
+    return all;
 }
 
 } // namespace
@@ -129,7 +121,8 @@ Command benchCommand()
                      "many lines are visible and how many it loses."),
         benchOptions(),
         {"clearcut bench --paper all --against-paper",
-         "clearcut bench --lines 10000000 --runs 10 --format csv > times.csv",
+         "clearcut bench --paper all --report paper.html",
+         "clearcut bench --lines 10000000 --each-run --format csv > times.csv",
          "clearcut bench -a cs,lb,md --measure clip,draw,total",
          "clearcut bench --quick --scene near-miss --order sorted",
          "clearcut bench --measure classes,operations,accuracy"},

@@ -107,16 +107,6 @@ void takeThreads(const Given& given, ExperimentOptions& options)
         options.clock = wallClock();
 }
 
-void takePrecision(const Given& given, ExperimentOptions& options)
-{
-    if (given.choice(QStringLiteral("precision"), precisions) == 0)
-        return;
-    if (given.has(QStringLiteral("paper")) || given.has(QStringLiteral("form")))
-        throw WrongUsage{Commands::tr("--precision single has the corrected forms alone: leave "
-                                      "--paper and --form away.")};
-    options.precision = Precision::Single;
-}
-
 } // namespace
 
 std::vector<Option> experimentOptions()
@@ -177,17 +167,29 @@ ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
     take("seed", 0, std::numeric_limits<quint64>::max(), options.seed);
     if (given.choice(QStringLiteral("order"), {"shuffled", "sorted"}) == 1)
         options.order = Order::ByClass;
-    takePrecision(given, options);
+    options.precision = precisionGiven(given);
     takeThreads(given, options);
     if (std::ranges::any_of(wanted.measures, &Measure::draws))
         options.easel = easelGiven(given);
     return options;
 }
 
+Precision precisionGiven(const Given& given)
+{
+    if (given.choice(QStringLiteral("precision"), precisions) == 0)
+        return Precision::Double;
+    for (const char* option : {"paper", "form"})
+        if (given.has(QLatin1StringView(option)))
+            throw WrongUsage{Commands::tr("--precision single has the corrected forms alone: leave "
+                                          "--%1 away.")
+                                 .arg(QLatin1StringView(option))};
+    return Precision::Single;
+}
+
 std::vector<clipping::Form> formsGiven(const Given& given)
 {
     constexpr std::array both{clipping::Form::Corrected, clipping::Form::Published};
-    if (given.choice(QStringLiteral("precision"), precisions) == 1)
+    if (precisionGiven(given) == Precision::Single)
         return {clipping::Form::Corrected};
     const auto choice = given.choice(QStringLiteral("form"), {"both", "corrected", "published"});
     if (choice == 0)
@@ -224,6 +226,9 @@ Wanted wantedGiven(const Given& given, const QString& otherwise)
         else
             throw WrongUsage{Commands::tr("--measure %1: give %2.").arg(*text, allMeasures())};
     }
+    if (!wanted.analyses.empty() && precisionGiven(given) == Precision::Single)
+        throw WrongUsage{Commands::tr("--precision single has times alone: leave “%1” away.")
+                             .arg(wanted.analyses[0].key)};
     return wanted;
 }
 

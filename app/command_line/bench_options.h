@@ -20,6 +20,9 @@ Wanted wantedGiven(const Given& given, const QString& otherwise);
 /// draw as it is asked. The easel is made only if `wanted` draws.
 ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted);
 
+/// What --precision says; throws WrongUsage beside options that need double.
+Precision precisionGiven(const Given& given);
+
 /// The forms that --form names: both, the corrected one first, unless it names one.
 std::vector<clipping::Form> formsGiven(const Given& given);
 

@@ -14,6 +14,7 @@ namespace app {
 struct Contestant {
     const clipping::Algorithm* algorithm;
     clipping::Form form;
+    friend bool operator==(const Contestant&, const Contestant&) = default;
 };
 
 /// Every form that these algorithms have, the corrected ones first.

@@ -5,6 +5,7 @@
 #include "app/charts/study_charts.h"
 #include "app/formats/replace_file.h"
 #include "app/formats/write_all.h"
+#include "app/report/study_report.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -77,6 +78,12 @@ std::vector<StudyFile> studyFiles()
         rows.push_back({StudyFile::Group::Charts, format.name,
                         QString::fromUtf8(format.key.data(), qsizetype(format.key.size())),
                         writeCharts});
+    for (const ReportFormat& format : reportFormats())
+        rows.push_back({StudyFile::Group::Report, format.name, format.key,
+                        [](const Study& study, const QString& path) {
+                            const auto error = writeReport(reportOf(study), path);
+                            return error ? Written::failure(*error) : Written::of({path});
+                        }});
     return rows;
 }
 

@@ -115,7 +115,14 @@ private slots:
         row({"bench", "--form", "published", "-a", "exact"}, "None of these algorithms");
         row({"bench", "--paper", "table3"}, "--paper table3: give table1 or table2 or all");
         row({"bench", "--paper", "all", "-a", "cs"}, "--paper has algorithms of its own");
-        row({"bench", "--paper", "all", "--measure", "accuracy"}, "leave “accuracy” away");
+        row({"bench", "--precision", "half"}, "--precision half: give double or single");
+        row({"bench", "--precision", "single", "--form", "both"}, "leave --form away");
+        row({"bench", "--precision", "single", "--paper", "all"}, "leave --paper away");
+        row({"bench", "--precision", "single", "--measure", "accuracy"}, "leave “accuracy” away");
+        row({"bench", "--draw-with", "ink"}, "--draw-with ink: give auto or opengl or raster");
+        row({"bench", "--report", "r.odt"}, "--report r.odt: give a name that ends with .html or");
+        row({"bench", "--charts", "c"}, "--charts c: give a name that ends with .svg or .pdf or");
+        row({"bench", "--report", "r.html", "--measure", "classes"}, "need clip, draw or total");
         row({"bench", "--against-paper"}, "--against-paper needs --paper");
     }
     void wrongUsageIsTwo()

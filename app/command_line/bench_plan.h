@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/bench_options.h"
+#include "app/experiment/study.h"
+
+namespace app {
+
+/// The options of `bench` that name the paper's tables.
+std::vector<Option> paperOptions();
+
+/// What the options of `bench` ask to be measured, one trial a table of the paper and form, or one
+/// on a scene; throws as experimentGiven. Analyses are left to the caller.
+Plan planGiven(const Given& given, const Wanted& wanted);
+
+/// Whether the paper's own numbers are asked for.
+Against againstGiven(const Given& given);
+
+/// What explains the trials of such a plan, on as many lines as the first of them.
+PlannedTrial explanationOf(const Plan& plan);
+
+} // namespace app

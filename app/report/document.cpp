@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/document.h"
+
+#include "app/charts/chart_file.h"
+#include "app/charts/chart_paint.h"
+#include "app/experiment/heading.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QFontDatabase>
+#include <QPainter>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextTable>
+
+namespace app {
+namespace {
+
+constexpr int chartObject = QTextFormat::UserObject + 1;
+constexpr int chartProperty = QTextFormat::UserProperty + 1;
+constexpr double textPoints = 9.5, notePoints = 7.5, cellPoints = 7;
+
+/// Paints charts where a document has the sign that stands for one.
+class ChartPainter : public QObject, public QTextObjectInterface {
+    Q_OBJECT
+    Q_INTERFACES(QTextObjectInterface)
+
+public:
+    ChartPainter(std::vector<Chart> charts, int dotsPerInch, QObject* parent)
+        : QObject(parent), charts_(std::move(charts)), scale_(dotsPerInch / pixelsPerInch)
+    {
+    }
+    QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override
+    {
+        return usualSize(chartOf(format), documentLook()) * scale_;
+    }
+    void drawObject(QPainter* painter, const QRectF& area, QTextDocument*, int,
+                    const QTextFormat& format) override
+    {
+        painter->save();
+        painter->translate(area.topLeft());
+        painter->scale(scale_, scale_);
+        const Chart& chart = chartOf(format);
+        paint(*painter, QRectF({}, usualSize(chart, documentLook())), chart, documentLook());
+        painter->restore();
+    }
+
+private:
+    /// 720 pixels on 180 mm: a little smaller than on a screen.
+    static constexpr double pixelsPerInch = 104;
+
+    const Chart& chartOf(const QTextFormat& format) const
+    {
+        return charts_[std::size_t(format.intProperty(chartProperty))];
+    }
+
+    std::vector<Chart> charts_;
+    double scale_;
+};
+
+QTextCharFormat textFormat(double points, QFont::Weight weight, const QColor& colour)
+{
+    QTextCharFormat format;
+    format.setFontPointSize(points);
+    format.setFontWeight(weight);
+    format.setForeground(colour);
+    return format;
+}
+
+QTextCharFormat plain() { return textFormat(textPoints, QFont::Normal, documentLook().text); }
+QTextCharFormat small() { return textFormat(notePoints, QFont::Normal, documentLook().muted); }
+
+/// Writes one thing after another.
+class Writer {
+public:
+    Writer(QTextDocument& document, double dotsPerPoint) : at_(&document), dot_(dotsPerPoint) {}
+
+    void paragraph(const QString& text, const QTextCharFormat& format, double above, double below)
+    {
+        QTextBlockFormat block;
+        block.setTopMargin(above * dot_);
+        block.setBottomMargin(below * dot_);
+        begin(block, format);
+        at_.insertText(text, format);
+    }
+    void heading(const QString& text, double points, double above)
+    {
+        paragraph(text, textFormat(points, QFont::DemiBold, documentLook().text), above, 4);
+    }
+    void sentences(const QStringList& all)
+    {
+        for (const QString& sentence : all)
+            paragraph(sentence, plain(), 0, 4);
+    }
+    void code(const QString& text)
+    {
+        QTextCharFormat format = plain();
+        format.setFontFamilies(QFontDatabase::systemFont(QFontDatabase::FixedFont).families());
+        format.setFontPointSize(notePoints);
+        paragraph(text, format, 4, 4);
+    }
+    void chart(int number)
+    {
+        QTextCharFormat format;
+        format.setObjectType(chartObject);
+        format.setProperty(chartProperty, number);
+        begin({}, format);
+        at_.insertText(QString(QChar::ObjectReplacementCharacter), format);
+    }
+    void table(const Table& table);
+
+private:
+    void begin(const QTextBlockFormat& block, const QTextCharFormat& format)
+    {
+        if (!std::exchange(empty_, false))
+            at_.insertBlock();
+        at_.setBlockFormat(block);
+        at_.setBlockCharFormat(format);
+    }
+    QTextTableFormat tableFormat() const;
+    void cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
+              const QTextCharFormat& format);
+
+    QTextCursor at_;
+    double dot_;
+    bool empty_ = true; ///< whether the block at the cursor is still to be used
+};
+
+QTextTableFormat Writer::tableFormat() const
+{
+    QTextTableFormat format;
+    format.setBorder(0);
+    format.setCellSpacing(0);
+    format.setCellPadding(1.5 * dot_);
+    format.setHeaderRowCount(1);
+    format.setTopMargin(2 * dot_);
+    format.setBottomMargin(4 * dot_);
+    return format;
+}
+
+void Writer::cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
+                  const QTextCharFormat& format)
+{
+    QTextTableCellFormat rule;
+    rule.setBottomBorder(0.4 * dot_);
+    rule.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    rule.setBottomBorderBrush(documentLook().rule);
+    cell.setFormat(rule);
+    QTextCursor inside = cell.firstCursorPosition();
+    QTextBlockFormat block;
+    block.setAlignment(side);
+    inside.setBlockFormat(block);
+    inside.insertText(text, format);
+}
+
+void Writer::table(const Table& table)
+{
+    if (!table.title.isEmpty())
+        paragraph(table.title, textFormat(textPoints, QFont::DemiBold, documentLook().text), 8, 0);
+    const auto numeric = numericColumns(table);
+    const auto side = [&](qsizetype column) {
+        return numeric[std::size_t(column)] ? Qt::AlignRight : Qt::AlignLeft;
+    };
+    const auto head = textFormat(cellPoints, QFont::Normal, documentLook().muted);
+    const auto body = textFormat(cellPoints, QFont::Normal, documentLook().text);
+    QTextTable* grid =
+        at_.insertTable(int(table.rows.size()) + 1, int(table.names.size()), tableFormat());
+    for (qsizetype c = 0; c < table.names.size(); ++c) {
+        QString heading = headingOf(table.names[c]).text;
+        heading.replace(u'\n', QChar::LineSeparator);
+        cell(grid->cellAt(0, int(c)), heading, side(c), head);
+        for (std::size_t r = 0; r < table.rows.size(); ++r)
+            cell(grid->cellAt(int(r) + 1, int(c)), table.rows[r][c], side(c), body);
+    }
+    at_.movePosition(QTextCursor::End);
+    empty_ = true; // Qt puts a block below a table
+    for (const QString& note : table.notes)
+        paragraph(note, small(), 0, 1);
+    QStringList facts;
+    for (const auto& [name, value] : table.facts)
+        facts << name + QStringLiteral(": ") + value;
+    if (!facts.isEmpty())
+        paragraph(facts.join(QStringLiteral("; ")) + u'.', small(), 0, 1);
+}
+
+std::vector<Chart> chartsOf(const Report& report)
+{
+    std::vector<Chart> charts;
+    for (const ReportSection& section : report.sections)
+        charts.insert(charts.end(), section.charts.begin(), section.charts.end());
+    return charts;
+}
+
+} // namespace
+
+ChartLook documentLook()
+{
+    ChartLook look = chartLook(Ground::Light);
+    look.paper = Qt::white;
+    return look;
+}
+
+std::unique_ptr<QTextDocument> documentOf(const Report& report, int dotsPerInch)
+{
+    auto document = std::make_unique<QTextDocument>();
+    QFont font = documentLook().font;
+    font.setPointSizeF(textPoints);
+    document->setDefaultFont(font);
+    document->setDocumentMargin(0);
+    document->documentLayout()->registerHandler(
+        chartObject, new ChartPainter(chartsOf(report), dotsPerInch, document.get()));
+    Writer writer(*document, dotsPerInch / 72.0);
+    writer.heading(report.title, 18, 0);
+    writer.sentences(report.summary);
+    int chart = 0;
+    for (const ReportSection& section : report.sections) {
+        writer.heading(section.title, 13, 16);
+        writer.sentences(section.sentences);
+        if (!section.code.isEmpty())
+            writer.code(section.code);
+        for (std::size_t i = 0; i < section.charts.size(); ++i)
+            writer.chart(chart++);
+        for (const Table& table : section.tables)
+            writer.table(table);
+    }
+    return document;
+}
+
+} // namespace app
+#include "document.moc"

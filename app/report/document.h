@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/charts/chart_look.h"
+#include "app/report/report.h"
+
+#include <memory>
+
+class QTextDocument;
+
+namespace app {
+
+/// A report as rich text for pages of that many dots per inch, with charts painted as vectors.
+std::unique_ptr<QTextDocument> documentOf(const Report& report, int dotsPerInch);
+
+/// The colours of such a document.
+ChartLook documentLook();
+
+} // namespace app

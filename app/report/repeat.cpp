@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/analysis.h"
+#include "app/report/study_report.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <set>
+
+namespace app {
+namespace {
+
+/// As a shell takes it.
+QString quoted(const QString& word)
+{
+    static const QRegularExpression plain(QStringLiteral("^[-\\w,.:/=+@%]+$"));
+    if (plain.match(word).hasMatch())
+        return word;
+    return u'\'' + QString(word).replace(u'\'', QStringLiteral("'\\''")) + u'\'';
+}
+
+/// The words of a command line, one after another.
+class Words {
+public:
+    void add(const char* option, const QString& value = {})
+    {
+        words_ << QStringLiteral("--") + QLatin1StringView(option);
+        if (!value.isEmpty())
+            words_.back() += u'=' + value;
+    }
+    void add(const char* option, std::uint64_t number, std::uint64_t usual)
+    {
+        if (number != usual)
+            add(option, QString::number(number));
+    }
+    QString text() const
+    {
+        QStringList all{QStringLiteral("clearcut"), QStringLiteral("bench")};
+        for (const QString& word : words_)
+            all << quoted(word);
+        return all.join(u' ');
+    }
+
+private:
+    QStringList words_;
+};
+
+void addPaper(Words& words, const Study& study)
+{
+    std::set<QString> keys;
+    for (const Trial& trial : study.trials)
+        if (trial.paper)
+            keys.insert(trial.paper->key);
+    if (!keys.empty())
+        words.add("paper", keys.size() == 1 ? *keys.begin() : QStringLiteral("all"));
+    if (!keys.empty())
+        words.add("against-paper");
+}
+
+/// The forms that take part, if they are not those that `bench` takes by itself.
+void addForms(Words& words, const Study& study)
+{
+    std::set<clipping::Form> forms;
+    for (const Trial& trial : study.trials)
+        for (const Timing& timing : trial.record.timings)
+            forms.insert(timing.contestant.form);
+    const bool paper = study.trials.front().paper.has_value();
+    const QString form = forms.size() == 2 ? QStringLiteral("both") : wordOf(*forms.begin());
+    if (form != (paper ? wordOf(clipping::Form::Published) : QStringLiteral("both")))
+        words.add("form", form);
+}
+
+void addAlgorithms(Words& words, const Record& record)
+{
+    QStringList names;
+    for (const Timing& timing : record.timings)
+        names << QString::fromUtf8(timing.contestant.algorithm->key);
+    names.removeDuplicates();
+    if (std::size_t(names.size()) < clipping::algorithms().size())
+        words.add("algorithms", names.join(u','));
+}
+
+void addScene(Words& words, const ExperimentOptions& options)
+{
+    const bool drawing = options.scene.lines > 0;
+    if (drawing)
+        words.add("scene", QStringLiteral("file:") + options.scene.name);
+    else if (options.scene.key != testScenes().front().key)
+        words.add("scene", options.scene.key);
+    if (drawing || options.field.space != paperSpace)
+        words.add("space", rectangleText(options.field.space));
+    if (drawing || options.field.window != paperWindow)
+        words.add("window", rectangleText(options.field.window));
+    if (options.order == Order::ByClass)
+        words.add("order", QStringLiteral("sorted"));
+}
+
+void addHow(Words& words, const Trial& trial)
+{
+    const ExperimentOptions& options = trial.record.options;
+    words.add("lines", options.lines, trial.paper ? trial.paper->lines : 0);
+    words.add("runs", options.runs, 10);
+    words.add("warmup", options.warmUps, 1);
+    words.add("seed", QString::number(options.seed));
+    if (options.precision != Precision::Double)
+        words.add("precision", wordOf(options.precision));
+    words.add("threads", options.threads, 1);
+    if (!trial.record.easel.isEmpty())
+        words.add("draw-with", trial.record.easel.startsWith(QStringLiteral("OpenGL"))
+                                   ? QStringLiteral("opengl")
+                                   : QStringLiteral("raster"));
+}
+
+void addMeasures(Words& words, const Study& study)
+{
+    QStringList keys;
+    for (const Measure& measure : study.measures)
+        keys << measure.key;
+    if (study.explanation)
+        for (const Analysis& analysis : analyses())
+            keys << analysis.key;
+    words.add("measure", keys.join(u','));
+}
+
+} // namespace
+
+QString commandToRepeat(const Study& study)
+{
+    const Trial& first = study.trials.front();
+    Words words;
+    addPaper(words, study);
+    addForms(words, study);
+    if (!first.paper)
+        addAlgorithms(words, first.record);
+    addScene(words, first.record.options);
+    addHow(words, first);
+    addMeasures(words, study);
+    words.add("report", QStringLiteral("report.html"));
+    return words.text();
+}
+
+} // namespace app

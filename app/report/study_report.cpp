@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/study_report.h"
+
+#include "app/charts/study_charts.h"
+#include "app/experiment/verdict.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Reports {
+    Q_DECLARE_TR_FUNCTIONS(Reports)
+};
+
+/// The tables without the facts that the circumstances tell of all of them.
+std::vector<Table> withoutFacts(std::vector<Table> tables, const Table& circumstances)
+{
+    const auto told = [&](const std::pair<QString, QString>& fact) {
+        return std::ranges::find(circumstances.rows, QStringList{fact.first, fact.second})
+               != circumstances.rows.end();
+    };
+    for (Table& table : tables)
+        std::erase_if(table.facts, told);
+    return tables;
+}
+
+/// What is measured: one sentence a measure.
+QStringList meaningsOf(const Study& study)
+{
+    QStringList all;
+    for (const Measure& measure : study.measures)
+        all << Reports::tr("%1: %2").arg(measure.name, measure.meaning);
+    return all;
+}
+
+ReportSection sectionOf(const Trial& trial, const Study& study, const Table& circumstances)
+{
+    ReportSection section{.title = nameOf(trial), .sentences = meaningsOf(study)};
+    for (const Measure& measure : study.measures) {
+        std::ranges::move(chartsOf(trial, measure), std::back_inserter(section.charts));
+        for (Table& table : withoutFacts(tablesOf(trial, measure, Against::Paper), circumstances))
+            section.tables.push_back(std::move(table));
+    }
+    return section;
+}
+
+/// Each table of the paper once.
+std::vector<PaperTable> papersOf(const Study& study)
+{
+    std::vector<PaperTable> papers;
+    for (const Trial& trial : study.trials)
+        if (trial.paper
+            && std::ranges::find(papers, trial.paper->key, &PaperTable::key) == papers.end())
+            papers.push_back(*trial.paper);
+    return papers;
+}
+
+ReportSection paperSection(const std::vector<PaperTable>& papers)
+{
+    ReportSection section{
+        .title = Reports::tr("The paper's own numbers"),
+        .sentences = {Reports::tr(
+            "D. Matthes, V. Drakopoulos: Another Simple but Faster Method for 2D Line Clipping, "
+            "2019. Their runs as printed; ties and medians are ours, from their runs.")}};
+    for (const PaperTable& paper : papers) {
+        section.charts.push_back(chartOf(paper));
+        section.tables.push_back(paperLayout(paper));
+    }
+    return section;
+}
+
+ReportSection explanationSection(const Explanation& explanation, const Table& circumstances)
+{
+    return {.title = Reports::tr("Why it is so"),
+            .sentences = reasons(explanation),
+            .charts = chartsOf(explanation),
+            .tables = withoutFacts(tablesOf(explanation), circumstances)};
+}
+
+ReportSection methodSection(const Study& study, const Table& circumstances)
+{
+    return {.title = Reports::tr("How it was measured"),
+            .sentences = {Reports::tr(
+                              "Every algorithm clips the same lines. They take turns block by "
+                              "block, and who begins changes from block to block and from run to "
+                              "run, so that a slow moment of the machine strikes all of them."),
+                          Reports::tr(
+                              "Ranks are by median. Where the 95 % confidence intervals of two "
+                              "medians overlap, it is too close to call, and there is no rank."),
+                          Reports::tr("Nanoseconds hang on the machine. Compare ratios.")},
+            .tables = {circumstances}};
+}
+
+ReportSection repeatSection(const Study& study)
+{
+    return {.title = Reports::tr("Measure it again"),
+            .sentences = {Reports::tr("The same seed gives the same lines on every machine.")},
+            .code = commandToRepeat(study)};
+}
+
+} // namespace
+
+Report reportOf(const Study& study)
+{
+    const Table circumstances = circumstancesTable(study);
+    Report report{.title = Reports::tr("Line clipping: what each algorithm takes"), .sections = {}};
+    for (const Trial& trial : study.trials) {
+        report.summary << verdict(trial, study.measures);
+        report.sections.push_back(sectionOf(trial, study, circumstances));
+    }
+    if (const auto papers = papersOf(study); !papers.empty())
+        report.sections.push_back(paperSection(papers));
+    if (study.explanation)
+        report.sections.push_back(explanationSection(*study.explanation, circumstances));
+    report.sections.push_back(methodSection(study, circumstances));
+    report.sections.push_back(repeatSection(study));
+    return report;
+}
+
+} // namespace app

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "tests/app/command_line/program.h"
+
+class BenchTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    static QJsonArray tablesOf(const QByteArray& json)
+    {
+        return QJsonDocument::fromJson(json).array();
+    }
+
+private slots:
+    void withoutADisplayItDrawsByRaster()
+    {
+        const QStringList draw{"bench", "-n", "1000", "-r", "1", "-a", "md", "--measure", "draw"};
+        const auto run = clearcut(draw + QStringList{"-f", "json"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(tablesOf(run.out)[0]["facts"]["drawn"].toString().startsWith("raster"));
+        const auto refused = clearcut(draw + QStringList{"--draw-with", "opengl"});
+        QCOMPARE(refused.code, 1);
+        QVERIFY(refused.err.contains("OpenGL cannot draw here: it needs a display."));
+    }
+
+    void aDisplayThatIsNotThereIsNone()
+    {
+        const auto run = inShell("DISPLAY=:987 $clearcut bench -n 1000 -r 1 -a md --measure draw");
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.contains("raster, Qt"));
+        QCOMPARE(run.err, "");
+        QCOMPARE(inShell("QT_QPA_PLATFORM=xcb $clearcut bench -n 1000 -r 1 -a md").code, 0);
+    }
+
+    void everyRunCanHaveARow()
+    {
+        const auto run = clearcut({"bench", "-n", "1000", "-r", "3", "-a", "cs,md", "--form",
+                                   "corrected", "--each-run", "-f", "csv"});
+        QCOMPARE(run.code, 0);
+        const auto lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 1 + 2 * 3);
+        QVERIFY(lines[0].startsWith("algorithm,form,measure,run,lines,visible,seconds,"));
+        QVERIFY(lines[6].startsWith("matthes-drakopoulos,corrected,clip,3,1000,"));
+    }
+
+    void singlePrecisionIsSaid()
+    {
+        const auto run =
+            clearcut({"bench", "-n", "1000", "-r", "1", "--precision", "single", "-f", "json"});
+        QCOMPARE(run.code, 0);
+        const auto table = tablesOf(run.out)[0].toObject();
+        QCOMPARE(table["facts"]["precision"].toString(), "single");
+        for (const auto& row : table["rows"].toArray())
+            QCOMPARE(row.toObject()["form"].toString(), "corrected");
+    }
+
+    void threadsAreTimedByTheWall()
+    {
+        const auto run =
+            clearcut({"bench", "-n", "200000", "-r", "2", "--threads", "2", "-f", "json"});
+        if (run.code == 1) {
+            QVERIFY(run.err.contains("one core, or Clearcut was built without oneTBB"));
+            QSKIP("one core, or no oneTBB");
+        }
+        const auto table = tablesOf(run.out)[0].toObject();
+        QCOMPARE(table["facts"]["threads"].toInt(), 2);
+        QCOMPARE(table["facts"]["clock"].toString(), "wall");
+        const auto alone =
+            tablesOf(clearcut({"bench", "-n", "200000", "-r", "1", "-f", "json"}).out);
+        for (int i = 0; i < table["rows"].toArray().size(); ++i)
+            QCOMPARE(table["rows"][i]["checksum"], alone[0]["rows"][i]["checksum"]);
+    }
+
+    void reportsAndChartsAreWrittenBesideTheTables()
+    {
+        const auto run =
+            clearcut({"bench", "--paper", "table1", "-n", "2000", "-r", "2", "--report",
+                      path("r.html"), "--charts", path("c.svg"), "-f", "json"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(!tablesOf(run.out).isEmpty());
+        const auto html = contentOf(path("r.html"));
+        QVERIFY(html.startsWith("<!DOCTYPE html>"));
+        QVERIFY(html.endsWith("</html>\n"));
+        for (const char* part : {"Accuracy", "Operations", "--paper=table1", "raster, Qt", "seed"})
+            QVERIFY2(html.contains(part), part);
+        const auto charts = QDir(folder_.path()).entryList({"c-*.svg"});
+        QVERIFY(charts.contains("c-table1-clip-published.svg"));
+        QVERIFY(charts.contains("c-table1-total-published-runs.svg"));
+        QVERIFY(run.err.contains("Wrote " + path("r.html").toUtf8()));
+        QCOMPARE(run.err.count("Wrote "), charts.size() + 1);
+
+        const auto pdf = clearcut({"bench", "-n", "1000", "-r", "2", "-a", "cs,md", "--measure",
+                                   "clip", "--report", path("r.pdf"), "-o", path("t.md")});
+        QCOMPARE(pdf.code, 0);
+        QCOMPARE(pdf.out, "");
+        QVERIFY(contentOf(path("r.pdf")).startsWith("%PDF"));
+        QVERIFY(contentOf(path("t.md")).startsWith("## Clipping only"));
+    }
+
+    void analysesGoWithThePaper()
+    {
+        const auto run = clearcut({"bench", "--paper", "table1", "-n", "1000", "-r", "1",
+                                   "--measure", "clip,operations", "-f", "json"});
+        QCOMPARE(run.code, 0);
+        const auto tables = tablesOf(run.out);
+        QCOMPARE(tables.size(), 2);
+        QCOMPARE(tables[0]["table"].toString(), "table1-clip-published");
+        QCOMPARE(tables[1]["table"].toString(), "operations");
+        QCOMPARE(tables[1]["rows"][0]["form"].toString(), "published");
+    }
+
+    void whatCannotBeWrittenIsSaidBeforeTheWork()
+    {
+        const auto missing = clearcut({"bench", "-n", "4000000000", "--report", path("no/r.html")});
+        QCOMPARE(missing.code, 1);
+        QVERIFY(missing.err.contains("there is no folder"));
+    }
+};
+
+QTEST_GUILESS_MAIN(BenchTest)
+#include "bench_test.moc"

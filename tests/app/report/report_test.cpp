@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts/record_chart.h"
+#include "app/report/report.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+namespace {
+
+const QString hostile = QStringLiteral("a</td><script>x()</script>&amp;\"'\n%1 %2 \x01<b>");
+
+app::Report sample()
+{
+    app::Report report{
+        .title = "Title & <more>", .summary = {"First sentence.", hostile}, .sections = {}};
+    const app::PaperTable paper = app::paperTables()[0];
+    report.sections.push_back({.title = "Part one",
+                               .sentences = {"What it says."},
+                               .charts = {app::chartOf(paper)},
+                               .tables = {{.names = {"who", "median_ns"},
+                                           .rows = {{hostile, "1.50"}, {"cs", "-12"}},
+                                           .title = "Times <here>",
+                                           .facts = {{"seed", "1"}},
+                                           .notes = {"A note."}}}});
+    report.sections.push_back({.title = "Part two",
+                               .code = "clearcut bench --seed 1",
+                               .charts = {app::chartOf(app::paperTables()[1])}});
+    return report;
+}
+
+QByteArray written(const QString& key, const app::Report& report)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    for (const app::ReportFormat& format : app::reportFormats())
+        if (format.key == key && !format.write(report, buffer))
+            return buffer.data();
+    qFatal("not written");
+}
+
+/// What a reader of XML finds: names of elements, attributes, all text.
+struct Page {
+    QStringList elements, ids, references, cells;
+    QString text, error;
+};
+
+Page pageOf(const QByteArray& bytes)
+{
+    Page page;
+    QXmlStreamReader reader(bytes);
+    while (!reader.atEnd()) {
+        reader.readNext();
+        if (reader.isStartElement()) {
+            page.elements << reader.name().toString();
+            for (const auto& attribute : reader.attributes()) {
+                if (attribute.name() == u"id")
+                    page.ids << attribute.value().toString();
+                if (attribute.name() == u"href" || attribute.name() == u"src")
+                    page.references << attribute.value().toString();
+            }
+            if (reader.name() == u"td")
+                page.cells << QString();
+        } else if (reader.isCharacters()) {
+            page.text += reader.text();
+            if (!page.cells.isEmpty())
+                page.cells.back() += reader.text();
+        }
+    }
+    page.error = reader.errorString();
+    return page;
+}
+
+QByteArray outputOf(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program, arguments);
+    if (!process.waitForFinished() || process.exitCode() != 0)
+        qFatal("%s: %s", qPrintable(program), process.readAllStandardError().constData());
+    return process.readAllStandardOutput();
+}
+
+} // namespace
+
+class ReportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aPageIsWellFormedAndTakesNothingForMarkup()
+    {
+        const Page page = pageOf(written("html", sample()));
+        QCOMPARE(page.error, QString());
+        QVERIFY(!page.elements.contains("script") && !page.elements.contains("b"));
+        QCOMPARE(page.cells[0], "a</td><script>x()</script>&amp;\"'\n%1 %2 <b>");
+        for (const char* text :
+             {"Title & <more>", "First sentence.", "Part one", "Part two", "Times <here>", "Median",
+              "A note.", "seed: 1", "clearcut bench --seed 1"})
+            QVERIFY2(page.text.contains(text), text);
+    }
+
+    void aPageNeedsNothingElse()
+    {
+        const QByteArray bytes = written("html", sample());
+        const Page page = pageOf(bytes);
+        for (const QString& reference : page.references)
+            QVERIFY2(reference.startsWith('#') || reference.startsWith("data:"),
+                     qPrintable(reference));
+        static const QRegularExpression address("(?:https?:)?//(?!www\\.w3\\.org/)[^ <]*");
+        const auto outside = address.match(QString::fromUtf8(bytes));
+        QVERIFY2(!outside.hasMatch(), qPrintable(outside.captured()));
+        QVERIFY(!bytes.contains("@import") && !bytes.contains("<link"));
+        for (const QString& reference : page.references)
+            QVERIFY(!reference.startsWith('#') || page.ids.contains(reference.mid(1)));
+    }
+
+    void chartsAreThereInLightAndDark()
+    {
+        const QByteArray bytes = written("html", sample());
+        const Page page = pageOf(bytes);
+        QCOMPARE(page.elements.count("svg"), 4);
+        QCOMPARE(bytes.count("<svg class=\"light\""), 2);
+        QCOMPARE(bytes.count("<svg class=\"dark\""), 2);
+        QCOMPARE(page.ids.size(), QSet<QString>(page.ids.begin(), page.ids.end()).size());
+        QVERIFY(bytes.contains("prefers-color-scheme: dark"));
+        QVERIFY(bytes.contains("@media print"));
+        const app::PaperTable paper = app::paperTables()[0];
+        for (const app::PaperColumn& column : paper.columns)
+            QVERIFY(page.text.contains(column.name == u"Prop." ? QString("MD") : column.name));
+    }
+
+    void aPdfSaysTheSameOnPages()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("report.pdf");
+        QCOMPARE(app::writeReport(sample(), path), std::nullopt);
+        const QString text = QString::fromUtf8(outputOf("pdftotext", {"-layout", path, "-"}));
+        for (const char* part :
+             {"Title & <more>", "First sentence.", "Part one", "Part two", "Times <here>", "Median",
+              "A note.", "seed: 1", "clearcut bench --seed 1", "</td><script>", "1 of "})
+            QVERIFY2(text.contains(part), part);
+        QCOMPARE(outputOf("pdfimages", {"-list", path}).count('\n'), 2); // a heading, no picture
+        QVERIFY(outputOf("pdfinfo", {path}).contains("A4"));
+    }
+
+    void longTablesGoOnWithTheirHeading()
+    {
+        app::Report report{.title = "Long", .sections = {{.title = "Part"}}};
+        app::Table table{.names = {"number", "what"}};
+        for (int i = 0; i < 300; ++i)
+            table.rows.push_back({QString::number(i), "row"});
+        report.sections[0].tables = {table};
+        QTemporaryDir folder;
+        const QString path = folder.filePath("long.pdf");
+        QCOMPARE(app::writeReport(report, path), std::nullopt);
+        const QString text = QString::fromUtf8(outputOf("pdftotext", {"-layout", path, "-"}));
+        const auto pages = text.split('\f', Qt::SkipEmptyParts);
+        QVERIFY(pages.size() > 2);
+        for (const QString& page : pages)
+            QVERIFY(page.contains("number"));
+        for (int i = 0; i < 300; ++i)
+            QVERIFY(text.contains(QRegularExpression(QString("\\b%1 +row").arg(i))));
+    }
+
+    void theNameTellsTheFormat()
+    {
+        QTemporaryDir folder;
+        for (const app::ReportFormat& format : app::reportFormats()) {
+            const QString path = folder.filePath("Report." + format.key.toUpper());
+            QCOMPARE(app::reportFormatOf(path)->key, format.key);
+            QVERIFY(!format.name.isEmpty());
+        }
+        QCOMPARE(*app::writeReport(sample(), "report.odt"),
+                 "Cannot write report.odt: end the name of a report with .html or .pdf.");
+        const auto error = app::writeReport(sample(), folder.filePath("no/report.html"));
+        QVERIFY(error && error->contains("No such file or directory"));
+    }
+};
+
+QTEST_MAIN(ReportTest)
+#include "report_test.moc"
