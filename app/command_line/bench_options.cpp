@@ -82,9 +82,11 @@ void takeField(const Given& given, ExperimentOptions& options)
 
 QStringList easelWords() { return QStringList(QStringLiteral("auto")) + keysOf(easelKinds()); }
 
-EaselMaker easelGiven(const Given& given)
+EaselMaker easelGiven(const Given& given, bool draws)
 {
     const auto choice = given.choice(QStringLiteral("draw-with"), easelWords());
+    if (!draws)
+        return nullptr;
     if (choice == 0)
         return bestEasel();
     const EaselKind kind = easelKinds()[choice - 1];
@@ -169,8 +171,7 @@ ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
         options.order = Order::ByClass;
     options.precision = precisionGiven(given);
     takeThreads(given, options);
-    if (std::ranges::any_of(wanted.measures, &Measure::draws))
-        options.easel = easelGiven(given);
+    options.easel = easelGiven(given, std::ranges::any_of(wanted.measures, &Measure::draws));
     return options;
 }
 

@@ -36,6 +36,8 @@ public:
     void drawObject(QPainter* painter, const QRectF& area, QTextDocument*, int,
                     const QTextFormat& format) override
     {
+        if (painter->clipBoundingRect().intersected(area).height() < 1)
+            return; // it begins on the next page
         painter->save();
         painter->translate(area.topLeft());
         painter->scale(scale_, scale_);
@@ -72,13 +74,18 @@ QTextCharFormat small() { return textFormat(notePoints, QFont::Normal, documentL
 /// Writes one thing after another.
 class Writer {
 public:
-    Writer(QTextDocument& document, double dotsPerPoint) : at_(&document), dot_(dotsPerPoint) {}
+    explicit Writer(QTextDocument& document) : at_(&document)
+    {
+        at_.beginEditBlock(); // or each word would lay out everything anew
+    }
+    ~Writer() { at_.endEditBlock(); }
+    Q_DISABLE_COPY_MOVE(Writer)
 
     void paragraph(const QString& text, const QTextCharFormat& format, double above, double below)
     {
         QTextBlockFormat block;
-        block.setTopMargin(above * dot_);
-        block.setBottomMargin(below * dot_);
+        block.setTopMargin(above * point);
+        block.setBottomMargin(below * point);
         begin(block, format);
         at_.insertText(text, format);
     }
@@ -120,8 +127,9 @@ private:
     void cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
               const QTextCharFormat& format);
 
+    static constexpr double point = 96.0 / 72; ///< distances are pixels; the layout scales them
+
     QTextCursor at_;
-    double dot_;
     bool empty_ = true; ///< whether the block at the cursor is still to be used
 };
 
@@ -130,10 +138,10 @@ QTextTableFormat Writer::tableFormat() const
     QTextTableFormat format;
     format.setBorder(0);
     format.setCellSpacing(0);
-    format.setCellPadding(1.5 * dot_);
+    format.setCellPadding(1.5 * point);
     format.setHeaderRowCount(1);
-    format.setTopMargin(2 * dot_);
-    format.setBottomMargin(4 * dot_);
+    format.setTopMargin(2 * point);
+    format.setBottomMargin(4 * point);
     return format;
 }
 
@@ -141,7 +149,7 @@ void Writer::cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
                   const QTextCharFormat& format)
 {
     QTextTableCellFormat rule;
-    rule.setBottomBorder(0.4 * dot_);
+    rule.setBottomBorder(0.4 * point);
     rule.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     rule.setBottomBorderBrush(documentLook().rule);
     cell.setFormat(rule);
@@ -208,7 +216,7 @@ std::unique_ptr<QTextDocument> documentOf(const Report& report, int dotsPerInch)
     document->setDocumentMargin(0);
     document->documentLayout()->registerHandler(
         chartObject, new ChartPainter(chartsOf(report), dotsPerInch, document.get()));
-    Writer writer(*document, dotsPerInch / 72.0);
+    Writer writer(*document);
     writer.heading(report.title, 18, 0);
     writer.sentences(report.summary);
     int chart = 0;

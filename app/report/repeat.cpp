@@ -60,6 +60,8 @@ void addPaper(Words& words, const Study& study)
 /// The forms that take part, if they are not those that `bench` takes by itself.
 void addForms(Words& words, const Study& study)
 {
+    if (study.trials.front().record.options.precision == Precision::Single)
+        return; // there is but one
     std::set<clipping::Form> forms;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)

@@ -80,7 +80,7 @@ ReportSection explanationSection(const Explanation& explanation, const Table& ci
             .tables = withoutFacts(tablesOf(explanation), circumstances)};
 }
 
-ReportSection methodSection(const Study& study, const Table& circumstances)
+ReportSection methodSection(const Table& circumstances)
 {
     return {.title = Reports::tr("How it was measured"),
             .sentences = {Reports::tr(
@@ -115,7 +115,7 @@ Report reportOf(const Study& study)
         report.sections.push_back(paperSection(papers));
     if (study.explanation)
         report.sections.push_back(explanationSection(*study.explanation, circumstances));
-    report.sections.push_back(methodSection(study, circumstances));
+    report.sections.push_back(methodSection(circumstances));
     report.sections.push_back(repeatSection(study));
     return report;
 }

@@ -292,6 +292,8 @@ void ExperimentWindow::tellWritten(const app::Result<QStringList>& written)
 
 void ExperimentWindow::run(app::Choice choice)
 {
+    if (choice.easel)
+        choice.easel = app::bestEasel(); // looked for here, in the thread of the window
     auto plan = app::planOf(choice);
     if (!plan || measuring_.active())
         return showEffort();
