@@ -247,11 +247,13 @@ Axis readableAxis(const ChartLayout& layout, const Chart& chart, std::size_t pan
 {
     const QFontMetricsF caption(captionFont(look));
     const double width = layout.panels[panel].width(), gap = 12 * layout.unit;
-    Axis axis = axisOf(chart, panel, width / (46 * layout.unit));
+    constexpr double most = 7; // more of them tell nothing more
+    const double marks = std::min(width / (46 * layout.unit), most);
+    const Axis axis = axisOf(chart, panel, marks);
     double label = 0;
     for (const double tick : axis.ticks)
         label = widest(caption, numberText(tick, axis.decimals), label);
-    return label + gap > 46 * layout.unit ? axisOf(chart, panel, width / (label + gap)) : axis;
+    return marks * (label + gap) > width ? axisOf(chart, panel, width / (label + gap)) : axis;
 }
 
 double heightFor(const Chart& chart, double width, const ChartLook& look, double stretch)

@@ -101,7 +101,7 @@ Chart chartOf(const OperationProfile& profile)
     for (const ContestantOperations& operations : profile.rows)
         chart.rows.push_back(rowOf(operations, profile.options.lines));
     std::ranges::stable_sort(chart.rows, {}, lengthOf);
-    return chart;
+    return withSharedNote(std::move(chart));
 }
 
 Chart chartOf(const ClassProfile& profile)
@@ -131,7 +131,7 @@ Chart chartOf(const ClassProfile& profile)
     std::ranges::stable_sort(rows, {}, &ClassRow::weighted);
     for (ClassRow& so : rows)
         chart.rows.push_back(std::move(so.row));
-    return chart;
+    return withSharedNote(std::move(chart));
 }
 
 } // namespace app

@@ -106,8 +106,7 @@ std::vector<LegendEntry> legendOf(const Record& record)
         legend.push_back({LegendBar{}, here});
     if (has(clipping::Form::Published))
         legend.push_back({LegendBar{0, clipping::Form::Published},
-                          legend.empty() ? Charts::tr("%1, as published").arg(here)
-                                         : Charts::tr("as published")});
+                          legend.empty() ? here : Charts::tr("as published")});
     return legend;
 }
 
@@ -139,7 +138,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         chart.legend.push_back(
             {LegendMark{}, Charts::tr("hollow: the paper, %1, total time").arg(nameOf(*paper))});
     }
-    return chart;
+    return withSharedNote(std::move(chart));
 }
 
 Chart boxPlotOf(const Record& record, const Measure& measure)
@@ -166,7 +165,7 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
         row.detail = detailOf(record.timings[i].contestant, times[i]);
         chart.rows.push_back(std::move(row));
     }
-    return chart;
+    return withSharedNote(std::move(chart));
 }
 
 } // namespace app

@@ -3,6 +3,8 @@
 
 #include "app/view/numbers.h"
 
+#include <algorithm>
+
 namespace app {
 
 ChartRow rowFor(const Contestant& contestant)
@@ -22,6 +24,18 @@ QString fullName(const Contestant& contestant)
     const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
     return contestant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
                                                         : text;
+}
+
+Chart withSharedNote(Chart chart)
+{
+    const QString note = chart.rows.empty() ? QString() : chart.rows.front().note;
+    if (note.isEmpty()
+        || std::ranges::any_of(chart.rows, [&](const ChartRow& row) { return row.note != note; }))
+        return chart;
+    for (ChartRow& row : chart.rows)
+        row.note.clear();
+    chart.subtitle = Charts::tr("%1; algorithms %2").arg(chart.subtitle, note);
+    return chart;
 }
 
 QString nanosecondsText(double nanoseconds)

@@ -20,6 +20,9 @@ ChartRow rowFor(const Contestant& contestant);
 QString fullName(const Contestant& contestant);
 /// "23.9 ns": as many decimals as times in milliseconds have.
 QString nanosecondsText(double nanoseconds);
+/// The chart with the note that all of its rows share, if there is one, said once: below its title.
+Chart withSharedNote(Chart chart);
+
 /// "Scene “Long”, 1,000,000 lines".
 QString sceneText(const ExperimentOptions& options);
 /// "Table 1".

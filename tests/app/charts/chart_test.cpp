@@ -125,6 +125,21 @@ private slots:
         QVERIFY(with.title != without.title);
         QCOMPARE(*with.rows[2].other, 1.0); // MD in the paper
     }
+    void aNoteOfAllRowsIsSaidOnce()
+    {
+        const sample::Times all[]{{"CS", sample::theirs, 20}, {"MD", sample::theirs, 30}};
+        const Record record = sample::record(all, 0.001);
+        for (const Chart& chart :
+             {chartOf(record, measures().front()), boxPlotOf(record, measures().front())}) {
+            QVERIFY(chart.subtitle.contains("as published"));
+            for (const ChartRow& row : chart.rows)
+                QVERIFY(row.note.isEmpty());
+        }
+        const Chart mixed = chartOf(sample::everything(), measures().front());
+        QVERIFY(!mixed.subtitle.contains("as published"));
+        QVERIFY(std::ranges::any_of(
+            mixed.rows, [](const ChartRow& row) { return row.note == "as published"; }));
+    }
     void operationsAddUp()
     {
         const OperationProfile profile = sample::operations();
