@@ -44,6 +44,8 @@ public:
     QList<QAction*> toolActions() const { return toolActions_; }
     QList<QAction*> panelToggles() const;
     void raisePanel(const QString& key);
+    void togglePanel(const QString& key);
+    bool showsPanel(const QString& key) const; ///< perhaps behind another
     void resetLayout();
 
     Theme theme() const { return theme_; }
@@ -67,6 +69,8 @@ private:
     void addPanels();
     void place(Dock& dock);
     void connectStart(StartPanel& start);
+    void addWide();
+    void follow(Dock& wide);
     void makeRoomForLine();
     void addBars();
     void connectFiles();
@@ -76,6 +80,8 @@ private:
     void arrangeAs(Arrangement arrangement);
     Arrangement fittingArrangement() const;
     void shareHeight();
+    void shareHeightWithWide();
+    int columnWidth() const;
     void refreshDockTitles();
     void leaveStart();
     void saveLayout();
@@ -88,7 +94,9 @@ private:
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;
     std::unique_ptr<Files> files_;
-    QList<Dock*> docks_; ///< Start first, then as they are stacked
+    QList<Dock*> docks_;    ///< Start first, then as they are stacked
+    QList<Dock*> wide_;     ///< to compare: above the others, in a wider column
+    QList<Dock*> openWide_; ///< those that are shown
     QList<QAction*> toolActions_;
     WindowNote* note_ = nullptr;
     Arrangement arrangement_ = Arrangement::Stacked;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int layoutVersion = 1;
 constexpr int wide = 1200, high = 760; // below: narrow panels; tabs instead of a stack
-constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396;
+constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396, widePanelWidth = 572;
 
 } // namespace
 
@@ -39,7 +39,8 @@ void MainWindow::addPanels()
               new Dock("algorithm", tr("Algorithm"), algorithmPanel_),
               new Dock("window", tr("Clip window"), window), new Dock("line", tr("Line"), line),
               new Dock("layers", tr("Layers"), layers)};
-    for (Dock* dock : docks_)
+    addWide();
+    for (Dock* dock : docks_ + wide_)
         place(*dock);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks); // nothing slides
@@ -109,7 +110,7 @@ void MainWindow::makeRoomForLine()
 QList<QAction*> MainWindow::panelToggles() const
 {
     QList<QAction*> toggles;
-    for (Dock* dock : docks_)
+    for (Dock* dock : docks_ + wide_)
         if (dock != docks_[0]) // Help > Start; it comes and goes by itself
             toggles << dock->toggleViewAction();
     return toggles;
@@ -145,9 +146,9 @@ void MainWindow::leaveStart()
 
 MainWindow::Arrangement MainWindow::fittingArrangement() const
 {
-    return starting_         ? Arrangement::StartInFront
-           : height() < high ? Arrangement::Tabs
-                             : Arrangement::Stacked;
+    return starting_                                 ? Arrangement::StartInFront
+           : height() < high || !openWide_.isEmpty() ? Arrangement::Tabs
+                                                     : Arrangement::Stacked;
 }
 
 void MainWindow::arrange()
@@ -162,7 +163,7 @@ void MainWindow::arrangeAs(Arrangement arrangement)
 {
     const QScopedValueRollback quiet(arranging_, true);
     arrangement_ = arrangement;
-    for (Dock* dock : docks_) {
+    for (Dock* dock : docks_ + wide_) {
         dock->setFloating(false);
         removeDockWidget(dock);
     }
@@ -170,21 +171,32 @@ void MainWindow::arrangeAs(Arrangement arrangement)
     const bool start = arrangement == Arrangement::StartInFront;
     Dock* const hidden = start ? docks_[3] : docks_[0]; // no line is chosen yet; or Start is over
     Dock* last = nullptr;
-    for (Dock* dock : docks_) {
+    for (Dock* dock : openWide_ + docks_) {
         if (dock == hidden && !tabs)
             continue; // not even behind another, whose title would then be in a tab
+        if (dock == docks_[2] && !openWide_.isEmpty())
+            last = nullptr; // those from here on stand below
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->setVisible(dock != hidden);
         if (tabs && last)
             tabifyDockWidget(last, dock);
         last = dock;
     }
-    (start ? docks_[0] : docks_[1])->raise();
-    const int column = width() < wide ? narrowPanelWidth : start ? startWidth : panelWidth;
-    resizeDocks({docks_[1]}, {column}, Qt::Horizontal);
+    docks_[2]->raise();
+    (start ? docks_[0] : openWide_.isEmpty() ? docks_[1] : openWide_.last())->raise();
+    resizeDocks({docks_[1]}, {columnWidth()}, Qt::Horizontal);
     if (!tabs)
         shareHeight();
+    else if (!openWide_.isEmpty())
+        shareHeightWithWide();
     refreshDockTitles();
+}
+
+int MainWindow::columnWidth() const
+{
+    if (!openWide_.isEmpty())
+        return std::clamp(width() * 9 / 20, narrowPanelWidth, widePanelWidth);
+    return width() < wide ? narrowPanelWidth : starting_ ? startWidth : panelWidth;
 }
 
 /// Algorithm and clip window get what they need, line and layers share the rest.
@@ -203,7 +215,7 @@ void MainWindow::shareHeight()
 /// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
 void MainWindow::refreshDockTitles()
 {
-    for (Dock* dock : docks_) {
+    for (Dock* dock : docks_ + wide_) {
         const auto others = tabifiedDockWidgets(dock);
         const bool tab = !dock->isFloating() && std::ranges::any_of(others, [](auto* other) {
             return !other->isHidden();
@@ -248,6 +260,8 @@ void MainWindow::restoreLayout()
     restoreGeometry(settings.value("geometry").toByteArray());
     ownLayout_ = settings.value("ownLayout").toBool()
                  && restoreState(settings.value("layout").toByteArray(), layoutVersion);
+    for (Dock* dock : wide_)
+        follow(*dock);
     arrange();
 }
 

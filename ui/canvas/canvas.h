@@ -42,6 +42,8 @@ public:
     QString backendReason() const; ///< a sentence: which one, and why
 
     const app::View& view() const;
+    clipping::Window
+    window() const;      ///< the clip window as it is now, in the middle of a gesture too
     double zoom() const; ///< 1: 100 %, a millimetre on paper is one on the screen's logical scale
 
     void setTool(std::string_view key); ///< one of ui::tools()

@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr int gap = 8; // at both sides of a text
+constexpr int gap = DenseTable::gap;
 
 QRect textIn(const QRect& cell, bool first)
 {
@@ -51,10 +51,7 @@ protected:
     {
         const Look& look = lookOf(palette());
         const bool sorts = section == sortIndicatorSection();
-        QString text = model()->headerData(section, Qt::Horizontal).toString();
-        if (sorts)
-            text += sortIndicatorOrder() == Qt::AscendingOrder ? QStringLiteral(" ▴")
-                                                               : QStringLiteral(" ▾");
+        const QString text = model()->headerData(section, Qt::Horizontal).toString();
         const int side =
             model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).toInt();
         const QRect place = textIn(rect, visualIndex(section) == 0);
@@ -62,8 +59,27 @@ protected:
         painter->fillRect(rect.left(), rect.bottom(), rect.width(), 1, look.rule);
         painter->setFont(font());
         painter->setPen(sorts ? look.text : look.muted);
-        painter->drawText(place, side,
-                          QFontMetrics(font()).elidedText(text, Qt::ElideRight, place.width()));
+        const QFontMetrics metrics(font());
+        const QString shown = metrics.elidedText(text, Qt::ElideRight, place.width());
+        painter->drawText(place, side, shown);
+        if (sorts)
+            paintArrow(*painter, metrics.boundingRect(place, side, shown).right() + 2, place);
+    }
+
+private:
+    /// In the gap after the text, which stays where it is.
+    void paintArrow(QPainter& painter, int x, const QRect& place) const
+    {
+        const double up = sortIndicatorOrder() == Qt::AscendingOrder ? 1 : -1;
+        const QPointF middle(x + 3.0, QRectF(place).center().y() + 0.5);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(lookOf(palette()).text);
+        painter.drawPolygon(QPolygonF{middle + QPointF(-2.5, 1.5 * up),
+                                      middle + QPointF(2.5, 1.5 * up),
+                                      middle + QPointF(0, -1.5 * up)});
+        painter.restore();
     }
 };
 
@@ -86,7 +102,7 @@ public:
     {
         const Look& look = lookOf(option.palette);
         const bool first = table_.horizontalHeader()->visualIndex(index.column()) == 0;
-        paintGround(*painter, option, index, first);
+        table_.paintGround(*painter, option, index);
         painter->setFont(option.font);
         painter->setPen(look.text);
         const QRect place = textIn(option.rect, first);
@@ -98,23 +114,6 @@ public:
     }
 
 private:
-    // The whole row has one ground, and one ring while the table has the focus.
-    void paintGround(QPainter& painter, const QStyleOptionViewItem& option,
-                     const QModelIndex& index, bool first) const
-    {
-        const Look& look = lookOf(option.palette);
-        const bool chosen = option.state & QStyle::State_Selected;
-        const QRect r = option.rect;
-        if (chosen || table_.hoveredRow() == index.row())
-            painter.fillRect(r, chosen ? look.tint : look.hover);
-        if (chosen && first)
-            painter.fillRect(r.left(), r.top(), 3, r.height(), look.selection);
-        if (chosen && table_.hasFocus()) {
-            painter.fillRect(r.left(), r.top(), r.width(), 1, look.selection);
-            painter.fillRect(r.left(), r.bottom(), r.width(), 1, look.selection);
-        }
-    }
-
     const DenseTable& table_;
 };
 
@@ -140,6 +139,22 @@ DenseTable::DenseTable(QWidget* parent) : QTableView(parent)
     verticalHeader()->setDefaultSectionSize(space::denseRowHeight);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     viewport()->setAutoFillBackground(false);
+}
+
+void DenseTable::paintGround(QPainter& painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const
+{
+    const Look& look = lookOf(option.palette);
+    const bool chosen = option.state & QStyle::State_Selected;
+    const QRect r = option.rect;
+    if (chosen || hovered_ == index.row())
+        painter.fillRect(r, chosen ? look.tint : look.hover);
+    if (chosen && horizontalHeader()->visualIndex(index.column()) == 0)
+        painter.fillRect(r.left(), r.top(), 3, r.height(), look.selection);
+    if (chosen && hasFocus()) {
+        painter.fillRect(r.left(), r.top(), r.width(), 1, look.selection);
+        painter.fillRect(r.left(), r.bottom(), r.width(), 1, look.selection);
+    }
 }
 
 bool DenseTable::viewportEvent(QEvent* event)

@@ -13,8 +13,13 @@ class DenseTable : public QTableView {
     Q_OBJECT
 
 public:
+    static constexpr int gap = 8; ///< at both sides of a text
+
     explicit DenseTable(QWidget* parent = nullptr);
-    int hoveredRow() const { return hovered_; }
+    /// What is below a cell: a row that is chosen or under the pointer has one ground, and while
+    /// the table has the focus the chosen one has a ring.
+    void paintGround(QPainter& painter, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) const;
 
 protected:
     bool viewportEvent(QEvent* event) override;

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/compare_table.h"
+#include "ui/docks/dock.h"
+#include "ui/widgets/segments.h"
+
+#include <QHeaderView>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+/// A window with a drawing of many short lines.
+struct CompareWindow : TestWindow {
+    explicit CompareWindow(int lines)
+    {
+        QFile file(path("lines.svg"));
+        [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
+        file.write("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+                   "viewBox='0 0 100 100'><path stroke='#000' fill='none' d='M0 0");
+        for (int i = 1; i <= lines; ++i)
+            file.write(QByteArray("L%1 %2")
+                           .replace("%1", QByteArray::number(i % 101))
+                           .replace("%2", QByteArray::number(i % 97)));
+        file.write("'/></svg>");
+        file.close();
+        window->files().open(file.fileName());
+        window->session().drawing.setWindow({{25, 25}, {75, 75}});
+        show();
+    }
+    ComparePanel& panel() const { return *window->findChild<ComparePanel*>(); }
+    CompareTable& table() const { return panel().table(); }
+    Dock& dock() const { return *window->findChild<Dock*>("compare"); }
+    int rows() const { return table().model()->rowCount(); }
+    QString text(int row, int column) const
+    {
+        return table().model()->index(row, column).data().toString();
+    }
+    void openPanel()
+    {
+        action("compare-live")->trigger();
+        QTRY_VERIFY(rows() > 0);
+    }
+    void click(int row)
+    {
+        const QRect place = table().visualRect(table().model()->index(row, 0));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place.center());
+    }
+    void clickHeader(int column)
+    {
+        const QHeaderView* header = table().horizontalHeader();
+        const QPoint at(header->sectionViewportPosition(column) + 8, header->height() / 2);
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, at);
+    }
+    std::vector<double> order(int column) const
+    {
+        std::vector<double> values;
+        for (int row = 0; row < rows(); ++row)
+            values.push_back(
+                table().model()->index(row, column).data(CompareModel::OrderRole).toDouble());
+        return values;
+    }
+    QString chosen() const
+    {
+        const app::Display& display = window->session().display();
+        return app::nameOf({display.algorithm, display.usedForm()});
+    }
+};
+
+int formsInTheCatalogue()
+{
+    int forms = 0;
+    for (const auto& row : clipping::algorithms())
+        forms += row.published ? 2 : 1;
+    return forms;
+}
+
+} // namespace
+
+class CompareTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void racesOnlyWhileItIsOpen()
+    {
+        CompareWindow t(2000);
+        QVERIFY(!t.dock().isVisible());
+        QVERIFY(!t.panel().race().running());
+        t.openPanel();
+        QVERIFY(t.panel().race().running());
+        QVERIFY(t.action("compare-live")->isChecked());
+        t.action("compare-live")->trigger();
+        QVERIFY(!t.panel().race().running());
+        QVERIFY(!t.dock().isVisible());
+        t.openPanel();
+        t.dock().close();
+        QVERIFY(!t.panel().race().running());
+        QTRY_VERIFY(!t.action("compare-live")->isChecked());
+    }
+    void behindAnotherTabItRests()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        t.window->raisePanel("algorithm");
+        QTRY_VERIFY(!t.panel().race().running());
+        t.action("compare-live")->trigger(); // to the front again
+        QTRY_VERIFY(t.panel().race().running());
+        QVERIFY(t.action("compare-live")->isChecked());
+    }
+    void everyFormHasARow()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        QCOMPARE(t.rows(), formsInTheCatalogue());
+        QCOMPARE(t.panel().field(), "2,000 lines, rotated order, 1 thread");
+        const auto visible = t.window->session()
+                                 .scene
+                                 .clip(clipping::exactAlgorithm().corrected,
+                                       t.window->canvas().window(), app::Scene::Removed::Left)
+                                 .inside.size();
+        for (int row = 0; row < t.rows(); ++row)
+            if (t.text(row, CompareModel::Name) == "exact")
+                QCOMPARE(t.text(row, CompareModel::Visible), QLocale().toString(int(visible)));
+    }
+    void theFormsAreChosen()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        const auto buttons = t.panel().findChild<Segments*>()->findChildren<QToolButton*>();
+        QTest::mouseClick(buttons[0], Qt::LeftButton);
+        QTRY_COMPARE(t.rows(), int(clipping::algorithms().size()));
+        QTest::mouseClick(buttons[1], Qt::LeftButton);
+        QTRY_COMPARE(t.rows(), formsInTheCatalogue() - int(clipping::algorithms().size()));
+        QVERIFY(t.text(0, CompareModel::Name).endsWith("as published"));
+    }
+    void aClickChoosesAlgorithmAndForm()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        for (int row = 0; row < t.rows(); ++row) {
+            const QString name = t.text(row, CompareModel::Name);
+            t.click(row);
+            QCOMPARE(t.chosen(), name);
+            if (name.endsWith("published"))
+                QCOMPARE(t.window->session().display().form, clipping::Form::Published);
+        }
+    }
+    void keysChooseToo()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        t.click(1);
+        const QString next = t.text(2, CompareModel::Name), first = t.text(1, CompareModel::Name);
+        QTest::keyClick(&t.table(), Qt::Key_Down);
+        QCOMPARE(t.chosen(), next);
+        QTest::keyClick(&t.table(), Qt::Key_Up);
+        QCOMPARE(t.chosen(), first);
+    }
+    void whatIsChosenElsewhereIsChosenHere()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        app::Display display = t.window->session().display();
+        display.algorithm = clipping::findAlgorithm("lb");
+        t.window->session().setDisplay(display);
+        const auto current = t.table().currentIndex();
+        QCOMPARE(t.text(current.row(), CompareModel::Name), "LB");
+        QVERIFY(t.table().selectionModel()->isRowSelected(current.row()));
+    }
+    void aHeaderSortsAndReverses()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        t.click(3);
+        const QString chosen = t.chosen();
+        for (const int column : {CompareModel::Operations, CompareModel::Visible,
+                                 CompareModel::Differ, CompareModel::Median}) {
+            t.clickHeader(column);
+            QVERIFY(std::ranges::is_sorted(t.order(column)));
+            t.clickHeader(column);
+            QVERIFY(std::ranges::is_sorted(t.order(column), std::greater()));
+            QCOMPARE(t.text(t.table().currentIndex().row(), CompareModel::Name), chosen);
+            QCOMPARE(t.chosen(), chosen);
+        }
+    }
+    /// New numbers come ten times a second, a new order once.
+    void theOrderDoesNotJump()
+    {
+        app::Session session;
+        CompareTable table(session);
+        const auto rowsWith = [](double first, double second) {
+            std::vector<app::RaceRow> rows;
+            for (const double ms : {first, second})
+                rows.push_back({.contestant = {&clipping::algorithms()[rows.size()],
+                                               clipping::Form::Corrected},
+                                .milliseconds = {ms}});
+            return rows;
+        };
+        const auto top = [&] { return table.model()->index(0, CompareModel::Name).data(); };
+        table.showRows(rowsWith(1, 2), 5000);
+        const auto before = top();
+        table.showRows(rowsWith(3, 2), 5000);
+        QCOMPARE(top(), before);
+        QTest::qWait(1050);
+        table.showRows(rowsWith(3, 2), 5000);
+        QVERIFY(top() != before);
+    }
+    void whereSpaceIsShortColumnsGo()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        CompareTable& table = t.table();
+        const auto hidden = [&](int width) {
+            t.dock().setFloating(true);
+            t.dock().resize(width, 500);
+            QCoreApplication::processEvents();
+            QList<int> columns;
+            for (const int column :
+                 {CompareModel::Visible, CompareModel::Spread, CompareModel::Sparkline})
+                if (table.isColumnHidden(column))
+                    columns << column;
+            return columns;
+        };
+        QCOMPARE(hidden(640), QList<int>{});
+        qsizetype before = 0;
+        for (int width = 640; width >= 272; width -= 10) {
+            const auto columns = hidden(width); // in the order in which they may go
+            QVERIFY(columns.size() >= before);
+            before = columns.size();
+            QCOMPARE(columns, (QList<int>{CompareModel::Visible, CompareModel::Spread,
+                                          CompareModel::Sparkline}
+                                   .mid(0, before)));
+            for (const int column : {CompareModel::Name, CompareModel::Median,
+                                     CompareModel::Operations, CompareModel::Differ})
+                QVERIFY(!table.isColumnHidden(column));
+        }
+        QCOMPARE(before, 3);
+    }
+    void fewLinesAreNotTimed()
+    {
+        CompareWindow t(312);
+        t.openPanel();
+        QCOMPARE(t.panel().field(), "312 lines: too few to time");
+        QCOMPARE(t.panel().ties(), "");
+        QCOMPARE(t.text(0, CompareModel::Median), "–");
+        QVERIFY(t.text(0, CompareModel::Visible).toInt() > 0);
+    }
+    void theColumnIsWideWhileItIsOpen()
+    {
+        CompareWindow t(312);
+        t.window->resize(1440, 900);
+        const QWidget* canvas = &t.window->canvas();
+        QCoreApplication::processEvents();
+        const int before = canvas->width();
+        t.openPanel();
+        QTRY_COMPARE(t.dock().width(), 572);
+        QVERIFY(t.dock().y() < 100);
+        t.dock().close();
+        QTRY_COMPARE(canvas->width(), before);
+    }
+    void aLayoutOfOnesOwnIsLeftAlone()
+    {
+        CompareWindow t(312);
+        auto* layers = t.window->findChild<Dock*>("layers");
+        t.window->addDockWidget(Qt::LeftDockWidgetArea, layers); // as if it had been dragged there
+        QCoreApplication::processEvents();
+        t.openPanel();
+        QCOMPARE(t.window->dockWidgetArea(layers), Qt::LeftDockWidgetArea);
+        t.action("compare-live")->trigger();
+        QCoreApplication::processEvents();
+        QCOMPARE(t.window->dockWidgetArea(layers), Qt::LeftDockWidgetArea);
+    }
+};
+
+QTEST_MAIN(CompareTest)
+#include "compare_test.moc"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/docks/compare_model.h"
+#include "ui/widgets/dense_table.h"
+
+namespace ui {
+
+/// Paints the cells of a table that sorts this model.
+class CompareCells : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    CompareCells(const CompareModel& model, DenseTable& table);
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+
+private:
+    void paintName(QPainter& painter, const QStyleOptionViewItem& option,
+                   const app::RaceRow& row) const;
+    void paintSparkline(QPainter& painter, const QStyleOptionViewItem& option,
+                        const app::RaceRow& row) const;
+    void paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
+                     const QModelIndex& index, const app::RaceRow& row) const;
+
+    const CompareModel& model_;
+    const DenseTable& table_;
+};
+
+} // namespace ui

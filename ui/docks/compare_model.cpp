@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/compare_model.h"
+
+#include "app/view/frame_statistics.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+struct Compare {
+    Q_DECLARE_TR_FUNCTIONS(Compare)
+};
+
+/// What a cell is about.
+struct Cell {
+    const app::RaceRow& row;
+    const app::Summary& summary;
+    bool timed;
+};
+
+struct ColumnInfo {
+    const char* title;
+    const char* meaning;
+    QString (*text)(const Cell& cell);
+    QVariant (*order)(const Cell& cell);
+};
+
+QString nameOf(const Cell& cell)
+{
+    return app::nameOf({cell.row.contestant.algorithm, cell.row.contestant.form});
+}
+
+/// As many decimals as the median has, without its unit.
+QString spreadText(const Cell& cell)
+{
+    const double median = cell.summary.median;
+    if (cell.summary.spread < 0.01)
+        return QStringLiteral("< ") + app::numberText(0.01, 2);
+    return app::numberText(cell.summary.spread / 2, median < 10 ? 2 : median < 100 ? 1 : 0);
+}
+
+QString onlyTimed(const Cell& cell, const QString& text)
+{
+    return cell.timed ? text : QStringLiteral("–");
+}
+
+// In the order of CompareModel::Column.
+constexpr std::array columns{
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "Algorithm"),
+               QT_TRANSLATE_NOOP("Compare", "A filled marker: the corrected form. A hollow one: as "
+                                            "its authors published it."),
+               nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "last 40 frames"),
+               QT_TRANSLATE_NOOP("Compare", "Clipping time, 40 % above and below the median; the "
+                                            "band is between the quartiles."),
+               [](const Cell&) { return QString(); },
+               [](const Cell& c) { return QVariant(c.row.milliseconds.back()); }},
+    ColumnInfo{
+        QT_TRANSLATE_NOOP("Compare", "median"),
+        QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame, the middle of several rounds."),
+        [](const Cell& c) { return onlyTimed(c, app::millisecondsText(c.summary.median)); },
+        [](const Cell& c) { return QVariant(c.summary.median); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "± spread"),
+               QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles, in ms."),
+               [](const Cell& c) { return onlyTimed(c, spreadText(c)); },
+               [](const Cell& c) { return QVariant(c.summary.spread); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "ops/line"),
+               QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
+                                            "a line, counted on an even sample of the lines."),
+               [](const Cell& c) { return app::numberText(c.row.operations, 1); },
+               [](const Cell& c) { return QVariant(c.row.operations); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "visible"),
+               QT_TRANSLATE_NOOP("Compare", "Lines of which something is visible."),
+               [](const Cell& c) { return app::countText(c.row.visible); },
+               [](const Cell& c) { return QVariant(qulonglong(c.row.visible)); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "differ"),
+               QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept too many, or misplaced by "
+                                            "more than rounding, against exact arithmetic."),
+               [](const Cell& c) { return app::countText(c.row.differences.all()); },
+               [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }}};
+
+QString tipOf(const app::RaceRow& row, int column)
+{
+    const clipping::Algorithm& algorithm = *row.contestant.algorithm;
+    if (column == CompareModel::Differ && row.differences.all() > 0)
+        return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactClipper(),
+                             row.differences, 0);
+    QString tip =
+        Compare::tr("%1 (%2)\n%3")
+            .arg(latin(algorithm.name), QString::number(algorithm.year), latin(algorithm.idea));
+    if (&algorithm == &clipping::exactAlgorithm())
+        tip += u'\n'
+               + Compare::tr("Here it clips line by line as the others do. In the editor's own "
+                             "frames it also uses boxes around many lines, which takes less time "
+                             "and leaves the same.");
+    return tip;
+}
+
+} // namespace
+
+void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines)
+{
+    const auto same = [](const app::RaceRow& one, const app::RaceRow& other) {
+        return one.contestant.algorithm == other.contestant.algorithm
+               && one.contestant.form == other.contestant.form;
+    };
+    const bool others = !std::ranges::equal(rows, rows_, same);
+    if (others)
+        beginResetModel();
+    lines_ = lines;
+    rows_.assign(rows.begin(), rows.end());
+    summaries_.clear();
+    for (const app::RaceRow& row : rows_)
+        summaries_.push_back(row.summary());
+    if (others)
+        endResetModel();
+    else if (!rows_.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+bool CompareModel::timed() const { return lines_ >= app::leastLinesToTime; }
+
+int CompareModel::rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const
+{
+    const auto found = std::ranges::find_if(rows_, [&](const app::RaceRow& row) {
+        return row.contestant.algorithm == &algorithm && row.contestant.form == form;
+    });
+    return found == rows_.end() ? -1 : int(found - rows_.begin());
+}
+
+int CompareModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(rows_.size());
+}
+
+int CompareModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(columns.size());
+}
+
+QVariant CompareModel::data(const QModelIndex& index, int role) const
+{
+    const ColumnInfo& column = columns[std::size_t(index.column())];
+    const Cell cell{row(index.row()), summaries_[std::size_t(index.row())], timed()};
+    switch (role) {
+    case Qt::DisplayRole:
+        return column.text(cell);
+    case OrderRole:
+        return column.order(cell);
+    case Qt::ToolTipRole:
+        return tipOf(cell.row, index.column());
+    case Qt::AccessibleTextRole:
+        return index.column() == Sparkline ? columns[Median].text(cell) : column.text(cell);
+    default:
+        return {};
+    }
+}
+
+QVariant CompareModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    const ColumnInfo& column = columns[std::size_t(section)];
+    switch (role) {
+    case Qt::DisplayRole:
+        return Compare::tr(column.title);
+    case Qt::ToolTipRole:
+        return Compare::tr(column.meaning);
+    case Qt::TextAlignmentRole:
+        return int((section <= Sparkline ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    default:
+        return {};
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/race.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+
+/// The rows of a race as a table: what its columns are called, say and are sorted by.
+class CompareModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Sparkline, Median, Spread, Operations, Visible, Differ };
+    enum Role { OrderRole = Qt::UserRole };
+
+    using QAbstractTableModel::QAbstractTableModel;
+    /// Other contestants make it begin anew.
+    void show(std::span<const app::RaceRow> rows, std::size_t lines);
+
+    const app::RaceRow& row(int number) const { return rows_[std::size_t(number)]; }
+    bool timed() const; ///< there are enough lines for times to say something
+    /// The number of the row of that form, or -1.
+    int rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    std::vector<app::RaceRow> rows_;
+    std::vector<app::Summary> summaries_; ///< one a row
+    std::size_t lines_ = 0;
+};
+
+} // namespace ui

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/compare_panel.h"
+
+#include "app/comparison/race_text.h"
+#include "app/view/frame_statistics.h"
+#include "ui/docks/compare_table.h"
+#include "ui/look.h"
+#include "ui/widgets/segments.h"
+
+#include <QSettings>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int bothForms = 2;
+const char* const setting = "compareForms";
+
+std::vector<app::Contestant> contestantsOf(int forms)
+{
+    std::vector<const clipping::Algorithm*> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        all.push_back(&algorithm);
+    return forms == bothForms ? app::contestants(all)
+                              : app::contestants(all, clipping::Form(forms));
+}
+
+QLabel* caption(const QFont& font)
+{
+    auto* label = new QLabel;
+    label->setFont(captionFont(font));
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+} // namespace
+
+ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), race_(session),
+      forms_(new Segments(tr("Forms"), {tr("Ours"), tr("As published"), tr("Both")})),
+      table_(new CompareTable(session)), state_(caption(font())), ties_(caption(font())),
+      field_(caption(font()))
+{
+    auto* choice = new QHBoxLayout;
+    choice->setContentsMargins(space::dockMargin, 6, space::dockMargin, 2);
+    choice->addWidget(forms_);
+    choice->addStretch();
+    choice->addWidget(state_);
+    auto* footer = new QHBoxLayout;
+    footer->setContentsMargins(space::dockMargin, 4, space::dockMargin, space::labelToField);
+    footer->addWidget(ties_, 1);
+    footer->addSpacing(space::betweenGroups);
+    footer->addWidget(field_);
+    ties_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(choice);
+    auto* rows = new QHBoxLayout; // the gap after a text is part of the table
+    rows->setContentsMargins(0, 0, space::dockMargin - DenseTable::gap, 0);
+    rows->addWidget(table_);
+    column->addLayout(rows, 1);
+    column->addLayout(footer);
+
+    connect(forms_, &Segments::picked, this, [this](int index) {
+        QSettings().setValue(setting, index);
+        chooseForms(index);
+    });
+    connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
+    const int forms = std::clamp(QSettings().value(setting, bothForms).toInt(), 0, bothForms);
+    forms_->choose(forms);
+    chooseForms(forms);
+}
+
+void ComparePanel::setWatched(bool watched) { watched ? race_.start() : race_.stop(); }
+
+void ComparePanel::chooseForms(int index) { race_.setContestants(contestantsOf(index)); }
+
+void ComparePanel::showRace()
+{
+    const auto rows = race_.rows();
+    if (rows.empty())
+        return;
+    const bool timed = race_.lines() >= app::leastLinesToTime;
+    table_->showRows(rows, race_.lines());
+    ties_->setToolTip(timed ? app::tiesText(rows) : QString());
+    fitTies();
+    field_->setText(app::fieldText(race_.lines()));
+    state_->setText(race_.settled() ? tr("settled") : tr("measuring…"));
+}
+
+void ComparePanel::fitTies()
+{
+    ties_->setText(ties_->fontMetrics().elidedText(ties(), Qt::ElideRight, ties_->width()));
+}
+
+void ComparePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitTies();
+}
+
+/// With room for all rows before they are there.
+QSize ComparePanel::sizeHint() const
+{
+    const QSize all = QWidget::sizeHint();
+    return {all.width(), all.height() - table_->sizeHint().height()
+                             + table_->heightFor(int(race_.contestants().size()))};
+}
+
+} // namespace ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/live_race.h"
+
+#include <QLabel>
+#include <QWidget>
+
+namespace ui {
+
+class CompareTable;
+class Segments;
+
+/// Every algorithm on the same frame, with what it takes and finds: a race that goes on only while
+/// somebody looks at it.
+class ComparePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ComparePanel(app::Session& session, QWidget* parent = nullptr);
+
+    const app::LiveRace& race() const { return race_; }
+    CompareTable& table() const { return *table_; }
+    QString ties() const { return ties_->toolTip(); }
+    QString field() const { return field_->text(); }
+
+    void setWatched(bool watched);
+    /// A frame was shown, with this clip window.
+    void frameShown(const clipping::Window& window) { race_.frameShown(window); }
+
+    QSize sizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fitTies();
+    void chooseForms(int index);
+    void showRace();
+
+    app::LiveRace race_;
+    Segments* forms_;
+    CompareTable* table_;
+    QLabel *state_, *ties_, *field_;
+};
+
+} // namespace ui

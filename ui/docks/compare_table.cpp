@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/compare_table.h"
+
+#include "ui/docks/compare_cells.h"
+#include "ui/look.h"
+#include "ui/widgets/tabular.h"
+
+#include <QEvent>
+#include <QScopedValueRollback>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr qint64 sortMilliseconds = 1000;
+constexpr int sparklineWidth = 96, leastNameWidth = 92;
+
+/// What goes first where space is short.
+constexpr std::array dispensable{CompareModel::Visible, CompareModel::Spread,
+                                 CompareModel::Sparkline};
+
+} // namespace
+
+CompareTable::CompareTable(app::Session& session, QWidget* parent)
+    : DenseTable(parent), session_(session), widths_(std::size_t(model_.columnCount()))
+{
+    sorted_.setSourceModel(&model_);
+    sorted_.setSortRole(CompareModel::OrderRole);
+    sorted_.setDynamicSortFilter(false);
+    setModel(&sorted_);
+    setItemDelegate(new CompareCells(model_, *this));
+    setAccessibleName(tr("Compare"));
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(ScrollPerPixel);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    setSortingEnabled(true);
+    sortByColumn(CompareModel::Median, Qt::AscendingOrder);
+    connect(this, &QTableView::activated, this, &CompareTable::choose);
+    connect(&session, &app::Session::displayChanged, this, &CompareTable::follow);
+}
+
+void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines)
+{
+    const bool begins = model_.rowCount() != int(rows.size());
+    model_.show(rows, lines);
+    if (begins)
+        follow();
+    if (begins || sinceSorted_.elapsed() >= sortMilliseconds)
+        sort();
+    fitColumns();
+}
+
+int CompareTable::heightFor(int rows) const
+{
+    return horizontalHeader()->sizeHint().height() + rows * space::rowHeight;
+}
+
+void CompareTable::currentChanged(const QModelIndex& current, const QModelIndex& previous)
+{
+    DenseTable::currentChanged(current, previous);
+    if (!following_)
+        choose(current);
+}
+
+void CompareTable::choose(const QModelIndex& index)
+{
+    if (!index.isValid())
+        return;
+    const app::Contestant& chosen = model_.row(sorted_.mapToSource(index).row()).contestant;
+    app::Display display = session_.display();
+    display.algorithm = chosen.algorithm;
+    display.form = chosen.form;
+    session_.setDisplay(display);
+}
+
+void CompareTable::follow()
+{
+    const QScopedValueRollback quiet(following_, true);
+    const app::Display& display = session_.display();
+    const int row = model_.rowOf(*display.algorithm, display.usedForm());
+    if (row < 0)
+        return selectionModel()->clear();
+    const QModelIndex index = sorted_.mapFromSource(model_.index(row, CompareModel::Name));
+    selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect
+                                                 | QItemSelectionModel::Rows);
+}
+
+void CompareTable::sort()
+{
+    const QScopedValueRollback quiet(following_, true);
+    const QHeaderView* header = horizontalHeader();
+    sorted_.sort(header->sortIndicatorSection(), header->sortIndicatorOrder());
+    sinceSorted_.start();
+}
+
+int CompareTable::widthOf(int column) const
+{
+    const QFontMetrics metrics(font());
+    int width = 0;
+    for (int row = 0; row < model_.rowCount(); ++row)
+        width = std::max(width, tabularWidth(metrics, model_.index(row, column).data().toString()));
+    const QString title = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    const QFontMetrics heading(horizontalHeader()->font());
+    return std::max(width, heading.horizontalAdvance(title) + 1) + 2 * gap;
+}
+
+/// The name gets what the others leave.
+void CompareTable::fitColumns()
+{
+    int left = viewport()->width();
+    for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column) {
+        int& width = widths_[std::size_t(column)];
+        width = std::max(width, column == CompareModel::Sparkline ? sparklineWidth + 2 * gap
+                                                                  : widthOf(column));
+        left -= width;
+    }
+    for (const int column : dispensable) {
+        const bool short_ = left < leastNameWidth;
+        setColumnHidden(column, short_);
+        if (short_)
+            left += widths_[std::size_t(column)];
+    }
+    for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column)
+        if (!isColumnHidden(column))
+            setColumnWidth(column, widths_[std::size_t(column)]);
+    setColumnWidth(CompareModel::Name, std::max(left, leastNameWidth));
+}
+
+void CompareTable::resizeEvent(QResizeEvent* event)
+{
+    DenseTable::resizeEvent(event);
+    const bool roomy = heightFor(model_.rowCount()) <= height();
+    verticalHeader()->setDefaultSectionSize(roomy ? space::rowHeight : space::denseRowHeight);
+    fitColumns();
+}
+
+void CompareTable::changeEvent(QEvent* event)
+{
+    DenseTable::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        std::ranges::fill(widths_, 0);
+}
+
+} // namespace ui

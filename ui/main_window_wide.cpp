@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/dock.h"
+#include "ui/look.h"
+#include "ui/main_window.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+
+// The panels that are opened to compare. They want more width than the others, which then share
+// the place below them; all of it comes back when they are closed.
+
+namespace ui {
+
+void MainWindow::addWide()
+{
+    auto* compare = new ComparePanel(session_);
+    auto* dock = new Dock("compare", tr("Compare"), compare);
+    wide_ = {dock};
+    connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
+    connect(canvas_, &Canvas::frameShown, compare,
+            [this, compare] { compare->frameShown(canvas_->window()); });
+    for (Dock* wide : wide_) {
+        wide->hide();
+        connect(
+            wide, &QDockWidget::visibilityChanged, this, [this, wide] { follow(*wide); },
+            Qt::QueuedConnection);
+    }
+}
+
+void MainWindow::follow(Dock& wide)
+{
+    const bool open = !wide.isHidden();
+    if (open == openWide_.contains(&wide))
+        return;
+    open ? openWide_.append(&wide) : void(openWide_.removeAll(&wide));
+    if (!ownLayout_ && !arranging_)
+        arrange();
+    refreshActions();
+}
+
+bool MainWindow::showsPanel(const QString& key) const
+{
+    const auto* dock = findChild<Dock*>(key);
+    return dock && !dock->isHidden();
+}
+
+void MainWindow::togglePanel(const QString& key)
+{
+    for (Dock* dock : wide_) {
+        if (dock->objectName() != key)
+            continue;
+        // Qt keeps those behind other tabs off the screen.
+        const bool behind = dock->x() < 0 && !dock->isFloating();
+        const bool open = dock->isHidden() || behind;
+        starting_ = starting_ && !open;
+        const QScopedValueRollback quiet(arranging_, true);
+        if (open && dockWidgetArea(dock) == Qt::NoDockWidgetArea)
+            addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->setVisible(open);
+        if (open)
+            dock->raise();
+    }
+    for (Dock* dock : wide_)
+        follow(*dock);
+}
+
+/// The one in front gets what it needs, as long as something is left for those below.
+void MainWindow::shareHeightWithWide()
+{
+    constexpr int leastBelow = 190;
+    const int all = centralWidget()->height();
+    Dock* front = openWide_.last();
+    const int needed = front->widget()->sizeHint().height() + space::dockTitleHeight;
+    const int above = std::min(needed, all - leastBelow);
+    resizeDocks({front, docks_[2]}, {above, all - above}, Qt::Vertical);
+}
+
+} // namespace ui
