@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the canvas at 1280 x 800 on a drawing or on many scattered lines of 3 to 17 pixels:
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
+// and what it takes while all algorithms race on each frame.
+#include "app/comparison/live_race.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 namespace {
@@ -57,13 +60,15 @@ struct Figures {
 // One frame as a person sees it: the event, and until everything that it asked for is on the
 // screen.
 template <class Act>
-double frame(QWidget& window, Act act)
+double frame(
+    QWidget& window, Act act, const std::function<void()>& finish = [] {})
 {
     QElapsedTimer clock;
     clock.start();
     act();
     window.repaint();
     QCoreApplication::processEvents();
+    finish();
     return milliseconds(clock);
 }
 
@@ -75,6 +80,46 @@ void wheel(QWidget& surface, int notches)
     QCoreApplication::sendEvent(&surface, &event);
 }
 
+// The frames of a moving window; each is over when `finish` says so.
+Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<void()>& finish)
+{
+    const clipping::Window start = session.sheet().window;
+    Figures figures;
+    for (int i = 0; i < 30; ++i) {
+        const app::Point by(i, 0);
+        const auto move = [&] { session.drawing.setWindow({start.min + by, start.max + by}); };
+        figures.times.push_back(frame(canvas, move, finish));
+    }
+    session.drawing.setWindow(start);
+    return figures;
+}
+
+void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
+{
+    app::LiveRace race(session);
+    std::vector<const clipping::Algorithm*> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        all.push_back(&algorithm);
+    race.setContestants(app::contestants(all));
+    QObject::connect(&canvas, &ui::Canvas::frameShown, &race,
+                     [&] { race.frameShown(canvas.window()); });
+    const auto noWait = [] {};
+    const auto forTheRound = [&] {
+        while (!race.upToDate())
+            QCoreApplication::processEvents();
+    };
+    moved(session, canvas, noWait).print(out, "window moves, no race");
+    race.start();
+    moved(session, canvas, noWait).print(out, "window moves, a race behind it");
+    moved(session, canvas, forTheRound).print(out, "window moves, each frame raced on");
+    double sum = 0;
+    for (const app::RaceRow& row : race.rows())
+        sum += row.summary().median;
+    out << "sum of the algorithms' medians    " << sum << " ms\n";
+    race.stop();
+    moved(session, canvas, noWait).print(out, "window moves, the race is over");
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -84,7 +129,6 @@ int main(int argc, char** argv)
     QTextStream out(stdout);
     app::Session session;
     session.load(drawingOf(argc > 1 ? argv[1] : "100000"));
-    const clipping::Window start = session.sheet().window;
     QElapsedTimer clock;
     clock.start();
     ui::Canvas canvas(session, gl ? ui::Backend::OpenGL : ui::Backend::Raster);
@@ -116,10 +160,7 @@ int main(int argc, char** argv)
         canvas.settle();
         rest.times.push_back(milliseconds(clock));
     }
-    for (int i = 0; i < 30; ++i)
-        drag.times.push_back(frame(canvas, [&] {
-            session.drawing.setWindow({start.min + app::Point(i, 0), start.max + app::Point(i, 0)});
-        }));
+    drag = moved(session, canvas, [] {});
     Figures hover;
     canvas.setTool("select");
     for (int i = 0; i < 60; ++i)
@@ -135,6 +176,7 @@ int main(int argc, char** argv)
     drag.print(out, "frame while the window moves");
     hover.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
+    compare(out, session, canvas);
     canvas.settle();
     if (argc > 3)
         canvas.grab().save(argv[3]);
