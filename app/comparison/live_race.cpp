@@ -41,6 +41,7 @@ void LiveRace::start()
     if (running())
         return;
     race_.emplace(contestants_);
+    sinceFindings_.invalidate();
     begin();
 }
 
@@ -97,9 +98,14 @@ void LiveRace::begin()
     const RaceFrame frame = now();
     next_.stop();
     sinceBegin_.start();
-    if (!frame.sameAs(race_->frame()) || race_->rounds() == 0)
+    const bool same = frame.sameAs(race_->frame()) && race_->rounds() > 0;
+    if (!same)
         sinceNew_.start();
-    race_->begin(frame);
+    const bool quick =
+        !same && sinceFindings_.isValid() && sinceFindings_.elapsed() < tenthOfASecond;
+    if (!quick)
+        sinceFindings_.start();
+    race_->begin(frame, quick ? Race::Purpose::Times : Race::Purpose::Findings);
     settled_ = false;
     if (race_->running())
         work_.start(0);

@@ -11,8 +11,9 @@ namespace app {
 
 /// A race on what an editor shows, while somebody looks at it: after each frame that differs from
 /// the last one (at most one round a frame), and then ten rounds a second until the numbers have
-/// settled. It works between events, some milliseconds at a time, so that nothing has to wait for
-/// it; the window moves on meanwhile, and the next round is on the newest frame.
+/// settled. What they find is looked at ten times a second at most. It works between events, some
+/// milliseconds at a time, so that nothing has to wait for it; the window moves on meanwhile, and
+/// the next round is on the newest frame.
 class LiveRace : public QObject {
     Q_OBJECT
 
@@ -54,7 +55,7 @@ private:
     std::optional<clipping::Window> window_; ///< of the last frame
     std::uint64_t revision_ = 0;             ///< of the lines
     bool settled_ = false;
-    QElapsedTimer sinceNew_, sinceBegin_;
+    QElapsedTimer sinceNew_, sinceBegin_, sinceFindings_;
     QTimer work_, next_, show_;
 };
 

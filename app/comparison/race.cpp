@@ -48,15 +48,16 @@ Race::Race(std::vector<Contestant> contestants, Clock clock)
         rows_.push_back({.contestant = contestant});
 }
 
-void Race::begin(const RaceFrame& frame)
+void Race::begin(const RaceFrame& frame, Purpose purpose)
 {
     assert(!racing_);
     if (frame.lines.size() != frame_.lines.size())
         for (RaceRow& row : rows_)
             row.milliseconds.clear();
     if (!frame.sameAs(frame_) || begun_ == 0)
-        rounds_ = 0;
+        rounds_ = looks_ = 0;
     frame_ = frame;
+    purpose_ = purpose;
     next_ = rows_;
     for (RaceRow& row : next_)
         row.visible = 0;
@@ -95,7 +96,8 @@ std::size_t Race::blocks() const { return (frame_.lines.size() + blockSize - 1) 
 
 bool Race::counts() const
 {
-    return rounds_ == 0 || (rounds_ == 1 && frame_.lines.size() > quickSample);
+    return purpose_ == Purpose::Findings
+           && (looks_ == 0 || (looks_ == 1 && frame_.lines.size() > quickSample));
 }
 
 std::size_t Race::turns() const
@@ -151,6 +153,7 @@ void Race::count(std::size_t contestant)
 void Race::finish()
 {
     ++rounds_;
+    looks_ += purpose_ == Purpose::Findings;
     for (std::size_t i = 0; i < next_.size(); ++i) {
         auto& times = next_[i].milliseconds;
         if (times.size() == length)

@@ -38,14 +38,17 @@ struct RaceRow {
 class Race {
 public:
     static constexpr std::size_t length = 40; ///< rounds that are remembered
-    /// Lines whose arithmetic is counted, evenly spread: in the first round of a frame, and in the
-    /// second one, if there is one. Fewer lines are all counted.
-    static constexpr std::size_t quickSample = 1024, thoroughSample = 16384;
+    /// Lines whose arithmetic is counted, evenly spread: in the first round for findings
+    /// of a frame, and in the second one, if there is one. Fewer lines are all counted.
+    static constexpr std::size_t quickSample = 256, thoroughSample = 16384;
 
     explicit Race(std::vector<Contestant> contestants, Clock clock = processorClock());
 
+    /// What a round is for: only times, or also what has not been found out of this frame yet,
+    /// which takes a tenth more; until then rows keep what was found before.
+    enum class Purpose : std::uint8_t { Times, Findings };
     /// Begins a round. Times of another number of lines are forgotten. No round is under way.
-    void begin(const RaceFrame& frame);
+    void begin(const RaceFrame& frame, Purpose purpose = Purpose::Findings);
     bool running() const { return racing_; }
     /// One contestant's turn on some of the lines, which takes some milliseconds. True: it was the
     /// round's last one.
@@ -60,7 +63,7 @@ public:
 
 private:
     std::size_t blocks() const;
-    bool judges() const { return rounds_ == 0; }
+    bool judges() const { return purpose_ == Purpose::Findings && looks_ == 0; }
     bool counts() const;
     std::size_t turns() const;
     void tellTruth(std::size_t block);
@@ -74,8 +77,10 @@ private:
     std::vector<double> nanoseconds_;  ///< of the round under way
     RaceFrame frame_;
     std::size_t rounds_ = 0;
+    std::size_t looks_ = 0; ///< rounds for findings among them
     std::size_t begun_ = 0; ///< rounds of all frames: whose turn it is to begin
     std::size_t turn_ = 0;  ///< of the round under way
+    Purpose purpose_ = Purpose::Findings;
     bool racing_ = false;
     std::vector<clipping::Segment> sample_;
     std::vector<clipping::Clipped> found_, truth_; ///< sources count from the block's first line

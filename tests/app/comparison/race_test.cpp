@@ -33,9 +33,10 @@ std::vector<app::Contestant> everyForm()
     return app::contestants(all);
 }
 
-void run(app::Race& race, const app::RaceFrame& frame)
+void run(app::Race& race, const app::RaceFrame& frame,
+         app::Race::Purpose purpose = app::Race::Purpose::Findings)
 {
-    race.begin(frame);
+    race.begin(frame, purpose);
     while (!race.step())
         QVERIFY(race.running());
     QVERIFY(!race.running());
@@ -60,8 +61,9 @@ app::DifferenceCounts countedOneByOne(const app::Clipper& clipper, std::span<con
         counts.onlyA += found && !truth;
         counts.onlyB += truth && !found;
         if (found && truth) {
-            double most = 5; // of the window
-            for (const double x : {line.a.x, line.a.y, line.b.x, line.b.y})
+            double most = 0;
+            for (const double x :
+                 {line.a.x, line.a.y, line.b.x, line.b.y, w.min.x, w.min.y, w.max.x, w.max.y})
                 most = std::max(most, std::abs(x));
             const double allowed = ulps * (std::nextafter(most, 1e9) - most);
             const auto off = [&](const glm::dvec2& p, const glm::dvec2& q) {
@@ -192,6 +194,21 @@ private slots:
         row.ofThisFrame = 6;
         QCOMPARE(row.summary().median, 1.0);
     }
+    void findingsMayComeLater()
+    {
+        const auto lines = scattered(2000);
+        const app::Clipper kwc{findAlgorithm("kwc"), Form::Published};
+        app::Race race({{kwc.algorithm, kwc.form}});
+        const Window other{{0, 0}, {9, 9}};
+        const auto found = [&] { return race.rows()[0].differences; };
+        run(race, {lines, window});
+        run(race, {lines, other}, app::Race::Purpose::Times);
+        QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, other).size());
+        QVERIFY(found() == countedOneByOne(kwc, lines, window));
+        run(race, {lines, other});
+        QVERIFY(found() == countedOneByOne(kwc, lines, other));
+        QCOMPARE(race.rounds(), std::size_t(2));
+    }
     void tiesAreNamed()
     {
         const auto row = [](const char* name, Form form, double ms) {
@@ -233,7 +250,7 @@ private slots:
                            / double(lines.size());
         run(race, {lines, window});
         const double quick = race.rows()[0].operations;
-        QVERIFY2(std::abs(quick / all - 1) < 0.1, qPrintable(QString::number(quick / all)));
+        QVERIFY2(std::abs(quick / all - 1) < 0.2, qPrintable(QString::number(quick / all)));
         run(race, {lines, window});
         QCOMPARE(race.rows()[0].operations, all);
         run(race, {lines, window});
