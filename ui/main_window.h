@@ -11,6 +11,7 @@
 namespace ui {
 
 class AlgorithmPanel;
+class DifferencePanel;
 class Dock;
 class Files;
 class StartPanel;
@@ -34,6 +35,7 @@ public:
     Canvas& canvas() { return *canvas_; }
     Files& files() { return *files_; }
     AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
+    DifferencePanel& differencePanel() { return *differencePanel_; }
     StatusBar& status() { return *status_; }
 
     /// The first sample on the canvas, its window ready to drag, and the start panel in front.
@@ -93,6 +95,7 @@ private:
     MessageStrip* strip_;
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;
+    DifferencePanel* differencePanel_ = nullptr;
     std::unique_ptr<Files> files_;
     QList<Dock*> docks_;    ///< Start first, then as they are stacked
     QList<Dock*> wide_;     ///< to compare: above the others, in a wider column

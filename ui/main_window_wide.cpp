@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_panel.h"
+#include "ui/docks/difference_panel.h"
 #include "ui/docks/dock.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
@@ -17,7 +18,9 @@ void MainWindow::addWide()
 {
     auto* compare = new ComparePanel(session_);
     auto* dock = new Dock("compare", tr("Compare"), compare);
-    wide_ = {dock};
+    differencePanel_ = new DifferencePanel(session_);
+    wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_)};
+    connect(differencePanel_, &DifferencePanel::placeWanted, canvas_, &Canvas::fit);
     connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
     connect(canvas_, &Canvas::frameShown, compare,
             [this, compare] { compare->frameShown(canvas_->window()); });

@@ -279,6 +279,13 @@ void DifferencePanel::go(int rows)
     showRow(next);
 }
 
+/// With room for some twenty rows.
+QSize DifferencePanel::sizeHint() const
+{
+    return {QWidget::sizeHint().width(),
+            table_->y() + space::dockTitleHeight + 20 * space::denseRowHeight};
+}
+
 void DifferencePanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);

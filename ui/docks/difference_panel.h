@@ -23,6 +23,8 @@ public:
     /// The next difference of the list, or an earlier one; round and round.
     void go(int rows);
 
+    QSize sizeHint() const override;
+
 signals:
     void placeWanted(const clipping::Window& place); ///< to be shown
 

@@ -2,6 +2,7 @@
 #include "app/comparison/agreement.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/difference_panel.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/main_window.h"
 
@@ -40,6 +41,14 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
                                          : count;
     session.inspect(std::size_t((now + by + count) % count));
     window.raisePanel("line");
+}
+
+/// In the list of the panel, which opens if need be.
+void goToDifference(MainWindow& window, int rows)
+{
+    if (!window.showsPanel("difference"))
+        window.togglePanel("difference");
+    window.differencePanel().go(rows);
 }
 
 void choose(MainWindow& window, clipping::Form form)
@@ -108,6 +117,28 @@ MenuInfo compareMenu()
                  [](MainWindow& w) { w.togglePanel("compare"); },
                  nullptr,
                  [](const MainWindow& w) { return w.showsPanel("compare"); }},
+                {"differences",
+                 tr("&Differences between two algorithms"),
+                 {QKeySequence("Shift+F9")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.togglePanel("difference"); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.showsPanel("difference"); }},
+                {"next-difference",
+                 tr("Next d&ifference"),
+                 {QKeySequence("F4")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { goToDifference(w, 1); },
+                 someLines},
+                {"previous-difference",
+                 tr("Previo&us difference"),
+                 {QKeySequence("Shift+F4")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { goToDifference(w, -1); },
+                 someLines},
                 {},
                 {"next-line",
                  tr("Inspect &next line"),

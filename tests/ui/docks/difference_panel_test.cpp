@@ -3,6 +3,7 @@
 #include "app/view/numbers.h"
 #include "ui/docks/difference_panel.h"
 
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -225,6 +226,38 @@ private slots:
         QTRY_VERIFY(stage.session.differences.upToDate());
         QVERIFY2(stage.panel.summary().startsWith("MD with Step 2 as printed "),
                  qPrintable(stage.panel.summary()));
+    }
+
+    void itIsOpenedByTheMenuAndGoesToTheLineOnTheCanvas()
+    {
+        TestWindow t;
+        t.window->session().drawing.load(tenLines());
+        t.show();
+        QAction* open = t.action("differences");
+        auto* dock = t.window->findChild<QDockWidget*>("difference");
+        QVERIFY(dock->isHidden() && !open->isChecked());
+        QVERIFY(!t.window->session().differences.asked());
+        QTest::keyClick(t.drawingArea(), Qt::Key_F9, Qt::ShiftModifier);
+        QVERIFY(!dock->isHidden() && open->isChecked());
+        QTRY_COMPARE(t.window->differencePanel().summary(),
+                     "KWC as published loses 3 lines that exact keeps.");
+
+        QTest::keyClick(t.drawingArea(), Qt::Key_F4);
+        QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(2));
+        const app::View view = t.window->canvas().view();
+        const app::Point middle = view.toScreen({26.25, 65});
+        QVERIFY(std::abs(middle.x - view.size.x / 2) < 2
+                && std::abs(middle.y - view.size.y / 2) < 2);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F4, Qt::ShiftModifier);
+        QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(8));
+
+        QTest::keyClick(t.drawingArea(), Qt::Key_F9, Qt::ShiftModifier);
+        QVERIFY(dock->isHidden() && !open->isChecked());
+        QVERIFY(!t.window->session().differences.asked());
+        // The next one opens it again.
+        t.action("next-difference")->trigger();
+        QVERIFY(!dock->isHidden());
+        QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(2));
     }
 
     void halfAMillionRows()
