@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/race.h"
 
+#include "app/vector_registers.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -121,6 +123,7 @@ void Race::clip(std::size_t contestant, std::size_t block)
     const auto lines = linesOf(frame_, block);
     const auto out = std::span(found_).subspan(row.visible);
     const auto& uses = usesOf(row.contestant);
+    emptyUpperHalves();
     const double start = clock_.nanoseconds();
     const std::size_t visible = uses.clipAll(lines, frame_.window, out);
     nanoseconds_[contestant] += clock_.nanoseconds() - start;

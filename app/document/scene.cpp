@@ -2,6 +2,7 @@
 #include "app/document/scene.h"
 
 #include "app/document/flatten.h"
+#include "app/vector_registers.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ Frame Scene::clip(const clipping::Uses<clipping::Segment, clipping::Window>& alg
                   const clipping::Window& window, Removed removed)
 {
     inside_.resize(segments_.size());
+    emptyUpperHalves(); // a picture may have been painted before
     const auto start = std::chrono::steady_clock::now();
     const std::size_t count = clipsExactly(algorithm)
                                   ? chunks_.clipAll(segments_, window, inside_)

@@ -4,6 +4,7 @@
 #include "app/comparison/line_class.h"
 #include "app/experiment/checksum.h"
 #include "app/experiment/pace.h"
+#include "app/vector_registers.h"
 
 #include <QCoreApplication>
 
@@ -137,6 +138,7 @@ void Bench::tellTruth()
 
 void Bench::turn(Timing& timing)
 {
+    emptyUpperHalves();
     const double start = options_.clock.nanoseconds();
     const std::size_t visible = block_.clip(timing.contestant);
     timing.clip.back() += options_.clock.nanoseconds() - start;

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include <random>
+#ifdef __x86_64__
+#include <cpuid.h>
+#endif
 
 // The same function under two names must come out equal, and a slower one must not. The clock is
 // the test's: each call takes what the test says, with noise, with a machine that gets slower and
@@ -57,6 +60,18 @@ std::vector<app::Standing> race(const std::vector<clipping::Algorithm>& rows, st
     return app::standings(summaries);
 }
 
+#ifdef __x86_64__
+/// Whether something is in the upper halves of the vector registers; nothing if it cannot be known.
+std::optional<bool> upperHalvesInUse()
+{
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    if (!__get_cpuid_count(0xd, 1, &a, &b, &c, &d) || (a & 4) == 0)
+        return std::nullopt;
+    asm volatile("xgetbv" : "=a"(a), "=d"(d) : "c"(1));
+    return (a & 4) != 0;
+}
+#endif
+
 } // namespace
 
 class FairnessTest : public QObject {
@@ -72,6 +87,35 @@ private slots:
                      qPrintable(QString::number(seed)));
             QCOMPARE(places[2].rank, std::optional(3));
         }
+    }
+
+    void drawingLeavesNothingThatSlowsClippingDown()
+    {
+#ifdef __x86_64__
+        if (!upperHalvesInUse())
+            QSKIP("this processor does not say what is in its vector registers");
+        static int turns, slowed;
+        turns = slowed = 0;
+        clipping::Algorithm row = *clipping::findAlgorithm("cs");
+        row.corrected.clipAll = [](std::span<const clipping::Segment> in, const clipping::Window&,
+                                   std::span<clipping::Clipped> out) {
+            ++turns;
+            slowed += *upperHalvesInUse();
+            for (std::size_t i = 0; i < in.size(); ++i)
+                out[i] = {in[i], std::uint32_t(i), 0};
+            return in.size();
+        };
+        app::ExperimentOptions options;
+        options.lines = 1000;
+        options.runs = 5;
+        options.easel = app::rasterEasel;
+        const app::Contestant one{&row, clipping::Form::Corrected};
+        QVERIFY(app::experiment(options, {&one, 1}));
+        QCOMPARE(turns, 6);
+        QCOMPARE(slowed, 0);
+#else
+        QSKIP("only x86 has such registers");
+#endif
     }
 
     void nobodyIsAlwaysFirst()
