@@ -110,7 +110,9 @@ public:
         QTextCharFormat format;
         format.setObjectType(chartObject);
         format.setProperty(chartProperty, number);
-        begin({}, format);
+        QTextBlockFormat block;
+        block.setTopMargin(8 * point);
+        begin(block, format);
         at_.insertText(QString(QChar::ObjectReplacementCharacter), format);
     }
     void table(const Table& table);
@@ -138,7 +140,6 @@ QTextTableFormat Writer::tableFormat() const
     QTextTableFormat format;
     format.setBorder(0);
     format.setCellSpacing(0);
-    format.setCellPadding(1.5 * point);
     format.setHeaderRowCount(1);
     format.setTopMargin(2 * point);
     format.setBottomMargin(4 * point);
@@ -152,6 +153,9 @@ void Writer::cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
     rule.setBottomBorder(0.4 * point);
     rule.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     rule.setBottomBorderBrush(documentLook().rule);
+    rule.setTopPadding(1.5 * point);
+    rule.setBottomPadding(1.5 * point);
+    rule.setRightPadding(6 * point);
     cell.setFormat(rule);
     QTextCursor inside = cell.firstCursorPosition();
     QTextBlockFormat block;

@@ -3,6 +3,7 @@
 
 #include "app/charts/study_charts.h"
 #include "app/experiment/verdict.h"
+#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 
@@ -34,6 +35,32 @@ QStringList meaningsOf(const Study& study)
     for (const Measure& measure : study.measures)
         all << Reports::tr("%1: %2").arg(measure.name, measure.meaning);
     return all;
+}
+
+QString introduction(const Study& study)
+{
+    QStringList names;
+    for (const Trial& trial : study.trials)
+        for (const Timing& timing : trial.record.timings)
+            names << Reports::tr("%1 (%2)").arg(
+                QString::fromUtf8(timing.contestant.algorithm->name),
+                QString::fromUtf8(timing.contestant.algorithm->abbreviation));
+    names.removeDuplicates();
+    return Reports::tr(
+               "A line clipper keeps the part of each line that lies inside a window. These "
+               "clip the same lines here, and less time is better: %1.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+/// What came out of one trial, which its first words name.
+QStringList summaryOf(const Trial& trial, const Study& study)
+{
+    QStringList sentences = verdict(trial, study.measures);
+    if (!sentences.isEmpty())
+        sentences.front() =
+            Reports::tr("%1, %2 lines. %3")
+                .arg(nameOf(trial), countText(trial.record.options.lines), sentences.front());
+    return sentences;
 }
 
 ReportSection sectionOf(const Trial& trial, const Study& study, const Table& circumstances)
@@ -107,8 +134,9 @@ Report reportOf(const Study& study)
 {
     const Table circumstances = circumstancesTable(study);
     Report report{.title = Reports::tr("Line clipping: what each algorithm takes"), .sections = {}};
+    report.summary << introduction(study);
     for (const Trial& trial : study.trials) {
-        report.summary << verdict(trial, study.measures);
+        report.summary << summaryOf(trial, study);
         report.sections.push_back(sectionOf(trial, study, circumstances));
     }
     if (const auto papers = papersOf(study); !papers.empty())
