@@ -16,9 +16,9 @@ using Ticks = PictureOptions::Ticks;
 namespace {
 
 constexpr double leastWidth = 2.25, thicker = 1.5; // pixels
-constexpr double tickLength = 8, tooShort = 6;     // pixels
-constexpr std::size_t mostShort =
-    300; // pieces in the view; with ticks on more nothing else is seen
+constexpr double tickLength = 8;                   // pixels
+constexpr double tooShort = 6, withRoom = 16;      // to be seen; for a tick among many
+constexpr std::size_t severalPieces = 300; // in the view: with a tick on each nothing else is seen
 
 bool isSeen(const Clipped& piece, const clipping::Window& view)
 {
@@ -43,18 +43,18 @@ std::optional<Segment> tickOf(const Segment& piece, const PictureOptions& option
     const Point along = piece.b - piece.a;
     const double length = glm::length(along), pixels = length * options.view.zoom;
     const bool isShort = pixels < tooShort;
-    if (isShort ? !few : options.ticks == Ticks::WhereShort)
+    const bool wanted = isShort || options.ticks == Ticks::Everywhere;
+    if (!wanted || (!few && pixels < withRoom))
         return std::nullopt;
-    const double tick = isShort ? tickLength : std::min(tickLength, 0.75 * pixels);
     const Point across = length > 0 ? Point(-along.y, along.x) / length : Point(0.6, 0.8);
-    const Point half = across * (tick / 2 / options.view.zoom);
+    const Point half = across * (tickLength / 2 / options.view.zoom);
     const Point middle = piece.a + along / 2.0;
     return Segment{middle - half, middle + half};
 }
 
 std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions& options)
 {
-    const bool few = seen.size() <= mostShort;
+    const bool few = seen.size() <= severalPieces;
     std::vector<Segment> ticks;
     if (!few && options.ticks == Ticks::WhereShort)
         return ticks;

@@ -72,7 +72,8 @@ struct PictureOptions {
     Colour light{};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
     Colour marked{};
-    /// A tick across what differs: where it is too short to be seen, or wherever there is room too.
+    /// A tick across what differs: where it is too short to be seen, or everywhere; none where that
+    /// would hide the others.
     enum class Ticks : std::uint8_t { WhereShort, Everywhere };
     Ticks ticks = Ticks::WhereShort;
 };
