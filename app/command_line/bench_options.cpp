@@ -146,7 +146,9 @@ std::vector<Option> experimentOptions()
          Commands::tr("What draws; auto: OpenGL off the screen where there is a display (auto).")},
         {{"measure"},
          "LIST",
-         Commands::tr("What to tell, with commas between: %1 (clip).").arg(allMeasures())},
+         Commands::tr("What to tell, with commas between: %1 (clip; with --paper all times; with "
+                      "--report or --charts everything).")
+             .arg(allMeasures())},
     };
 }
 

@@ -140,6 +140,10 @@ Table timesTable(const Record& record, const Measure& measure)
     table.notes << Experiments::tr(
         "From low to high: where the middle lies with 95 % confidence. Lost: lines that are "
         "visible and that it drops; shown: lines that are not and that it keeps.");
+    if (record.options.precision == Precision::Single)
+        table.notes << Experiments::tr("In single precision ends are some ulps apart, and so who "
+                                       "agrees may still have another "
+                                       "checksum.");
     if (hasTies(places))
         table.notes << Experiments::tr(
             "Ties with the same letter are too close to call: their intervals overlap.");
