@@ -23,18 +23,13 @@ std::vector<std::vector<std::string>> recordsOf(const QString& name)
 
 double numberIn(const std::string& field) { return parseNumber(field).value(); }
 
-const clipping::Algorithm* algorithmOf(const std::string& name)
-{
-    return clipping::findAlgorithm(name == "Prop." ? "MD" : name);
-}
-
 PaperTable table(const QString& key, std::uint64_t lines)
 {
     PaperTable result{key, lines, {}};
     const auto records = recordsOf(key), percentages = recordsOf(QStringLiteral("percentages"));
     for (std::size_t c = 1; c < records[0].size(); ++c) {
         PaperColumn column{QString::fromStdString(records[0][c]),
-                           algorithmOf(records[0][c]),
+                           paperAlgorithm(QString::fromStdString(records[0][c])),
                            {},
                            numberIn(records.back()[c]),
                            {}};
@@ -49,6 +44,11 @@ PaperTable table(const QString& key, std::uint64_t lines)
 }
 
 } // namespace
+
+const clipping::Algorithm* paperAlgorithm(const QString& name)
+{
+    return clipping::findAlgorithm(name == u"Prop." ? "MD" : name.toStdString());
+}
 
 std::vector<PaperTable> paperTables()
 {

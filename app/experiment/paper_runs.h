@@ -19,6 +19,9 @@ struct PaperColumn {
     std::optional<double> printedPercentage; ///< the proposed one's has none
 };
 
+/// The algorithm of a column: "Prop." is the paper's own. Null if there is no such.
+const clipping::Algorithm* paperAlgorithm(const QString& name);
+
 /// Table 1 or 2 of the paper, from resources/paper.
 struct PaperTable {
     QString key; ///< "table1"

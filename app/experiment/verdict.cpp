@@ -51,6 +51,9 @@ std::vector<std::size_t> leaders(const std::vector<Summary>& times,
     return first;
 }
 
+/// Whoever leaves lines out has less to do: that must be said where it wins.
+bool losesLines(const Record& record, std::size_t i) { return record.timings[i].found.lost > 0; }
+
 QString leaderSentence(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
@@ -67,11 +70,15 @@ QString leaderSentence(const Record& record, const Measure& measure)
         return Experiments::tr("%1: too close to call, all of them take about %2.")
             .arg(measure.name, timeText(fastest));
     if (first.size() == 1)
-        return Experiments::tr("%1: %2 is the fastest with %3; %4.")
+        return (losesLines(record, order.front())
+                    ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines; %4.")
+                    : Experiments::tr("%1: %2 is the fastest with %3; %4."))
             .arg(measure.name, longName(record, order.front()), timeText(fastest), slowest);
     QStringList names;
     for (const std::size_t i : first)
-        names << shortName(record, i);
+        names << (losesLines(record, i)
+                      ? Experiments::tr("%1 (loses lines)").arg(shortName(record, i))
+                      : shortName(record, i));
     return Experiments::tr("%1: %2 are the fastest with about %3, too close to call; %4.")
         .arg(measure.name, listText(names), timeText(fastest), slowest);
 }

@@ -54,9 +54,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     row_->setSpacing(space::labelToField);
     row_->addWidget(trial_);
     row_->addStretch();
-    for (QWidget* tool : tools)
-        row_->addWidget(tool);
-    addPages();
+    addPages(tools);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -76,7 +74,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
             [this] { emit exportWanted(reasonChart_->chart()); });
 }
 
-void Results::addPages()
+void Results::addPages(const QList<QWidget*>& tools)
 {
     auto* top = new QWidget;
     auto* column = new QVBoxLayout(top);
@@ -87,6 +85,13 @@ void Results::addPages()
     reasonChart_->setMaximumWidth(920);
     column->addWidget(reasonChart_);
     why_->setTop(top);
+    auto* corner = new QWidget;
+    auto* row = new QHBoxLayout(corner);
+    row->setContentsMargins(0, 0, space::betweenGroups, 4);
+    row->setSpacing(space::labelToField);
+    for (QWidget* tool : tools)
+        row->addWidget(tool);
+    tabs_->setCornerWidget(corner);
     tabs_->setDocumentMode(true);
     tabs_->addTab(tables_, tr("&Tables"));
     tabs_->addTab(charts_, tr("C&harts"));

@@ -25,7 +25,7 @@ class Results : public QWidget {
     Q_OBJECT
 
 public:
-    /// `tools` stand at the right, in the row of what is shown.
+    /// `tools` stand at the right of the tabs.
     explicit Results(const QList<QWidget*>& tools, QWidget* parent = nullptr);
 
     void show(std::shared_ptr<const app::Study> study);
@@ -39,7 +39,7 @@ signals:
     void exportWanted(const app::Chart& chart);
 
 private:
-    void addPages();
+    void addPages(const QList<QWidget*>& tools);
     void showMeasures();
     void showTrial();
     void showVerdict();

@@ -2,6 +2,8 @@
 #include "ui/widgets/table_model.h"
 
 #include "app/experiment/heading.h"
+#include "app/experiment/paper_runs.h"
+#include "app/experiment/record.h"
 #include "app/view/numbers.h"
 #include "clipping/algorithm.h"
 
@@ -18,11 +20,6 @@ QString numberInWords(const QString& field)
     const bool scientific = field.contains(u'e', Qt::CaseInsensitive);
     const qsizetype decimals = point < 0 || scientific ? 0 : field.size() - point - 1;
     return scientific ? field : app::numberText(field.toDouble(), int(decimals));
-}
-
-const clipping::Algorithm* algorithmNamed(const QString& key)
-{
-    return clipping::findAlgorithm(key.toStdString());
 }
 
 } // namespace
@@ -55,11 +52,15 @@ const QString& TableModel::field(const QModelIndex& index) const
 /// Key and form of the algorithm that a cell names.
 QVariant TableModel::contestant(const QModelIndex& index) const
 {
-    const auto form = table_.names.indexOf(QStringLiteral("form"));
-    if (table_.names[index.column()] != u"algorithm" || !algorithmNamed(field(index)))
+    const auto* algorithm = app::paperAlgorithm(field(index));
+    if (table_.names[index.column()] != u"algorithm" || !algorithm)
         return {};
-    return QStringList{field(index),
-                       form < 0 ? QString() : table_.rows[std::size_t(index.row())][form]};
+    const auto form = table_.names.indexOf(QStringLiteral("form"));
+    const auto published = app::wordOf(clipping::Form::Published);
+    return QStringList{QString::fromUtf8(algorithm->key.data(), qsizetype(algorithm->key.size())),
+                       form >= 0 ? table_.rows[std::size_t(index.row())][form]
+                       : table_.key.contains(published) ? published // all of one form
+                                                        : QString()};
 }
 
 bool TableModel::isFault(const QModelIndex& index) const
@@ -72,7 +73,7 @@ QString TableModel::shown(const QModelIndex& index) const
 {
     const QString& text = field(index);
     if (table_.names[index.column()] == u"algorithm")
-        if (const auto* algorithm = algorithmNamed(text))
+        if (const auto* algorithm = clipping::findAlgorithm(text.toStdString()))
             return QString::fromUtf8(algorithm->abbreviation.data(),
                                      qsizetype(algorithm->abbreviation.size()));
     return numeric_[std::size_t(index.column())] && !text.isEmpty() ? numberInWords(text) : text;
@@ -88,7 +89,7 @@ QVariant TableModel::data(const QModelIndex& index, int role) const
         return int(Qt::AlignVCenter | (numeric ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole:
         if (const auto* algorithm =
-                contestant(index).isValid() ? algorithmNamed(field(index)) : nullptr)
+                contestant(index).isValid() ? app::paperAlgorithm(field(index)) : nullptr)
             return QString::fromUtf8(algorithm->name.data(), qsizetype(algorithm->name.size()));
         return {};
     case SortRole:

@@ -294,6 +294,7 @@ private slots:
         const auto told = app::verdict(trial, app::measures()).join('\n');
         QVERIFY2(told.contains("does not hold"), qPrintable(told));
         QVERIFY2(told.contains("KWC as published loses 1,000 of the 40,000"), qPrintable(told));
+        QVERIFY2(!told.contains("but it loses lines"), qPrintable(told)); // it is not the fastest
         QCOMPARE(told.count("ranking does not hold"), 2); // clipping only, and the total
     }
 
@@ -303,6 +304,16 @@ private slots:
         const auto trial = invented(paper, likeThePaper(paper));
         QVERIFY(app::rankingCheck(paper, trial.record, clipOnly()[0]).paperTies);
         QVERIFY(app::verdict(trial, clipOnly()).back().contains("paper's own runs leave"));
+    }
+
+    void aWinnerThatLosesLinesIsNoHero()
+    {
+        const auto paper = app::paperTables()[0];
+        auto trial = invented(paper, {30, 30, 30, 30, 30, 10, 30});
+        trial.record.timings[5].found = {.visible = 39'000, .lost = 1000};
+        const auto told = app::verdict(trial, clipOnly())[0];
+        QVERIFY2(told.contains("but it loses lines"),
+                 qPrintable(told));
     }
 
     void tiesHaveNoWinner()
