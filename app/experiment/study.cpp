@@ -18,7 +18,7 @@ struct Experiments {
 /// About how many nanoseconds something takes, to share progress fairly.
 double weightOf(const PlannedTrial& trial)
 {
-    const double clipAndFind = 35, draw = trial.options.easel ? 30 : 0, make = 25;
+    const double clipAndFind = 40, draw = trial.options.easel ? 150 : 0, make = 40;
     return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
            * (make + double(trial.contestants.size()) * (clipAndFind + draw));
 }

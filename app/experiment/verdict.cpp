@@ -109,13 +109,17 @@ QString rankingSentence(const Trial& trial, const Measure& measure)
         return Experiments::tr("Nothing can be said of the paper's ranking: all %1 pairs are too "
                                "close to call.")
             .arg(pairs);
-    return check.holds()
-               ? Experiments::tr("The paper's ranking holds: %1, %2 of %3 pairs come out as in the "
-                                 "paper, and %4 are too close to call.")
-                     .arg(own, countText(check.same), pairs, undecided)
-               : Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come "
-                                 "out the other way round (%4 are too close to call).")
-                     .arg(own, countText(check.reversed), pairs, undecided);
+    if (!check.holds())
+        return Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come out "
+                               "the other way round (%4 are too close to call).")
+            .arg(own, countText(check.reversed), pairs, undecided);
+    return (check.same < check.undecided
+                ? Experiments::tr("Nothing speaks against the paper's ranking, and little for it: "
+                                  "%1, %2 of %3 pairs come out as in the paper, and %4 are too "
+                                  "close to call.")
+                : Experiments::tr("The paper's ranking holds: %1, %2 of %3 pairs come out as in "
+                                  "the paper, and %4 are too close to call."))
+        .arg(own, countText(check.same), pairs, undecided);
 }
 
 /// What the paper's own runs say by our rule.

@@ -214,7 +214,7 @@ app::Choice ChoicePanel::choice() const
         if (own_[i])
             choice.algorithms.push_back(&clipping::algorithms()[i]);
     if (drawn_->isChecked())
-        choice.easel = app::rasterEasel;
+        choice.easel = easel_;
     choice.explained = explained_->isChecked();
     return choice;
 }

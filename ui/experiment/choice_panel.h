@@ -41,6 +41,7 @@ private:
 
     std::vector<app::Subject> subjects_;
     Drawing drawing_;
+    app::EaselMaker easel_ = app::bestEasel(); ///< asked in this thread, used in another
     QComboBox* subject_;
     QLabel* meaning_;
     QSpinBox *lines_, *runs_, *seed_;

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/experiment_window.h"
 
-#include "app/charts/chart_file.h"
 #include "app/experiment/duration.h"
-#include "ui/dialogs/in_background.h"
 #include "ui/experiment/choice_panel.h"
+#include "ui/experiment/exports.h"
 #include "ui/experiment/results.h"
 #include "ui/files.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -67,14 +64,6 @@ QWidget* invitation()
     return page;
 }
 
-QString titleOf(app::StudyFile::Group group)
-{
-    using Group = app::StudyFile::Group;
-    return group == Group::Tables   ? ExperimentWindow::tr("Tables as")
-           : group == Group::Charts ? ExperimentWindow::tr("Charts as")
-                                    : ExperimentWindow::tr("Report as");
-}
-
 /// A line of one pixel.
 QFrame* rule(QFrame::Shape shape)
 {
@@ -91,13 +80,28 @@ QFrame* rule(QFrame::Shape shape)
 ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString()> name,
                                    QWidget* parent)
     : QDialog(parent, Qt::Window), session_(session), name_(std::move(name)),
-      questions_(std::make_unique<Questions>(*this)), choice_(new ChoicePanel([this] {
+      exports_(new Exports(*this)), choice_(new ChoicePanel([this] {
           return app::drawingSubject(name_(), session_.scene, session_.sheet());
       })),
       run_(button(tr("&Run"), "play")), quick_(button(tr("&Quick run"))),
       cancel_(button(tr("&Cancel"))), copy_(button(tr("Co&py table"))), export_(new QToolButton),
       effort_(aside({})), state_(new QLabel), bar_(new QProgressBar), strip_(new MessageStrip),
       stack_(new QStackedWidget), results_(new Results({copy_, export_}))
+{
+    layOut();
+    addTools();
+    connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
+    connect(run_, &QPushButton::clicked, this, [this] { run(choice_->choice()); });
+    connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
+    connect(cancel_, &QPushButton::clicked, this, &ExperimentWindow::cancel);
+    connect(&measuring_, &Measuring::progressed, this, &ExperimentWindow::showProgress);
+    connect(&measuring_, &Measuring::finished, this, &ExperimentWindow::finish);
+    connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
+    followDrawing();
+    showEffort();
+}
+
+void ExperimentWindow::layOut()
 {
     setObjectName(QStringLiteral("experiment"));
     setWindowTitle(tr("Reproduce the paper"));
@@ -115,25 +119,13 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
     column->addLayout(middle, 1);
     column->addWidget(rule(QFrame::HLine));
     column->addWidget(below());
-    addTools();
-
-    connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
-    connect(run_, &QPushButton::clicked, this, [this] { run(choice_->choice()); });
-    connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
-    connect(cancel_, &QPushButton::clicked, this, &ExperimentWindow::cancel);
-    connect(&measuring_, &Measuring::progressed, this, &ExperimentWindow::showProgress);
-    connect(&measuring_, &Measuring::finished, this, &ExperimentWindow::finish);
-    connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
-    followDrawing();
-    showEffort();
-    showState();
 }
 
 ExperimentWindow::~ExperimentWindow() = default;
 
 void ExperimentWindow::setQuestions(std::unique_ptr<Questions> questions)
 {
-    questions_ = std::move(questions);
+    exports_->setQuestions(std::move(questions));
 }
 
 const app::Study* ExperimentWindow::study() const { return results_->study().get(); }
@@ -211,83 +203,25 @@ QWidget* ExperimentWindow::below()
 
 void ExperimentWindow::addTools()
 {
-    auto* menu = new QMenu(this);
-    std::optional<app::StudyFile::Group> last;
-    for (const app::StudyFile& row : app::studyFiles()) {
-        if (last != row.group)
-            menu->addSection(titleOf(row.group));
-        last = row.group;
-        auto* action = menu->addAction(tr("%1…").arg(row.name));
-        action->setObjectName(QStringLiteral("export-%1-%2").arg(int(row.group)).arg(row.ending));
-        connect(action, &QAction::triggered, this, [this, row] { exportAs(row); });
-    }
+    QMenu* menu = exports_->menu([this] { return results_->study(); });
+    connect(export_, &QToolButton::clicked, menu,
+            [this, menu] { menu->popup(export_->mapToGlobal(export_->rect().bottomLeft())); });
     export_->setText(tr("&Export ▾"));
     export_->setIcon(icon("export"));
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight);
     export_->setProperty("framed", true);
-    connect(export_, &QToolButton::clicked, menu,
-            [this, menu] { menu->popup(export_->mapToGlobal(export_->rect().bottomLeft())); });
     copy_->setFocusPolicy(Qt::TabFocus); // a click leaves it to the table
     copy_->setToolTip(tr("The table that was clicked last, or the first: with tabs, for a "
                          "spreadsheet."));
-    connect(results_, &Results::tabChanged, this,
-            [this] { copy_->setEnabled(results_->showsTables()); });
-    connect(results_, &Results::exportWanted, this, &ExperimentWindow::exportChart);
     connect(copy_, &QPushButton::clicked, this, [this] {
         results_->copyTable();
         state_->setText(tr("The table is on the clipboard."));
     });
-}
-
-QString ExperimentWindow::folder() const
-{
-    const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QSettings().value("experimentFolder", usual).toString();
-}
-
-void ExperimentWindow::exportAs(const app::StudyFile& row)
-{
-    const QString path = questions_->fileToWrite(
-        tr("Export"), QStringLiteral("%1/clearcut.%2").arg(folder(), row.ending), row.name,
-        row.ending);
-    if (path.isEmpty())
-        return;
-    QSettings().setValue("experimentFolder", QFileInfo(path).path());
-    const auto written = inBackground(this, tr("Writing…"), [study = results_->study(), row, path] {
-        return row.write(*study, path);
-    });
-    if (written)
-        tellWritten(*written);
-    else
-        state_->setText(tr("Cancelled. What was written so far stays."));
-}
-
-void ExperimentWindow::exportChart(const app::Chart& chart)
-{
-    const app::ChartFormat& format = app::chartFormats().front();
-    const QString ending = QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
-    const QString path = questions_->fileToWrite(
-        tr("Export chart"), QStringLiteral("%1/%2.%3").arg(folder(), chart.key, ending),
-        format.name, ending);
-    if (path.isEmpty())
-        return;
-    QSettings().setValue("experimentFolder", QFileInfo(path).path());
-    const auto error = app::writeChart(chart, path, app::chartLook(app::Ground::Light));
-    using Written = app::Result<QStringList>;
-    tellWritten(error ? Written::failure(*error) : Written::of({path}));
-}
-
-void ExperimentWindow::tellWritten(const app::Result<QStringList>& written)
-{
-    if (!written)
-        return strip_->tell({Message::Kind::Warning, written.error});
-    const QStringList& paths = *written.value;
-    strip_->tell(
-        {Message::Kind::Done,
-         paths.size() == 1
-             ? tr("Wrote %1.").arg(paths.front())
-             : tr("Wrote %n files: %1 and so on.", nullptr, int(paths.size())).arg(paths.front())});
+    connect(results_, &Results::tabChanged, this,
+            [this] { copy_->setEnabled(results_->showsTables()); });
+    connect(results_, &Results::exportWanted, exports_, &Exports::exportChart);
+    connect(exports_, &Exports::told, strip_, &MessageStrip::tell);
 }
 
 void ExperimentWindow::run(app::Choice choice)

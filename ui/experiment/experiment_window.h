@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/charts/chart.h"
 #include "app/document/session.h"
 #include "app/experiment/choice.h"
-#include "app/report/study_files.h"
 #include "ui/dialogs/questions.h"
 #include "ui/experiment/measuring.h"
 #include "ui/widgets/message_strip.h"
@@ -20,6 +18,7 @@
 namespace ui {
 
 class ChoicePanel;
+class Exports;
 class Results;
 
 /// Repeats the paper's experiment, and others like it: what is measured at the left, what came out
@@ -45,6 +44,7 @@ private:
     QWidget* left();
     QWidget* right();
     QWidget* below();
+    void layOut();
     void addTools();
     void run(app::Choice choice);
     void cancel();
@@ -53,14 +53,10 @@ private:
     void showEffort();
     void showState();
     void followDrawing();
-    void exportAs(const app::StudyFile& row);
-    void exportChart(const app::Chart& chart);
-    void tellWritten(const app::Result<QStringList>& written);
-    QString folder() const;
 
     app::Session& session_;
     std::function<QString()> name_;
-    std::unique_ptr<Questions> questions_;
+    Exports* exports_;
     ChoicePanel* choice_;
     QPushButton *run_, *quick_, *cancel_, *copy_;
     QToolButton* export_;
