@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 constexpr int tenthOfASecond = 100;
-constexpr double sliceMilliseconds = 8;
+constexpr double sliceMilliseconds = 5;
 constexpr std::size_t leastRounds = 8; // of a big drawing, whose rounds take long
 constexpr qint64 longEnough = 10'000;  // milliseconds
 

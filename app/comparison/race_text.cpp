@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/race_text.h"
 
+#include "app/experiment/contestant_name.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 #include <map>
 
@@ -15,14 +15,6 @@ namespace {
 struct Races {
     Q_DECLARE_TR_FUNCTIONS(Races)
 };
-
-/// "MD and LB", "MD, LB and CS".
-QString enumeration(QStringList names)
-{
-    const QString last = names.takeLast();
-    return names.isEmpty() ? last
-                           : Races::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
-}
 
 } // namespace
 
@@ -35,10 +27,10 @@ QString tiesText(std::span<const RaceRow> rows)
     std::map<int, QStringList> ties;
     for (const std::size_t i : sortedByMedian(summaries))
         if (places[i].tie)
-            ties[*places[i].tie] << nameOf({rows[i].contestant.algorithm, rows[i].contestant.form});
+            ties[*places[i].tie] << nameOf(rows[i].contestant);
     QStringList texts;
     for (const auto& [tie, names] : ties)
-        texts << Races::tr("%1 tie").arg(enumeration(names));
+        texts << Races::tr("%1 tie").arg(listText(names));
     return texts.isEmpty()
                ? QString()
                : Races::tr("%1: too close to call").arg(texts.join(QStringLiteral(", ")));

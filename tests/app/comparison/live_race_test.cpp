@@ -166,7 +166,7 @@ private slots:
         calls.clear();
         QTRY_VERIFY(!t.race.rows().empty());
         QVERIFY(std::ranges::all_of(calls, [](const Call& call) { return call.lines == 3000; }));
-        QCOMPARE(t.race.rows().front().milliseconds.size(), calls.size() / 2);
+        QVERIFY(t.race.rows().front().milliseconds.size() <= calls.size() / 2); // none of before
     }
     void undoneWindowsAreRacedOn()
     {
