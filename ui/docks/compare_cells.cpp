@@ -66,14 +66,11 @@ void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& opti
 void CompareCells::paintSparkline(QPainter& painter, const QStyleOptionViewItem& option,
                                   const app::RaceRow& row) const
 {
+    if (!model_.timed())
+        return;
     const QRect r = option.rect.adjusted(DenseTable::gap, 3, -DenseTable::gap, -3);
-    if (model_.timed())
-        return app::paint(painter, r, {row.milliseconds, app::Race::length},
-                          algorithmColour(*row.contestant.algorithm, groundOf(option.palette)));
-    painter.setFont(option.font);
-    painter.setPen(lookOf(option.palette).muted);
-    painter.drawText(r, Qt::AlignLeft | Qt::AlignVCenter,
-                     QCoreApplication::translate("Compare", "too few to time"));
+    app::paint(painter, r, {row.milliseconds, app::Race::length},
+               app::algorithmColour(*row.contestant.algorithm, groundOf(option.palette)));
 }
 
 void CompareCells::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,

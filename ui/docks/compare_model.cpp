@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_model.h"
 
+#include "app/experiment/contestant_name.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
 
@@ -35,10 +36,7 @@ struct ColumnInfo {
     QVariant (*order)(const Cell& cell);
 };
 
-QString nameOf(const Cell& cell)
-{
-    return app::nameOf({cell.row.contestant.algorithm, cell.row.contestant.form});
-}
+QString nameOf(const Cell& cell) { return app::nameOf(cell.row.contestant); }
 
 /// As many decimals as the median has, without its unit.
 QString spreadText(const Cell& cell)
@@ -54,6 +52,9 @@ QString onlyTimed(const Cell& cell, const QString& text)
     return cell.timed ? text : QStringLiteral("–");
 }
 
+/// Times that say nothing leave the order of the catalogue.
+QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0; }
+
 // In the order of CompareModel::Column.
 constexpr std::array columns{
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "Algorithm"),
@@ -64,16 +65,16 @@ constexpr std::array columns{
                QT_TRANSLATE_NOOP("Compare", "Clipping time, 40 % above and below the median; the "
                                             "band is between the quartiles."),
                [](const Cell&) { return QString(); },
-               [](const Cell& c) { return QVariant(c.row.milliseconds.back()); }},
+               [](const Cell& c) { return orderOf(c, c.row.milliseconds.back()); }},
     ColumnInfo{
         QT_TRANSLATE_NOOP("Compare", "median"),
         QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame, the middle of several rounds."),
         [](const Cell& c) { return onlyTimed(c, app::millisecondsText(c.summary.median)); },
-        [](const Cell& c) { return QVariant(c.summary.median); }},
+        [](const Cell& c) { return orderOf(c, c.summary.median); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "± spread"),
                QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles, in ms."),
                [](const Cell& c) { return onlyTimed(c, spreadText(c)); },
-               [](const Cell& c) { return QVariant(c.summary.spread); }},
+               [](const Cell& c) { return orderOf(c, c.summary.spread); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "ops/line"),
                QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
                                             "a line, counted on an even sample of the lines."),

@@ -20,6 +20,7 @@ public:
     void show(std::span<const app::RaceRow> rows, std::size_t lines);
 
     const app::RaceRow& row(int number) const { return rows_[std::size_t(number)]; }
+    std::size_t lines() const { return lines_; }
     bool timed() const; ///< there are enough lines for times to say something
     /// The number of the row of that form, or -1.
     int rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const;

@@ -87,7 +87,7 @@ void ComparePanel::showRace()
     ties_->setToolTip(timed ? app::tiesText(rows) : QString());
     fitTies();
     field_->setText(app::fieldText(race_.lines()));
-    state_->setText(race_.settled() ? tr("settled") : tr("measuring…"));
+    state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
 }
 
 void ComparePanel::fitTies()

@@ -44,6 +44,8 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
 void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines)
 {
     const bool begins = model_.rowCount() != int(rows.size());
+    if (begins || lines != model_.lines())
+        std::ranges::fill(widths_, 0);
     model_.show(rows, lines);
     if (begins)
         follow();

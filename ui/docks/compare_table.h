@@ -38,7 +38,7 @@ private:
     CompareModel model_;
     QSortFilterProxyModel sorted_;
     QElapsedTimer sinceSorted_;
-    std::vector<int> widths_; ///< they only grow, so that nothing jumps
+    std::vector<int> widths_; ///< of one drawing they only grow, so that nothing jumps
     bool following_ = false;
 };
 

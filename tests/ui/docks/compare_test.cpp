@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/contestant_name.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/compare_table.h"
 #include "ui/docks/dock.h"
@@ -65,7 +66,7 @@ struct CompareWindow : TestWindow {
     QString chosen() const
     {
         const app::Display& display = window->session().display();
-        return app::nameOf({display.algorithm, display.usedForm()});
+        return app::nameOf(app::Contestant{display.algorithm, display.usedForm()});
     }
 };
 
@@ -121,7 +122,7 @@ private slots:
                                        t.window->canvas().window(), app::Scene::Removed::Left)
                                  .inside.size();
         for (int row = 0; row < t.rows(); ++row)
-            if (t.text(row, CompareModel::Name) == "exact")
+            if (t.text(row, CompareModel::Name) == "EX")
                 QCOMPARE(t.text(row, CompareModel::Visible), QLocale().toString(int(visible)));
     }
     void theFormsAreChosen()
@@ -246,6 +247,8 @@ private slots:
         QCOMPARE(t.panel().ties(), "");
         QCOMPARE(t.text(0, CompareModel::Median), "–");
         QVERIFY(t.text(0, CompareModel::Visible).toInt() > 0);
+        QCOMPARE(t.text(0, CompareModel::Name), "CS"); // in the order of the catalogue
+        QCOMPARE(t.text(t.rows() - 1, CompareModel::Name), "SB as published");
     }
     void theColumnIsWideWhileItIsOpen()
     {
