@@ -52,6 +52,12 @@ QString introduction(const Study& study)
         .arg(names.join(QStringLiteral(", ")));
 }
 
+/// "Table 1, as published", "Scene “Near miss”".
+QString titleOf(const Trial& trial)
+{
+    return trial.paper ? nameOf(trial) : Reports::tr("Scene “%1”").arg(nameOf(trial));
+}
+
 /// What came out of one trial, which its first words name.
 QStringList summaryOf(const Trial& trial, const Study& study)
 {
@@ -59,13 +65,13 @@ QStringList summaryOf(const Trial& trial, const Study& study)
     if (!sentences.isEmpty())
         sentences.front() =
             Reports::tr("%1, %2 lines. %3")
-                .arg(nameOf(trial), countText(trial.record.options.lines), sentences.front());
+                .arg(titleOf(trial), countText(trial.record.options.lines), sentences.front());
     return sentences;
 }
 
 ReportSection sectionOf(const Trial& trial, const Study& study, const Table& circumstances)
 {
-    ReportSection section{.title = nameOf(trial), .sentences = meaningsOf(study)};
+    ReportSection section{.title = titleOf(trial), .sentences = meaningsOf(study)};
     for (const Measure& measure : study.measures) {
         std::ranges::move(chartsOf(trial, measure), std::back_inserter(section.charts));
         for (Table& table : withoutFacts(tablesOf(trial, measure, Against::Paper), circumstances))
@@ -135,14 +141,14 @@ Report reportOf(const Study& study)
     const Table circumstances = circumstancesTable(study);
     Report report{.title = Reports::tr("Line clipping: what each algorithm takes"), .sections = {}};
     report.summary << introduction(study);
+    if (study.explanation)
+        report.sections.push_back(explanationSection(*study.explanation, circumstances));
     for (const Trial& trial : study.trials) {
         report.summary << summaryOf(trial, study);
         report.sections.push_back(sectionOf(trial, study, circumstances));
     }
     if (const auto papers = papersOf(study); !papers.empty())
         report.sections.push_back(paperSection(papers));
-    if (study.explanation)
-        report.sections.push_back(explanationSection(*study.explanation, circumstances));
     report.sections.push_back(methodSection(circumstances));
     report.sections.push_back(repeatSection(study));
     return report;

@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// Everything that a study says, for people who never read the paper: what came out, charts and
-/// tables of each trial beside the paper's own, why it is so, how it was measured, and how to
+/// Everything that a study says, for people who never read the paper: what came out, why it
+/// is so, charts and tables of each trial beside the paper's own, how it was measured, and how to
 /// measure it again.
 Report reportOf(const Study& study);
 

@@ -84,6 +84,14 @@ private slots:
             QVERIFY2(!markup.match(line).hasMatch(), qPrintable(line));
         for (const int i : {2, 4, 5})
             QCOMPARE(markdown[i].count(bare), 3);
+        QByteArray csv = textAs(u"csv", teasing()).toUtf8();
+        QBuffer buffer(&csv);
+        buffer.open(QIODevice::ReadOnly);
+        app::csv::Text records(buffer);
+        app::csv::Record record;
+        QVERIFY(records.next(record) && records.next(record));
+        using Fields = std::vector<std::string>;
+        QCOMPARE(record.fields, (Fields{drawing.toStdString(), "1", drawing.toStdString()}));
         const auto json = QJsonDocument::fromJson(textAs(u"json", teasing()).toUtf8()).array();
         QCOMPARE(json[0]["rows"][0][drawing].toString(), drawing);
         QCOMPARE(json[0]["facts"]["scene"].toString(), drawing);
