@@ -54,6 +54,14 @@ std::vector<std::size_t> leaders(const std::vector<Summary>& times,
 /// Whoever leaves lines out has less to do: that must be said where it wins.
 bool losesLines(const Record& record, std::size_t i) { return record.timings[i].found.lost > 0; }
 
+/// "about 214 ns a line", or from which to which where a chain of ties links what is far apart.
+QString rangeText(const std::vector<Summary>& times, const std::vector<std::size_t>& some)
+{
+    const double low = times[some.front()].median, high = times[some.back()].median;
+    return high < 1.1 * low ? Experiments::tr("about %1").arg(timeText(low))
+                            : Experiments::tr("%1 to %2").arg(numberText(low, 2), timeText(high));
+}
+
 QString leaderSentence(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
@@ -67,8 +75,8 @@ QString leaderSentence(const Record& record, const Measure& measure)
         Experiments::tr("%1, the slowest, takes %2 as long")
             .arg(shortName(record, order.back()), timesText(times[order.back()].median / fastest));
     if (first.size() == times.size())
-        return Experiments::tr("%1: too close to call, all of them take about %2.")
-            .arg(measure.name, timeText(fastest));
+        return Experiments::tr("%1: too close to call, all of them take %2.")
+            .arg(measure.name, rangeText(times, first));
     if (first.size() == 1)
         return (losesLines(record, order.front())
                     ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines; %4.")
@@ -79,8 +87,8 @@ QString leaderSentence(const Record& record, const Measure& measure)
         names << (losesLines(record, i)
                       ? Experiments::tr("%1 (loses lines)").arg(shortName(record, i))
                       : shortName(record, i));
-    return Experiments::tr("%1: %2 are the fastest with about %3, too close to call; %4.")
-        .arg(measure.name, listText(names), timeText(fastest), slowest);
+    return Experiments::tr("%1: %2 are the fastest with %3, too close to call; %4.")
+        .arg(measure.name, listText(names), rangeText(times, first), slowest);
 }
 
 QString proposedText(const Record& record, const Measure& measure)
