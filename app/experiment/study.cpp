@@ -15,12 +15,28 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
+/// Operations a line of all contestants together, by some lines of the scene: some algorithms take
+/// a hundred times as many as others.
+double operationsOf(const PlannedTrial& trial)
+{
+    std::vector<clipping::Segment> some(std::min<std::uint64_t>(trial.options.lines, 200));
+    trial.options.scene.begin(trial.options.field, trial.options.seed)(some);
+    std::uint64_t all = 0;
+    for (const Contestant& one : trial.contestants) {
+        const auto counts =
+            clipping::usesOf(*one.algorithm, one.form)->count(some, trial.options.field.window);
+        all += counts.comparisons + counts.additions + counts.multiplications + counts.divisions;
+    }
+    return double(all) / double(some.size());
+}
+
 /// About how many nanoseconds something takes, to share progress fairly.
 double weightOf(const PlannedTrial& trial)
 {
-    const double clipAndFind = 40, draw = trial.options.easel ? 150 : 0, make = 40;
+    const double each = double(trial.contestants.size());
+    const double make = 40, find = 20, draw = trial.options.easel ? 150 : 0;
     return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
-           * (make + double(trial.contestants.size()) * (clipAndFind + draw));
+           * (make + operationsOf(trial) + each * (find + draw));
 }
 
 struct ExplanationWeights {
@@ -30,8 +46,9 @@ struct ExplanationWeights {
 ExplanationWeights explanationWeights(const PlannedTrial& trial)
 {
     const double each = double(trial.contestants.size()), lines = double(trial.options.lines);
-    return {4e5 * each * 30 * double(trial.options.runs + trial.options.warmUps),
-            lines * each * 150, lines * each * 50};
+    const double operations = operationsOf(trial);
+    return {4e5 * operations * double(trial.options.runs + trial.options.warmUps),
+            lines * (10 * each + 8 * operations), lines * (30 * each + operations)};
 }
 
 std::vector<double> weightsOf(const Plan& plan)

@@ -153,6 +153,15 @@ private slots:
         QVERIFY(app::effortText(*plan.value).contains("4,200,000"));
     }
 
+    void whatIsSlowIsExpectedToBe()
+    {
+        app::Choice choice = few("crossing");
+        choice.lines = 1'000'000;
+        const double usual = app::roughSeconds(*app::planOf(choice).value);
+        choice.algorithms.push_back(clipping::findAlgorithm("ms")); // by halving
+        QVERIFY(app::roughSeconds(*app::planOf(choice).value) > 3 * usual);
+    }
+
     void aDrawingIsASubjectWithItsLinesAndWindow()
     {
         app::Drawing empty;
@@ -312,8 +321,7 @@ private slots:
         auto trial = invented(paper, {30, 30, 30, 30, 30, 10, 30});
         trial.record.timings[5].found = {.visible = 39'000, .lost = 1000};
         const auto told = app::verdict(trial, clipOnly())[0];
-        QVERIFY2(told.contains("but it loses lines"),
-                 qPrintable(told));
+        QVERIFY2(told.contains("but it loses lines"), qPrintable(told));
     }
 
     void tiesHaveNoWinner()

@@ -216,6 +216,9 @@ private slots:
         for (QAction* action : stage.test.window->findChildren<QAction*>())
             if (action->objectName() == "algorithm-2")
                 action->trigger();
+        stage.test.window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(stage.test.window.get()));
+        stage.test.window->canvas().setFocus();
         QTest::keyClick(stage.test.drawingArea(), Qt::Key_5);
         QVERIFY(session.display().algorithm != before);
         QVERIFY(timer.elapsed() < 500);
