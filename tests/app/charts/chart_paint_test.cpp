@@ -311,7 +311,7 @@ private slots:
             QVERIFY(contrastOf(look.text, look.paper) >= 4.5);
             QVERIFY(contrastOf(look.muted, look.paper) >= 4.5);
             for (const auto& algorithm : clipping::algorithms())
-                QVERIFY2(contrastOf(algorithmColour(algorithm, ground), look.paper) >= 2.9,
+                QVERIFY2(contrastOf(algorithmColour(algorithm, ground), look.paper) >= 3,
                          algorithm.abbreviation.data());
         }
     }
