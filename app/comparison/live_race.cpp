@@ -107,8 +107,7 @@ void LiveRace::begin()
         sinceFindings_.start();
     race_->begin(frame, quick ? Race::Purpose::Times : Race::Purpose::Findings);
     settled_ = false;
-    if (race_->running())
-        work_.start(0);
+    work_.start(0);
 }
 
 void LiveRace::work()

@@ -20,7 +20,7 @@ class LiveRace : public QObject {
 public:
     explicit LiveRace(const Session& session, QObject* parent = nullptr);
 
-    /// Who races; what was measured is forgotten.
+    /// Who races, at least one; what was measured is forgotten.
     void setContestants(std::vector<Contestant> contestants);
     std::span<const Contestant> contestants() const { return contestants_; }
     void start(); ///< on what is shown now

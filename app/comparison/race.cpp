@@ -46,6 +46,7 @@ Summary RaceRow::summary() const
 Race::Race(std::vector<Contestant> contestants, Clock clock)
     : clock_(std::move(clock)), nanoseconds_(contestants.size())
 {
+    assert(!contestants.empty());
     for (const Contestant& contestant : contestants)
         rows_.push_back({.contestant = contestant});
 }
@@ -74,7 +75,7 @@ void Race::begin(const RaceFrame& frame, Purpose purpose)
     if (counts())
         sample_ = evenly(frame.lines, judges() ? quickSample : thoroughSample);
     turn_ = 0;
-    racing_ = turns() > 0;
+    racing_ = true;
     ++begun_;
 }
 
@@ -94,7 +95,11 @@ bool Race::step()
     return !racing_;
 }
 
-std::size_t Race::blocks() const { return (frame_.lines.size() + blockSize - 1) / blockSize; }
+// One at least: without lines there is nothing to clip, but there are rounds.
+std::size_t Race::blocks() const
+{
+    return std::max<std::size_t>(1, (frame_.lines.size() + blockSize - 1) / blockSize);
+}
 
 bool Race::counts() const
 {

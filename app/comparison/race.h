@@ -42,6 +42,7 @@ public:
     /// of a frame, and in the second one, if there is one. Fewer lines are all counted.
     static constexpr std::size_t quickSample = 256, thoroughSample = 16384;
 
+    /// Of at least one.
     explicit Race(std::vector<Contestant> contestants, Clock clock = processorClock());
 
     /// What a round is for: only times, or also what has not been found out of this frame yet,

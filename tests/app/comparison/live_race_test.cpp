@@ -39,6 +39,8 @@ app::Sheet sheetOf(int lines)
 {
     app::Sheet sheet;
     sheet.window = {{10, 10}, {90, 90}};
+    if (lines == 0)
+        return sheet;
     app::Shape zigzag;
     zigzag.style.stroke = app::Colour{};
     zigzag.paths.push_back({{0, 0}, {}, false});
@@ -146,9 +148,16 @@ private slots:
         QTRY_VERIFY(calls.size() > before);
         QVERIFY(!t.race.settled());
     }
+    void tooFewLinesSettleAtOnce_data()
+    {
+        QTest::addColumn<int>("lines");
+        QTest::addRow("some") << 10;
+        QTest::addRow("none") << 0;
+    }
     void tooFewLinesSettleAtOnce()
     {
-        Track t(10);
+        QFETCH(int, lines);
+        Track t(lines);
         t.race.start();
         QTRY_VERIFY_WITH_TIMEOUT(t.race.settled(), 1000);
         QCOMPARE(t.race.rows().front().visible,

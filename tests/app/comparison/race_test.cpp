@@ -160,6 +160,14 @@ private slots:
         QCOMPARE(places[2].rank, std::optional(3));
         QVERIFY(std::abs(summaries[0].median - 0.05) < 0.005); // ms: 1000 lines at 50 ns
     }
+    void withoutLinesThereAreRoundsToo()
+    {
+        ThreeRows t;
+        for (int i = 0; i < 3; ++i)
+            run(t.race, {{}, window});
+        QCOMPARE(t.race.rounds(), std::size_t(3));
+        QCOMPARE(t.race.rows()[0].milliseconds.size(), std::size_t(3));
+    }
     void remembersTheLastRoundsOnly()
     {
         ThreeRows t;
