@@ -102,7 +102,7 @@ void Bench::fill(const LineSource& source)
 {
     block_.refill(std::min(blockSize, options_.lines - first_),
                   [&](std::span<Segment> lines) { make(source, lines); });
-    if (finding_)
+    if (finding_ && !pace_.stopped())
         tellTruth();
 }
 
@@ -122,8 +122,9 @@ void Bench::make(const LineSource& source, std::span<Segment> lines)
 void Bench::order(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;
-    for (const Segment& line : lines)
-        classes[std::size_t(lineClassOf(line, options_.field.window))].push_back(line);
+    for (std::size_t at = 0; at < lines.size() && !pace_.stopped(); at += bit)
+        for (const Segment& line : lines.subspan(at, std::min(bit, lines.size() - at)))
+            classes[std::size_t(lineClassOf(line, options_.field.window))].push_back(line);
     auto to = lines.begin();
     for (const auto& some : classes)
         to = std::ranges::copy(some, to).out;

@@ -22,7 +22,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1120, 760), smallest(800, 560);
+constexpr QSize usual(1180, 780), smallest(800, 560);
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})

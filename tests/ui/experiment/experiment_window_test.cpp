@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/verdict.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/widgets/table_view.h"
 
@@ -319,6 +320,22 @@ private slots:
             const auto files = QDir(stage.test.folder.path()).entryList({"chart-*." + ending});
             QVERIFY2(files.size() >= 4, qPrintable(files.join(' ')));
         }
+    }
+
+    void theReportSaysWhatTheWindowSays()
+    {
+        const Stage stage;
+        stage.runFew("table1");
+        stage.answers->save = stage.test.path("report.html");
+        stage.window->findChild<QAction*>("export-2-html")->trigger();
+        QFile file(stage.answers->save);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString page = QString::fromUtf8(file.readAll());
+        const auto& study = *stage.window->study();
+        const QString said = app::verdict(study.trials[0], study.measures).front();
+        QVERIFY2(page.contains(said.toHtmlEscaped()) || page.contains(said), qPrintable(said));
+        QVERIFY(page.contains("<svg"));
+        QVERIFY(stage.window->findChild<MessageStrip*>()->sentence().startsWith("Wrote "));
     }
 
     void aTableIsCopiedWithItsHeadings()
