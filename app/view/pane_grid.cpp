@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/pane_grid.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr double breadth = 4.0 / 3; // of a usual drawing's height
+
+struct Grid {
+    int columns, rows;
+};
+
+int length(int whole, int parts) { return std::max(0, (whole - (parts - 1) * paneGap) / parts); }
+
+QSize cellSize(const QSize& area, const Grid& grid)
+{
+    return {length(area.width(), grid.columns), length(area.height(), grid.rows)};
+}
+
+Grid gridFor(const QSize& area, int count)
+{
+    const auto drawingHeight = [&](const Grid& grid) {
+        const QSize cell = cellSize(area, grid);
+        return std::min(cell.width() / breadth, double(cell.height() - paneHeading));
+    };
+    Grid best{1, count};
+    for (int columns = 2; columns <= count; ++columns)
+        if (const Grid grid{columns, (count + columns - 1) / columns};
+            drawingHeight(grid) > drawingHeight(best))
+            best = grid;
+    return best;
+}
+
+/// The i-th of so many starts; the first gaps take what does not divide.
+int start(int whole, int parts, int i)
+{
+    const int size = length(whole, parts);
+    const int over = std::max(0, whole - parts * size - (parts - 1) * paneGap);
+    return i * (size + paneGap) + std::min(i, over);
+}
+
+bool hasRoom(const QSize& area, int count)
+{
+    constexpr QSize few(200, 150), many(148, 128); // of many each need only be told apart
+    const QSize cell = cellSize(area, gridFor(area, count));
+    const QSize least = count > 4 ? many : few;
+    return cell.width() >= least.width() && cell.height() >= least.height();
+}
+
+} // namespace
+
+std::vector<QRect> paneCells(const QSize& area, int count)
+{
+    const Grid grid = gridFor(area, count);
+    const QSize size = cellSize(area, grid);
+    std::vector<QRect> cells;
+    for (int i = 0; i < count; ++i)
+        cells.push_back({QPoint(start(area.width(), grid.columns, i % grid.columns),
+                                start(area.height(), grid.rows, i / grid.columns)),
+                         size});
+    return cells;
+}
+
+int panesWithRoom(const QSize& area, int count)
+{
+    for (const int fewer : {count, 4, 2})
+        if (fewer <= count && hasRoom(area, fewer))
+            return fewer;
+    return 1;
+}
+
+} // namespace app
