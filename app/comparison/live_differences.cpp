@@ -152,17 +152,23 @@ void LiveDifferences::finish()
         work();
 }
 
-std::span<const Clipped> LiveDifferences::piecesAt(const Window& window)
+const Differences* LiveDifferences::at(const Window& window)
 {
     if (!asked_)
-        return {};
+        return nullptr;
     if (upToDate_ && found_.window == window)
-        return found_.pieces;
+        return &found_;
     if (scene_.segments().size() > mostAtOnce)
-        return {};
+        return nullptr;
     if (!passing_ || passing_->window != window)
         passing_ = extended({window}, *asked_, scene_.segments(), mostAtOnce);
-    return passing_->pieces;
+    return &*passing_;
+}
+
+std::span<const Clipped> LiveDifferences::piecesAt(const Window& window)
+{
+    const Differences* now = at(window);
+    return now ? std::span<const Clipped>(now->pieces) : std::span<const Clipped>();
 }
 
 } // namespace app

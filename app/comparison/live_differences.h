@@ -53,8 +53,9 @@ public:
 
     /// Most lines of which what differs is found within a frame.
     static constexpr std::size_t mostAtOnce = 100'000;
-    /// What to colour where the window lies now, in the middle of a gesture too; nothing if there
-    /// are too many lines to say it at once. Valid until the next call or change.
+    /// All of it, or what to colour, where the window lies now, in the middle of a gesture too;
+    /// nothing if there are too many lines to say it at once. Valid until the next call or change.
+    const Differences* at(const clipping::Window& window);
     std::span<const clipping::Clipped> piecesAt(const clipping::Window& window);
 
 signals:
