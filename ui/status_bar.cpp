@@ -13,7 +13,6 @@ namespace ui {
 
 namespace {
 
-constexpr std::size_t leastLinesToTime = 1000;
 constexpr int updateMilliseconds = 100; // ten times a second
 
 QString latin(std::string_view text)
@@ -67,7 +66,7 @@ void StatusBar::showHint(const QString& hint)
 
 void StatusBar::note(const FrameTimes& times)
 {
-    if (times.total != last_.total) {
+    if (times.total != last_.total || times.choice != last_.choice) {
         clip_.forget();
         draw_.forget();
     }
@@ -82,10 +81,10 @@ void StatusBar::showTimes()
 {
     visible_->setText(
         tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
-    if (last_.total < leastLinesToTime) {
+    if (last_.total < app::leastLinesToTime) {
         times_->setText(tr("too few to time"));
         times_->setToolTip(
-            tr("Under %1 lines a time says nothing.").arg(app::countText(leastLinesToTime)));
+            tr("Under %1 lines a time says nothing.").arg(app::countText(app::leastLinesToTime)));
         return;
     }
     const double clip = clip_.median();

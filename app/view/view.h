@@ -23,7 +23,8 @@ public:
     /// Zooms by `factor` and keeps the drawing's point under `screen` where it is.
     void zoomAt(const Point& screen, double factor);
     /// Shows a rectangle as large as fits, with a margin in pixels.
-    void fit(const clipping::Window& rectangle, double margin = 24);
+    static constexpr double usualMargin = 24; ///< pixels
+    void fit(const clipping::Window& rectangle, double margin = usualMargin);
 
     friend bool operator==(const View&, const View&) = default;
 };

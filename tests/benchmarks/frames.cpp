@@ -172,10 +172,27 @@ int main(int argc, char** argv)
                               Qt::NoButton, Qt::NoModifier);
             QCoreApplication::sendEvent(&surface, &event);
         }));
+    std::vector<std::pair<QString, Figures>> panes;
+    canvas.fitDrawing();
+    for (const int count : {1, 2, 4, 12}) {
+        app::Panes many = canvas.panes();
+        count > 4 ? many.showAll() : many.show(std::size_t(count));
+        canvas.setPanes(many);
+        canvas.settle();
+        Figures figures;
+        for (int i = 0; i < 30; ++i)
+            figures.times.push_back(frame(canvas, [&] {
+                session.drawing.setWindow(
+                    {start.min + app::Point(i, 0), start.max + app::Point(i, 0)});
+            }));
+        panes.emplace_back(QStringLiteral("the same with %1 panes").arg(count), figures);
+    }
     Figures{clip}.print(out, "clipping of all lines, a frame");
     pan.print(out, "frame while panning");
     zoom.print(out, "frame while zooming");
     drag.print(out, "frame while the window moves");
+    for (auto& [what, figures] : panes)
+        figures.print(out, qPrintable(what));
     hover.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
     compare(out, session, canvas);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/comparison/panes.h"
 #include "app/document/session.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
@@ -24,11 +25,15 @@ struct FrameTimes {
     double clipMs = 0, drawMs = 0;
     std::uint64_t clipNanoseconds = 0;
     std::size_t visible = 0, total = 0;
+    std::optional<app::Clipper> choice{}; ///< what clipped
 };
 
 /// The drawing on the screen, with its rulers, and the tool that works on it. All segments are
 /// clipped at every frame. Colours follow the palette (ui/look.h). The widget that takes
 /// the keyboard is focusProxy().
+///
+/// Instead of one there may be panes side by side, each with its own algorithm, all with the same
+/// drawing, view, clip window and gesture. What is chosen in the session clips in the active pane.
 class Canvas : public QWidget {
     Q_OBJECT
 
@@ -62,22 +67,35 @@ public:
     void previousView();
     void nextView();
 
+    const app::Panes& panes() const;
+    void setPanes(const app::Panes& panes);
+    void activatePane(std::size_t pane);
+    /// The widget that shows a pane's drawing; null where it has no room.
+    QWidget* paneSurface(std::size_t pane) const;
+
     /// Waits until the picture is shown in full quality (tests, screenshots).
     void settle();
 
 signals:
-    void frameShown(const ui::FrameTimes& times);
+    void frameShown(const ui::FrameTimes& times);          ///< in the active pane
     void pointerMoved(std::optional<app::Point> position); ///< in the drawing; nothing: left
     void hint(const QString& text); ///< what the tool says now; empty: its usual hint
     void toolChanged();
     void viewChanged();
+    void panesChanged(); ///< how many, what clips there, or which is the active one
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void addPane();
+    void layOut();
+    void followChoice();
+    bool activates(const QEvent& event) const;
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

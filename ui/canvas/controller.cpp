@@ -12,11 +12,12 @@ constexpr double snapReach = 8; // pixels
 
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.drawing, session.scene),
+      shown_(session.display()),
       look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
     setTool(tools().front().key);
     connect(&session.scene, &app::Scene::outdated, this, &Controller::outdate);
-    connect(&session, &app::Session::displayChanged, this, &Controller::outdate);
+    connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::outdate);
@@ -38,6 +39,19 @@ void Controller::outdate()
     snap_.reset(); // perhaps to what is no longer there
     emit hintChanged();
     emit changed();
+}
+
+// Which algorithm is chosen is in the pane's key: the other panes' pictures stay good.
+void Controller::followDisplay()
+{
+    const app::Display before = std::exchange(shown_, session_.display());
+    app::Display now = shown_;
+    now.algorithm = before.algorithm;
+    now.form = before.form;
+    if (now != before)
+        outdate();
+    else
+        emit changed();
 }
 
 void Controller::setLook(const Look& look)
@@ -96,16 +110,28 @@ QColor Controller::pageColour() const
     return session_.display().asPrinted ? QColor(Qt::white) : look_.paper;
 }
 
-app::Frame Controller::clip() const
+app::Frame Controller::clip(const Pane& pane) const
 {
     const app::Display& display = session_.display();
     const bool both =
         display.keep == app::Keep::Outside || display.removed != app::RemovedPart::Hidden;
-    return session_.scene.clip(session_.uses(), window(),
+    return session_.scene.clip(*clipping::usesOf(*pane.choice.algorithm, pane.choice.form),
+                               window(),
                                both ? app::Scene::Removed::Kept : app::Scene::Removed::Left);
 }
 
-app::Picture Controller::picture(const app::Frame& frame, double pixelRatio) const
+// Corrected forms hardly ever differ: they are looked at when a gesture is over.
+const app::Differences* Controller::differing(const Pane& pane) const
+{
+    if (!pane.fromExact)
+        return nullptr;
+    if (pane.choice.form == clipping::Form::Published)
+        return pane.fromExact->at(window());
+    const app::Differences& found = pane.fromExact->found();
+    return pane.fromExact->upToDate() && found.window == window() ? &found : nullptr;
+}
+
+app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const
 {
     const app::Display& display = session_.display();
     const auto colour = [](const QColor& c) {
@@ -120,7 +146,10 @@ app::Picture Controller::picture(const app::Frame& frame, double pixelRatio) con
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
     options.selection = session_.selection();
     options.light = colour(look_.selection);
-    options.differing = session_.differences.piecesAt(window());
+    if (const app::Differences* differences = differing(pane))
+        options.differing = differences->pieces;
+    else if (pane.among == 1)
+        options.differing = session_.differences.piecesAt(window());
     options.marked = colour(look_.differs);
     if (look_.dark) // magenta is near the selection's blue there
         options.ticks = app::PictureOptions::Ticks::Everywhere;
@@ -183,6 +212,12 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
         snap_ = app::snap(raw, radius, near, session_.sheet().window, to);
     }
     return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
+}
+
+void Controller::cancelGesture()
+{
+    panningFrom_.reset();
+    withTool([&] { tool_->cancel(bench_); });
 }
 
 bool Controller::handle(QEvent& event)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/comparison/panes.h"
 #include "app/view/picture.h"
 #include "app/view/snap.h"
 #include "ui/canvas/canvas.h"
@@ -16,11 +17,23 @@ struct FrameKey {
     std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
     app::View view;
     clipping::Window window{};
+    std::optional<app::Clipper> choice{}; ///< nothing only in the key of no frame
+    std::uint64_t found = 0;              ///< of what differs
     friend bool operator==(const FrameKey&, const FrameKey&) = default;
 };
 
-/// What both canvases have in common: the view, the tool, what the pointer and keys do, and what a
-/// frame shows. It knows no widget.
+/// What one of the surfaces that share a controller shows.
+struct Pane {
+    app::Clipper choice;
+    bool active = true;                        ///< has the clip window's handles and label
+    int among = 1;                             ///< so many panes are painted in one frame
+    app::LiveDifferences* fromExact = nullptr; ///< what differs is marked; null: nothing
+    std::uint64_t revision = 0;                ///< of what was found there
+};
+
+/// What all surfaces have in common: the view, the tool, what the pointer and keys do, and what a
+/// frame shows. Panes side by side have one controller, hence one view and one gesture. It knows no
+/// widget.
 class Controller : public QObject {
     Q_OBJECT
 
@@ -49,15 +62,22 @@ public:
     double zoom() const; ///< 1: 100 %, a millimetre on paper is 96 / 25.4 logical pixels
     void setZoom(double zoom);
 
-    /// An event of the widget that shows the drawing; whether it was used up.
+    /// An event of a widget that shows the drawing; whether it was used up.
     bool handle(QEvent& event);
+    void cancelGesture(); ///< where the view is about to change under the pointer
 
     /// The clip window as it is now, in the middle of a gesture too.
     clipping::Window window() const;
     QColor pageColour() const;
-    FrameKey key() const { return {revision_, view(), window()}; }
-    app::Frame clip() const; ///< all segments, timed
-    app::Picture picture(const app::Frame& frame, double pixelRatio) const;
+    FrameKey key(const Pane& pane) const
+    {
+        return {revision_, view(), window(), pane.choice, pane.revision};
+    }
+    /// All segments, timed. Panes take turns: the frame is valid until the next one is clipped.
+    app::Frame clip(const Pane& pane) const;
+    app::Picture picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const;
+    /// What a pane leaves that is not what exact leaves; null: not known, or nobody asks.
+    const app::Differences* differing(const Pane& pane) const;
 
 signals:
     void changed(); ///< paint again
@@ -68,6 +88,7 @@ signals:
 
 private:
     void outdate();
+    void followDisplay();
     bool mayDraw() const;
     void pointerEvent(QMouseEvent& event);
     void press(QMouseEvent& event);
@@ -86,6 +107,7 @@ private:
     app::Session& session_;
     Navigation navigation_;
     app::Picking picking_;
+    app::Display shown_; ///< but for the algorithm, which is each pane's own
     Look look_;
     app::View toolView_; ///< what tools move; compared with the view after each call
     Workbench bench_;

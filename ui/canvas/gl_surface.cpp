@@ -12,8 +12,8 @@ namespace {
 
 class GlSurface final : public QOpenGLWidget, public Surface {
 public:
-    GlSurface(Controller& controller, Report report, QWidget* parent)
-        : QOpenGLWidget(parent), controller_(controller), report_(std::move(report))
+    GlSurface(Controller& controller, const Pane& pane, Report report, QWidget* parent)
+        : QOpenGLWidget(parent), controller_(controller), pane_(pane), report_(std::move(report))
     {
         QSurfaceFormat format;
         format.setVersion(3, 3);
@@ -30,6 +30,11 @@ public:
 
     QWidget& widget() override { return *this; }
     void settle() override { repaint(); }
+    void forget() override
+    {
+        picture_ = {};
+        key_ = {};
+    }
 
 protected:
     // Also called again where the widget moves to another window, with another context.
@@ -40,9 +45,10 @@ protected:
     {
         QElapsedTimer clock;
         clock.start();
-        const app::Frame frame = controller_.clip();
-        if (const FrameKey key = controller_.key(); key != key_ || ratio_ != devicePixelRatioF()) {
-            picture_ = controller_.picture(frame, devicePixelRatioF());
+        const app::Frame frame = controller_.clip(pane_);
+        if (const FrameKey key = controller_.key(pane_);
+            key != key_ || ratio_ != devicePixelRatioF()) {
+            picture_ = controller_.picture(frame, pane_, devicePixelRatioF());
             key_ = key;
             ratio_ = devicePixelRatioF();
         }
@@ -56,15 +62,16 @@ protected:
             renderer_->paint(picture_, {width(), height()}, ratio_, controller_.look().ghost);
             painter.endNativePainting();
         }
-        paintOverlay(painter, controller_);
+        paintOverlay(painter, controller_, pane_);
         painter.end();
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.nanoseconds,
-                 frame.inside.size(), frame.total});
+                 frame.inside.size(), frame.total, pane_.choice});
     }
 
 private:
     Controller& controller_;
+    const Pane& pane_;
     Report report_;
     std::unique_ptr<Renderer> renderer_;
     app::Picture picture_;
@@ -74,10 +81,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Surface> makeGlSurface(Controller& controller, Surface::Report report,
-                                       QWidget* parent)
+std::unique_ptr<Surface> makeGlSurface(Controller& controller, const Pane& pane,
+                                       Surface::Report report, QWidget* parent)
 {
-    return std::make_unique<GlSurface>(controller, std::move(report), parent);
+    return std::make_unique<GlSurface>(controller, pane, std::move(report), parent);
 }
 
 } // namespace ui

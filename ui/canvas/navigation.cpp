@@ -35,16 +35,32 @@ void Navigation::resize(const glm::dvec2& size)
     app::View view = view_;
     view.size = size;
     if (fitted_)
-        view.fit(*fitted_);
+        fit(view, *fitted_);
     replace(view);
 }
 
 void Navigation::show(const clipping::Window& rectangle)
 {
     app::View view = view_;
-    view.fit(rectangle);
+    const Fitted fitted{rectangle, Margin::Usual};
+    fit(view, fitted);
     go(view);
-    fitted_ = rectangle;
+    fitted_ = fitted;
+}
+
+// Small panes have less to spare.
+void Navigation::fit(app::View& view, const Fitted& fitted)
+{
+    constexpr double share = 0.06;
+    const double least = share * std::min(view.size.x, view.size.y);
+    view.fit(fitted.rectangle,
+             fitted.margin == Margin::Usual ? std::min(app::View::usualMargin, least) : 0);
+}
+
+void Navigation::hold()
+{
+    if (!fitted_)
+        fitted_ = {view_.visible(), Margin::None};
 }
 
 void Navigation::pan(const QPointF& pixels)

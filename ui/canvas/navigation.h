@@ -22,6 +22,7 @@ public:
     void go(const app::View& view); ///< remembered for back()
     void resize(const glm::dvec2& size);
     void show(const clipping::Window& rectangle); ///< fits it; again when the size changes
+    void hold(); ///< fits what is seen when the size changes, as long as nobody moves the view
     void pan(const QPointF& pixels);
     void zoomAt(const QPointF& screen, double factor);
     void back();
@@ -42,7 +43,14 @@ private:
     app::View view_;
     app::ViewHistory history_;
     app::WheelZoom wheel_;
-    std::optional<clipping::Window> fitted_; ///< as long as nobody moved the view since
+    /// What is seen is held without a margin.
+    enum class Margin : std::uint8_t { None, Usual };
+    struct Fitted {
+        clipping::Window rectangle;
+        Margin margin;
+    };
+    static void fit(app::View& view, const Fitted& fitted);
+    std::optional<Fitted> fitted_; ///< as long as nobody moved the view since
     QElapsedTimer clock_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/overlay.h"
 
+#include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/window_overlay.h"
 
 #include <QCoreApplication>
@@ -61,7 +62,7 @@ void paintEnd(QPainter& painter, const Controller& controller, const app::Point&
 }
 
 // The line in the inspector: what the algorithm leaves of it strong, the rest dashed.
-void paintInspected(QPainter& painter, const Controller& controller)
+void paintInspected(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     const app::Session& session = controller.session();
     if (!session.inspected())
@@ -70,7 +71,7 @@ void paintInspected(QPainter& painter, const Controller& controller)
     clipping::Clipped piece[1];
     const Segment one[1]{whole};
     const bool visible =
-        session.uses().clipAll(std::span(one), controller.window(), std::span(piece)) == 1;
+        app::clipAll(pane.choice, std::span(one), controller.window(), std::span(piece)) == 1;
     const QColor blue = controller.look().selection;
     QPen casing(controller.pageColour(), 7, Qt::SolidLine, Qt::RoundCap);
     QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
@@ -126,7 +127,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
     painter.fillRect(sheet, controller.pageColour());
 }
 
-void paintOverlay(QPainter& painter, const Controller& controller)
+void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
@@ -134,14 +135,17 @@ void paintOverlay(QPainter& painter, const Controller& controller)
         paintRegions(painter, controller);
     painter.restore();
     paintLit(painter, controller);
-    paintInspected(painter, controller);
+    paintInspected(painter, controller, pane);
     painter.save();
-    paintWindow(painter, controller);
+    paintDifferenceLabel(painter, controller, pane);
+    painter.restore();
+    painter.save();
+    paintWindow(painter, controller, pane);
     painter.restore();
     painter.save();
     controller.tool().paint(painter, controller.bench());
     painter.restore();
-    if (controller.tool().snapsTo() != app::SnapTo::Nothing)
+    if (pane.active && controller.tool().snapsTo() != app::SnapTo::Nothing)
         paintSnap(painter, controller);
 }
 

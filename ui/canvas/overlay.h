@@ -10,6 +10,6 @@ void paintPaper(QPainter& painter, const Controller& controller);
 
 /// And over it: regions, what is lit, selected or inspected, the clip window with its handles and
 /// size, the tool's preview, where the pointer snapped (look.md section 5).
-void paintOverlay(QPainter& painter, const Controller& controller);
+void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane);
 
 } // namespace ui

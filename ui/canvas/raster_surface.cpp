@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr double atOnceMs = 8; // a picture as fast as this is painted in the frame itself
+constexpr double atOnceMs = 8; // pictures as fast as this are painted in the frame itself
 constexpr double expectedMsPerLine = 6e-4; // until it was measured
 
 // One picture being painted, band by band.
@@ -22,7 +22,9 @@ struct Job {
     FrameKey key;
     app::Picture picture;
     std::vector<QImage> bands;
+    std::vector<app::Band> places;
     std::atomic<int> left;
+    bool begun = false;
     QElapsedTimer clock;
 };
 
@@ -38,8 +40,8 @@ double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElaps
 /// there: it is painted by all cores meanwhile, and the newest wish is the next to be fulfilled.
 class RasterSurface final : public QWidget, public Surface {
 public:
-    RasterSurface(Controller& controller, Report report, QWidget* parent)
-        : QWidget(parent), controller_(controller), report_(std::move(report))
+    RasterSurface(Controller& controller, const Pane& pane, Report report, QWidget* parent)
+        : QWidget(parent), controller_(controller), pane_(pane), report_(std::move(report))
     {
         setAttribute(Qt::WA_OpaquePaintEvent);
         pool_.setMaxThreadCount(std::max(1, QThread::idealThreadCount()));
@@ -52,10 +54,17 @@ public:
     {
         repaint();
         while (job_) {
+            begin(job_);
             pool_.waitForDone();
             deliver();
             repaint();
         }
+    }
+
+    void forget() override
+    {
+        job_.reset(); // its threads hold it, and deliver to nobody
+        art_ = {};
     }
 
 protected:
@@ -63,18 +72,18 @@ protected:
     {
         QElapsedTimer clock;
         clock.start();
-        const app::Frame frame = controller_.clip();
-        const FrameKey key = controller_.key();
+        const app::Frame frame = controller_.clip(pane_);
+        const FrameKey key = controller_.key(pane_);
         if (art_.key != key || art_.image.size() != deviceSize())
             renew(frame, key);
         QPainter painter(this);
         paintPaper(painter, controller_);
         painter.drawImage(placeOfArt(), art_.image);
-        paintOverlay(painter, controller_);
+        paintOverlay(painter, controller_, pane_);
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         const double waitMs = art_.key == key ? 0 : lastMs_; // painted by others meanwhile
         report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
-                 frame.inside.size(), frame.total});
+                 frame.inside.size(), frame.total, pane_.choice});
     }
 
 private:
@@ -84,25 +93,35 @@ private:
     {
         const bool known = measuredLines_ == frame.total && lastMs_ > 0;
         const double expected = known ? lastMs_ : double(frame.total) * expectedMsPerLine;
-        if (job_ && expected > atOnceMs)
+        const bool atOnce = expected * pane_.among <= atOnceMs;
+        if (job_ && !atOnce)
             return; // deliver() will ask again
         auto job = std::make_shared<Job>();
         job->clock.start();
         job->key = key;
-        job->picture = controller_.picture(frame, devicePixelRatioF());
+        job->picture = controller_.picture(frame, pane_, devicePixelRatioF());
         measuredLines_ = frame.total;
-        const auto bands = app::bandsOf(deviceSize().height(), pool_.maxThreadCount());
-        job->bands.resize(bands.size());
-        job->left = int(bands.size());
-        if (expected <= atOnceMs) {
-            for (std::size_t i = 0; i < bands.size(); ++i)
-                job->bands[i] = painted(job->picture, bands[i]);
+        job->places = app::bandsOf(deviceSize().height(), pool_.maxThreadCount());
+        job->bands.resize(job->places.size());
+        job->left = int(job->places.size());
+        if (atOnce) {
+            for (std::size_t i = 0; i < job->places.size(); ++i)
+                job->bands[i] = painted(job->picture, job->places[i]);
             accept(*job);
             return;
         }
         job_ = job;
-        for (std::size_t i = 0; i < bands.size(); ++i)
-            pool_.start([this, job, i, band = bands[i], width = deviceSize().width(),
+        // Not now: other panes are still to be clipped in this frame, and timed.
+        QMetaObject::invokeMethod(
+            this, [this, job] { begin(job); }, Qt::QueuedConnection);
+    }
+
+    void begin(const std::shared_ptr<Job>& job)
+    {
+        if (job != job_ || std::exchange(job->begun, true))
+            return;
+        for (std::size_t i = 0; i < job->places.size(); ++i)
+            pool_.start([this, job, i, band = job->places[i], width = deviceSize().width(),
                          ratio = devicePixelRatioF(), ghost = controller_.look().ghost] {
                 job->bands[i] = app::rasterised(job->picture, width, band, ratio, ghost);
                 if (--job->left == 0)
@@ -143,6 +162,7 @@ private:
     }
 
     Controller& controller_;
+    const Pane& pane_;
     Report report_;
     QThreadPool pool_;
     std::shared_ptr<Job> job_;
@@ -153,10 +173,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Surface> makeRasterSurface(Controller& controller, Surface::Report report,
-                                           QWidget* parent)
+std::unique_ptr<Surface> makeRasterSurface(Controller& controller, const Pane& pane,
+                                           Surface::Report report, QWidget* parent)
 {
-    return std::make_unique<RasterSurface>(controller, std::move(report), parent);
+    return std::make_unique<RasterSurface>(controller, pane, std::move(report), parent);
 }
 
 } // namespace ui

@@ -74,7 +74,7 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
 
 } // namespace
 
-void paintWindow(QPainter& painter, const Controller& controller)
+void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
@@ -91,7 +91,7 @@ void paintWindow(QPainter& painter, const Controller& controller)
     painter.drawRect(window);
     const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
     const bool edgeSeen = seen.intersects(window) && !window.contains(seen);
-    if (!controller.tool().showsGrips() || !edgeSeen)
+    if (!pane.active || !controller.tool().showsGrips() || !edgeSeen)
         return;
     paintHandles(painter, controller, look);
     paintLabel(painter, controller, window);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panes are as many OpenGL widgets, which share nothing but the window.
+#include "tests/ui/canvas/pane_stage.h"
+
+class PanesGlTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { ui::applyTheme(*qApp, ui::Theme::Light); }
+
+    void showTheSameInTheMiddleOfAGesture()
+    {
+        PaneStage stage(4, ui::Backend::OpenGL);
+        QCOMPARE(stage.canvas->backend(), ui::Backend::OpenGL);
+        stage.canvas->setTool("window");
+        stage.canvas->activatePane(2);
+        const QRect before = stage.orange(1);
+        QVERIFY(before.width() > 40);
+        const QPointF from = stage.at({100, 50}), by(16, 12);
+        stage.send(2, QEvent::MouseButtonPress, from, Qt::LeftButton);
+        stage.send(2, QEvent::MouseMove, from + by / 2, Qt::LeftButton);
+        stage.send(2, QEvent::MouseMove, from + by, Qt::LeftButton);
+        for (const std::size_t i : {0, 1, 3})
+            QCOMPARE(stage.orange(i), before.translated(by.toPoint()));
+        QCOMPARE(stage.shot(1), stage.shot(3)); // two corrected forms
+        QVERIFY(stage.shot(1) != stage.shot(2));
+        stage.send(2, QEvent::MouseButtonRelease, from + by, Qt::LeftButton);
+        QCOMPARE(stage.session.history.count(), 1);
+    }
+    void comeAndGo()
+    {
+        PaneStage stage(1, ui::Backend::OpenGL);
+        const QImage alone = stage.shot(0);
+        for (const std::size_t count : {4, 12, 2, 1, 12, 1})
+            stage.show(count);
+        QCOMPARE(stage.shot(0), alone);
+    }
+};
+
+QTEST_MAIN(PanesGlTest)
+#include "panes_gl_test.moc"

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/pane_grid.h"
+#include "ui/canvas/canvas_parts.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QScopedValueRollback>
+
+#include <algorithm>
+
+// The panes of a canvas: where they stand, and which is the active one. One of them alone has
+// rulers instead of a heading.
+
+namespace ui {
+
+std::optional<std::size_t> Canvas::Parts::place(std::size_t pane) const
+{
+    const auto found = std::ranges::find(shown, pane);
+    return found == shown.end() ? std::nullopt : std::optional(std::size_t(found - shown.begin()));
+}
+
+const app::Panes& Canvas::panes() const { return parts_->panes; }
+
+QWidget* Canvas::paneSurface(std::size_t pane) const
+{
+    const auto place = parts_->place(pane);
+    return place ? &parts_->widgets[*place]->surface().widget() : nullptr;
+}
+
+void Canvas::setPanes(const app::Panes& panes)
+{
+    parts_->panes = panes;
+    layOut();
+    app::Session& session = parts_->controller.session();
+    app::Display display = session.display();
+    display.algorithm = panes.chosen().algorithm;
+    display.form = panes.chosen().form;
+    session.setDisplay(display);
+    emit panesChanged();
+}
+
+void Canvas::activatePane(std::size_t pane)
+{
+    if (pane == parts_->panes.active())
+        return;
+    app::Panes panes = parts_->panes;
+    panes.activate(pane);
+    setPanes(panes);
+}
+
+/// Another algorithm was chosen, somewhere.
+void Canvas::followChoice()
+{
+    const app::Display& display = parts_->controller.session().display();
+    const app::Clipper choice{display.algorithm, display.usedForm()};
+    if (choice == parts_->panes.chosen())
+        return;
+    parts_->panes.choose(choice);
+    layOut();
+    emit panesChanged();
+}
+
+void Canvas::addPane()
+{
+    Parts& parts = *parts_;
+    parts.widgets.push_back(
+        std::make_unique<PaneWidget>(parts.controller, parts.choice.backend, this));
+    PaneWidget& widget = *parts.widgets.back();
+    widget.surface().widget().installEventFilter(this);
+    widget.surface().widget().setCursor(parts.controller.cursor());
+    const auto change = [this, place = parts.widgets.size() - 1](auto edit) {
+        app::Panes panes = parts_->panes;
+        edit(panes, parts_->shown[place]);
+        setPanes(panes);
+    };
+    connect(&widget, &PaneWidget::frameShown, this, [this, &widget](const FrameTimes& times) {
+        if (widget.pane().active)
+            emit frameShown(times);
+    });
+    connect(&widget.heading(), &PaneHeading::pressed, this, [this, change] {
+        change([](app::Panes& panes, std::size_t pane) { panes.activate(pane); });
+        setFocus();
+    });
+    connect(&widget.heading(), &PaneHeading::chosen, this, [change](const app::Clipper& choice) {
+        change([&](app::Panes& panes, std::size_t pane) {
+            panes.activate(pane);
+            panes.choose(choice);
+        });
+    });
+    connect(&widget.heading(), &PaneHeading::closeWanted, this, [this, change] {
+        change([](app::Panes& panes, std::size_t pane) { panes.close(pane); });
+        setFocus();
+    });
+    connect(&widget.heading(), &PaneHeading::aloneWanted, this, [this, change] {
+        change([](app::Panes& panes, std::size_t pane) {
+            panes.activate(pane);
+            panes.show(1);
+        });
+        setFocus();
+    });
+}
+
+void Canvas::layOut()
+{
+    const QScopedValueRollback quiet(parts_->layingOut, true);
+    Parts& parts = *parts_;
+    const bool alone = parts.panes.size() == 1;
+    const int edge = alone ? rulerWidth : 0;
+    const QRect area = rect().adjusted(edge, edge, 0, 0);
+    const auto count = std::exchange(parts.shown, {}).size();
+    parts.shown =
+        parts.panes.shown(std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()))));
+    if (count != 0 && count != parts.shown.size()) {
+        parts.controller.cancelGesture();
+        parts.controller.navigation().hold();
+    }
+    while (parts.widgets.size() < parts.shown.size())
+        addPane();
+    const bool focused = std::ranges::any_of(
+        parts.widgets, [](const auto& widget) { return widget->surface().widget().hasFocus(); });
+    const auto cells = app::paneCells(area.size(), int(parts.shown.size()));
+    for (std::size_t i = 0; i < parts.shown.size(); ++i) {
+        const std::size_t pane = parts.shown[i];
+        parts.widgets[i]->setGeometry(cells[i].translated(area.topLeft()));
+        parts.widgets[i]->show(
+            {parts.panes.choices()[pane], pane == parts.panes.active(), int(parts.shown.size())},
+            alone ? PaneWidget::Heading::None : PaneWidget::Heading::Shown);
+    }
+    QWidget& drawing = parts.activeWidget().surface().widget();
+    setFocusProxy(&drawing);
+    if (focused)
+        drawing.setFocus();
+    for (std::size_t i = parts.shown.size(); i < parts.widgets.size(); ++i)
+        parts.widgets[i]->rest();
+    for (QWidget* ruler : {static_cast<QWidget*>(&parts.corner), static_cast<QWidget*>(&parts.top),
+                           static_cast<QWidget*>(&parts.left)})
+        ruler->setVisible(alone);
+    parts.corner.setGeometry(0, 0, rulerWidth, rulerWidth);
+    parts.top.setGeometry(rulerWidth, 0, area.width(), rulerWidth);
+    parts.left.setGeometry(0, rulerWidth, rulerWidth, area.height());
+    parts.controller.navigation().resize(
+        {std::max(1, drawing.width()), std::max(1, drawing.height())});
+    update();
+}
+
+void Canvas::settle()
+{
+    for (const auto& widget : parts_->widgets)
+        if (!widget->isHidden())
+            widget->settle();
+}
+
+void Canvas::resizeEvent(QResizeEvent*) { layOut(); }
+
+// What is between panes, and beside the last one.
+void Canvas::paintEvent(QPaintEvent*)
+{
+    const Look& look = parts_->controller.look();
+    QPainter painter(this);
+    painter.fillRect(rect(), look.rule);
+    const QRect last = parts_->widgets[parts_->shown.size() - 1]->geometry();
+    painter.fillRect(QRect(last.topRight() + QPoint(1 + app::paneGap, 0), rect().bottomRight()),
+                     look.canvas);
+}
+
+// Panes are activated by what also gives them the focus.
+bool Canvas::activates(const QEvent& event) const
+{
+    if (event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick)
+        return true;
+    if (event.type() != QEvent::FocusIn || parts_->layingOut)
+        return false;
+    const auto reason = static_cast<const QFocusEvent&>(event).reason();
+    return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
+}
+
+bool Canvas::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto shows = [](const QObject* object) {
+        return [object](const auto& widget) { return &widget->surface().widget() == object; };
+    };
+    const auto& widgets = parts_->widgets;
+    const auto place = std::size_t(std::ranges::find_if(widgets, shows(watched)) - widgets.begin());
+    if (place < parts_->shown.size() && activates(*event))
+        activatePane(parts_->shown[place]);
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
+        parts_->corner.setFocused(event->type() == QEvent::FocusIn);
+    // From pane to pane the focus does not leave the drawing: Space is still held down.
+    if (event->type() == QEvent::FocusOut
+        && std::ranges::any_of(widgets, shows(QApplication::focusWidget())))
+        return QWidget::eventFilter(watched, event);
+    return parts_->controller.handle(*event) || QWidget::eventFilter(watched, event);
+}
+
+} // namespace ui

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/pane_heading.h"
+
+#include "app/view/numbers.h"
+#include "app/view/pane_grid.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/tabular.h"
+
+#include <QApplication>
+#include <QMenu>
+#include <QMouseEvent>
+
+namespace ui {
+
+namespace {
+
+constexpr int updateMilliseconds = 100; // ten times a second
+constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
+constexpr int widthForClose = 260; // in narrower ones the menu can close it
+constexpr int leastName = 48;      // a name shorter than this says nothing
+
+QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+QIcon markerIcon(const app::Clipper& choice, const QPalette& palette)
+{
+    QPixmap picture(32, 32);
+    picture.setDevicePixelRatio(2);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    app::paintMarker(painter, QRectF(2, 2, markerSize, markerSize), *choice.algorithm, choice.form,
+                     groundOf(palette));
+    return picture;
+}
+
+QToolButton* makeButton(QWidget* parent, const QString& name)
+{
+    auto* made = new QToolButton(parent);
+    made->setAutoRaise(true);
+    made->setFixedSize(button, button);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setAccessibleName(name);
+    made->setToolTip(name);
+    return made;
+}
+
+} // namespace
+
+PaneHeading::PaneHeading(QWidget* parent)
+    : QWidget(parent), choose_(makeButton(this, tr("Algorithm of this pane"))),
+      close_(makeButton(this, tr("Close this pane")))
+{
+    setFixedHeight(app::paneHeading);
+    choose_->setText(QStringLiteral("▾"));
+    close_->setIcon(icon("close"));
+    close_->setIconSize({14, 14});
+    connect(choose_, &QToolButton::clicked, this, &PaneHeading::openMenu);
+    connect(close_, &QToolButton::clicked, this, &PaneHeading::closeWanted);
+    connect(qApp, &QApplication::focusChanged, this, &PaneHeading::place);
+    pause_.setSingleShot(true);
+    pause_.setInterval(updateMilliseconds);
+    connect(&pause_, &QTimer::timeout, this, &PaneHeading::showTime);
+}
+
+void PaneHeading::show(const Pane& pane)
+{
+    pane_ = pane;
+    const QString name = latin(pane.choice.algorithm->name);
+    setAccessibleName(
+        pane.choice.form == clipping::Form::Published ? tr("%1 as published").arg(name) : name);
+    setToolTip(accessibleName());
+    place();
+    update();
+}
+
+void PaneHeading::note(const FrameTimes& times)
+{
+    if (times.total != last_.total || times.choice != last_.choice)
+        clip_.forget();
+    clip_.add(times.clipMs);
+    last_ = times;
+    if (!pause_.isActive())
+        pause_.start();
+}
+
+void PaneHeading::showTime()
+{
+    time_ = last_.total < app::leastLinesToTime ? QString() : app::millisecondsText(clip_.median());
+    setAccessibleDescription(time_);
+    update(places().time);
+}
+
+QString PaneHeading::formText() const
+{
+    return width() < widthForClose ? tr("published") : tr("as published");
+}
+
+PaneHeading::Places PaneHeading::places() const
+{
+    Places p;
+    auto left = [&, x = margin](int width) mutable {
+        return QRect(std::exchange(x, x + width), 1, width, height() - 1);
+    };
+    const int timeWidth = tabularWidth(fontMetrics(), app::millisecondsText(88.8));
+    if (width() >= widthForClose)
+        p.close = QRect(width() - button - 4, 5, button, button);
+    const int right = p.close.isValid() ? p.close.left() - 4 : width() - margin;
+    p.time = QRect(right - timeWidth, 1, timeWidth, height() - 1);
+    p.marker = left(markerSize + gap);
+    const QFontMetrics bold(semiBold(font()));
+    const auto& algorithm = *pane_->choice.algorithm;
+    p.abbreviation = left(bold.horizontalAdvance(latin(algorithm.abbreviation)) + gap);
+    int room = p.time.left() - gap - button - p.abbreviation.right();
+    const int name = fontMetrics().horizontalAdvance(latin(algorithm.name)) + gap;
+    const int formWidth = QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + gap;
+    const bool form = pane_->choice.form == clipping::Form::Published && formWidth <= room;
+    room -= form ? formWidth : 0;
+    if (room >= std::min(name, leastName + gap))
+        p.name = left(std::min(name, room));
+    if (form)
+        p.form = left(formWidth);
+    p.choose = left(button);
+    p.choose = QRect(p.choose.left() - 4, 5, button, button);
+    return p;
+}
+
+void PaneHeading::place()
+{
+    if (!pane_)
+        return;
+    const Places p = places();
+    choose_->setGeometry(p.choose);
+    close_->setGeometry(p.close);
+    const QWidget* focus = focusWidget();
+    const bool inHand = underMouse() || (focus && focus->hasFocus());
+    choose_->setVisible(pane_->active || inHand);
+    close_->setVisible(inHand && p.close.isValid());
+}
+
+void PaneHeading::paintEvent(QPaintEvent*)
+{
+    if (!pane_)
+        return;
+    const Look& look = lookOf(palette());
+    const app::Clipper& choice = pane_->choice;
+    const Places p = places();
+    QPainter painter(this);
+    painter.fillRect(rect(), look.panel);
+    if (pane_->active)
+        painter.fillRect(0, 0, width(), 2, look.selection);
+    app::paintMarker(
+        painter, QRectF(p.marker.left(), (height() - markerSize) / 2 + 1, markerSize, markerSize),
+        *choice.algorithm, choice.form, groundOf(palette()));
+    const auto text = [&](const QRect& place, const QFont& font, const QColor& colour,
+                          const QString& words) {
+        if (!place.isValid())
+            return;
+        painter.setFont(font);
+        painter.setPen(colour);
+        painter.drawText(
+            place, Qt::AlignLeft | Qt::AlignVCenter,
+            QFontMetrics(font).elidedText(words, Qt::ElideRight, place.width() - gap + 1));
+    };
+    text(p.abbreviation, semiBold(font()), look.text, latin(choice.algorithm->abbreviation));
+    text(p.name, font(), look.text, latin(choice.algorithm->name));
+    text(p.form, captionFont(font()), look.muted, formText());
+    painter.setFont(font());
+    painter.setPen(look.text);
+    drawTabular(painter, p.time, Qt::AlignRight | Qt::AlignVCenter, time_);
+}
+
+void PaneHeading::resizeEvent(QResizeEvent*) { place(); }
+
+void PaneHeading::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        emit pressed();
+}
+
+void PaneHeading::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        emit aloneWanted();
+}
+
+void PaneHeading::contextMenuEvent(QContextMenuEvent*) { openMenu(); }
+
+bool PaneHeading::event(QEvent* event)
+{
+    const bool result = QWidget::event(event);
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave)
+        place();
+    return result;
+}
+
+void PaneHeading::openMenu()
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fill(*menu);
+    menu->popup(mapToGlobal(choose_->geometry().bottomLeft()));
+}
+
+void PaneHeading::fill(QMenu& menu)
+{
+    QMenu* const published = new QMenu(tr("As &published"), &menu);
+    for (const clipping::Algorithm& row : clipping::algorithms()) {
+        addChoice(menu, {&row});
+        if (row.published)
+            addChoice(*published, {&row, clipping::Form::Published});
+    }
+    menu.addSeparator();
+    menu.addMenu(published);
+    menu.addSeparator();
+    menu.addAction(tr("Show &only this pane"), this, &PaneHeading::aloneWanted);
+    menu.addAction(tr("&Close this pane"), this, &PaneHeading::closeWanted);
+}
+
+void PaneHeading::addChoice(QMenu& menu, const app::Clipper& choice)
+{
+    auto* action = menu.addAction(markerIcon(choice, palette()), latin(choice.algorithm->name),
+                                  this, [this, choice] { emit chosen(choice); });
+    action->setCheckable(true);
+    action->setChecked(pane_->choice == choice);
+}
+
+} // namespace ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/frame_statistics.h"
+#include "ui/canvas/controller.h"
+
+#include <QTimer>
+#include <QToolButton>
+
+namespace ui {
+
+/// What is over a pane: marker, abbreviation, name and form of what clips there, and the middle of
+/// its last clip times, shown at most ten times a second. A menu chooses another algorithm. The
+/// blue line is over the active pane.
+class PaneHeading : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PaneHeading(QWidget* parent);
+
+    void show(const Pane& pane);
+    void note(const FrameTimes& times);
+    QString time() const { return time_; } ///< as shown
+    void openMenu();
+
+signals:
+    void pressed();
+    void chosen(const app::Clipper& choice);
+    void closeWanted();
+    void aloneWanted(); ///< this pane and no other
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    /// Where things stand, from left to right; what has no room is not valid.
+    struct Places {
+        QRect marker, abbreviation, name, form, choose, time, close;
+    };
+    Places places() const;
+    QString formText() const;
+    void place();
+    void showTime();
+    void fill(QMenu& menu);
+    void addChoice(QMenu& menu, const app::Clipper& choice);
+
+    std::optional<Pane> pane_;
+    QToolButton *choose_, *close_;
+    app::FrameStatistics clip_;
+    FrameTimes last_;
+    QString time_;
+    QTimer pause_;
+};
+
+} // namespace ui

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/pane_widget.h"
+
+#include "app/document/usual_algorithm.h"
+
+namespace ui {
+
+PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
+    : QWidget(parent), fromExact_(controller.session().drawing, controller.session().scene),
+      pane_{{&app::usualAlgorithm()}}, heading_(new PaneHeading(this)),
+      surface_((backend == Backend::OpenGL ? makeGlSurface : makeRasterSurface)(
+          controller, pane_,
+          [this](const FrameTimes& times) {
+              heading_->note(times);
+              emit frameShown(times);
+          },
+          this))
+{
+    QWidget& drawing = surface_->widget();
+    drawing.setFocusPolicy(Qt::StrongFocus);
+    drawing.setMouseTracking(true);
+    drawing.setAccessibleName(tr("Drawing"));
+    heading_->hide();
+    connect(&fromExact_, &app::LiveDifferences::changed, this, [this, &drawing] {
+        ++pane_.revision;
+        drawing.update();
+    });
+}
+
+void PaneWidget::show(const Pane& pane, Heading heading)
+{
+    const bool marks = pane.among > 1 && pane.choice != app::exactClipper();
+    const auto revision = pane_.revision;
+    pane_ = pane;
+    pane_.revision = revision;
+    pane_.fromExact = marks ? &fromExact_ : nullptr;
+    fromExact_.ask(marks ? std::optional(app::Comparison{pane.choice}) : std::nullopt);
+    heading_->show(pane);
+    heading_->setVisible(heading == Heading::Shown);
+    place();
+    setVisible(true);
+    surface_->widget().update();
+}
+
+void PaneWidget::rest()
+{
+    hide();
+    fromExact_.ask(std::nullopt);
+    surface_->forget();
+}
+
+void PaneWidget::settle()
+{
+    fromExact_.finish();
+    surface_->settle();
+}
+
+void PaneWidget::place()
+{
+    const int top = heading_->isHidden() ? 0 : heading_->height();
+    heading_->setGeometry(0, 0, width(), heading_->height());
+    surface_->widget().setGeometry(0, top, width(), height() - top);
+}
+
+void PaneWidget::resizeEvent(QResizeEvent*) { place(); }
+
+} // namespace ui
