@@ -28,6 +28,7 @@ struct Options {
     std::optional<Theme> theme;
     QString file, screenshot;
     std::optional<QSize> size;
+    QString panes; ///< 1 to 4, or "all"; empty: as they were
     bool verbose = false;
 };
 
@@ -61,12 +62,16 @@ std::optional<QString> take(Options& options, const QString& name, const QString
         options.theme = themes.at(value);
     else if (name == "--size" && parsedSize(value))
         options.size = parsedSize(value);
+    else if (name == "--panes" && QStringList{"1", "2", "4", "all"}.contains(value))
+        options.panes = value;
     else if (name == "--screenshot" && !value.isEmpty())
         options.screenshot = value;
     else if (name == "--renderer")
         return tr("--renderer is auto, opengl or raster.");
     else if (name == "--theme")
         return tr("--theme is system, light or dark.");
+    else if (name == "--panes")
+        return tr("--panes is 1, 2, 4 or all.");
     else if (name == "--size")
         return tr("--size is a width and a height, such as 1280x800.");
     else
@@ -126,12 +131,21 @@ bool savedPicture(MainWindow& window, const QString& path)
     return window.grab().save(path);
 }
 
+void showPanes(Canvas& canvas, const QString& count)
+{
+    app::Panes panes = canvas.panes();
+    count == "all" ? panes.showAll() : panes.show(count.toUInt());
+    canvas.setPanes(panes);
+}
+
 /// Opens what was asked for; the picture is taken when all has been painted.
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     MainWindow window(options.backend);
     if (options.size)
         window.resize(*options.size);
+    if (!options.panes.isEmpty())
+        showPanes(window.canvas(), options.panes);
     // What takes long to read must not keep the window from being seen.
     const auto open = [&] { window.files().open(options.file); };
     const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;

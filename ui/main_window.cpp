@@ -50,10 +50,23 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connect(&session_.drawing, &app::Drawing::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &QUndoStack::indexChanged, strip_, &MessageStrip::takeBackDone);
+    rememberPanes();
     restoreLayout();
     refreshActions();
     showTitle();
     canvas_->setFocus();
+}
+
+void MainWindow::rememberPanes()
+{
+    const app::Display& display = session_.display();
+    if (const auto panes = app::Panes::fromText(QSettings().value("panes").toString(),
+                                                {display.algorithm, display.usedForm()}))
+        canvas_->setPanes(*panes);
+    connect(canvas_, &Canvas::panesChanged, this, [this] {
+        QSettings().setValue("panes", canvas_->panes().text());
+        refreshActions();
+    });
 }
 
 MainWindow::~MainWindow()

@@ -33,6 +33,7 @@ public:
     app::Session& session() { return session_; }
     const app::Session& session() const { return session_; }
     Canvas& canvas() { return *canvas_; }
+    const Canvas& canvas() const { return *canvas_; }
     Files& files() { return *files_; }
     AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
     DifferencePanel& differencePanel() { return *differencePanel_; }
@@ -77,6 +78,7 @@ private:
     void addBars();
     void connectFiles();
     void showTitle();
+    void rememberPanes();
     void arrange();
     enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
     void arrangeAs(Arrangement arrangement);

@@ -57,6 +57,7 @@ QString overview()
            + aligned({{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},
                       {"--theme system|light|dark", Commands::tr("How the window looks.")},
                       {"--size WIDTHxHEIGHT", Commands::tr("How large the window is.")},
+                      {"--panes 1|2|4|all", Commands::tr("How many algorithms side by side.")},
                       {"--screenshot FILE.png", Commands::tr("Take a picture of it and end.")}})
            + Commands::tr("\nCommands:\n") + aligned(rows)
            + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 3 something differs, "

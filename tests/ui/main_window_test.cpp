@@ -3,6 +3,7 @@
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/widgets/option_bar.h"
+#include "ui/widgets/segments.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -358,6 +359,39 @@ private slots:
         again.resetLayout();
         QCOMPARE(again.dockWidgetArea(kept), Qt::RightDockWidgetArea);
     }
+    void panesAreChosenAndRemembered()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        auto* segments = t.window->findChild<OptionBar*>()->findChild<Segments*>("panes");
+        QCOMPARE(segments->chosen(), 0);
+        t.action("panes-4")->trigger();
+        QCOMPARE(t.window->canvas().panes().size(), std::size_t(4));
+        QCOMPARE(segments->chosen(), 2);
+        t.action("next-pane")->trigger();
+        t.action("next-pane")->trigger();
+        QCOMPARE(t.window->canvas().panes().active(), std::size_t(2));
+        QTest::keyClick(t.drawingArea(), Qt::Key_6); // KWC, in the active pane
+        QTest::keyClick(t.drawingArea(), Qt::Key_V);
+        const auto& chosen = t.window->canvas().panes().chosen();
+        QCOMPARE(chosen.algorithm, clipping::findAlgorithm("kwc"));
+        t.action("close-pane")->trigger();
+        QCOMPARE(segments->chosen(), -1); // three is none of the choices
+        QVERIFY(t.window->canvas().focusProxy()->hasFocus());
+        for (QAbstractButton* button : segments->findChildren<QAbstractButton*>())
+            if (button->text() == "2")
+                button->click();
+        QCOMPARE(t.window->canvas().panes().size(), std::size_t(2));
+        const auto before = t.window->canvas().panes();
+        MainWindow again(Backend::Raster);
+        QVERIFY(std::ranges::equal(again.canvas().panes().choices(), before.choices()));
+        QCOMPARE(again.session().display().algorithm, before.chosen().algorithm);
+        t.action("panes-all")->trigger();
+        QCOMPARE(segments->chosen(), 3);
+        t.action("panes-1")->trigger();
+        QVERIFY(!t.action("close-pane")->isEnabled());
+    }
     void fitsTheSmallestScreen()
     {
         TestWindow t;
@@ -370,6 +404,7 @@ private slots:
         TestWindow t;
         t.window->showStart();
         t.show();
+        t.action("panes-4")->trigger();
         for (const QWidget* widget : t.window->findChildren<QWidget*>()) {
             const bool control =
                 widget->focusPolicy() != Qt::NoFocus

@@ -46,7 +46,7 @@ public:
     /// Does something, and says what.
     QString act()
     {
-        switch (below(12)) {
+        switch (below(13)) {
         case 0:
         case 1:
             return command();
@@ -62,6 +62,8 @@ public:
             return resize();
         case 7:
             return drag();
+        case 8:
+            return pane();
         default:
             return mouse();
         }
@@ -84,6 +86,13 @@ public:
             return "what is inspected is not there";
         if (!(sheet.window.min.x <= sheet.window.max.x && sheet.window.min.y <= sheet.window.max.y))
             return "the window is inside out";
+        const app::Panes& panes = test_.window->canvas().panes();
+        const app::Display& display = session().display();
+        if (panes.chosen() != app::Clipper{display.algorithm, display.usedForm()})
+            return "what is chosen is not the active pane's";
+        if (!test_.drawingArea()->isVisible()
+            || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
+            return "the active pane is not in sight";
         return std::ranges::equal(app::Scene(session().drawing).segments(), segments)
                    ? QString()
                    : "the scene is not the drawing";
@@ -191,6 +200,28 @@ private:
             move(Qt::LeftButton, held);
         QTest::mouseRelease(test_.drawingArea(), Qt::LeftButton, held, place());
         return "drag";
+    }
+    /// Another number of panes, another active one, or one less: in the middle of gestures too.
+    QString pane()
+    {
+        Canvas& canvas = test_.window->canvas();
+        app::Panes panes = canvas.panes();
+        const std::size_t one = std::size_t(below(int(panes.size())));
+        switch (below(6)) {
+        case 0:
+            panes.close(one);
+            break;
+        case 1:
+            panes.show(std::size_t(1 + below(4)));
+            break;
+        case 2:
+            panes.showAll();
+            break;
+        default:
+            panes.activate(one);
+        }
+        canvas.setPanes(panes);
+        return QStringLiteral("%1 panes").arg(panes.size());
     }
     void move(Qt::MouseButtons buttons, Qt::KeyboardModifiers held)
     {

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 
 #include <QCoreApplication>
+#include <QMenu>
 
 namespace ui {
 
@@ -56,6 +57,55 @@ void choose(MainWindow& window, clipping::Form form)
     app::Display display = window.session().display();
     display.form = form;
     window.session().setDisplay(display);
+}
+
+template <std::size_t count>
+void showPanes(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.show(count);
+    window.canvas().setPanes(panes);
+}
+
+template <std::size_t count>
+bool showsPanes(const MainWindow& window)
+{
+    return window.canvas().panes().size() == count;
+}
+
+void showAllPanes(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.showAll();
+    window.canvas().setPanes(panes);
+}
+
+bool severalPanes(const MainWindow& window) { return window.canvas().panes().size() > 1; }
+
+void activatePane(MainWindow& window, std::size_t by)
+{
+    const app::Panes& panes = window.canvas().panes();
+    window.canvas().activatePane((panes.active() + by) % panes.size());
+    window.canvas().setFocus();
+}
+
+void closePane(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.close(panes.active());
+    window.canvas().setPanes(panes);
+}
+
+/// What is about panes goes into a menu of its own.
+void gatherPanes(MainWindow&, QMenu& menu)
+{
+    auto* panes = new QMenu(tr("Pan&es"), &menu);
+    for (QAction* action : menu.actions())
+        if (action->objectName().contains(QStringLiteral("pane"))) {
+            menu.removeAction(action);
+            panes->addAction(action);
+        }
+    menu.addMenu(panes);
 }
 
 bool someLines(const MainWindow& window) { return !window.session().scene.segments().empty(); }
@@ -161,7 +211,66 @@ MenuInfo compareMenu()
                  Reach::Window,
                  "chart",
                  showExperiment},
-            }};
+                {},
+                {"panes-1",
+                 tr("&One pane"),
+                 {QKeySequence("Ctrl+1")},
+                 Reach::Window,
+                 {},
+                 showPanes<1>,
+                 nullptr,
+                 showsPanes<1>,
+                 "panes"},
+                {"panes-2",
+                 tr("&Two panes"),
+                 {QKeySequence("Ctrl+2")},
+                 Reach::Window,
+                 {},
+                 showPanes<2>,
+                 nullptr,
+                 showsPanes<2>,
+                 "panes"},
+                {"panes-4",
+                 tr("&Four panes"),
+                 {QKeySequence("Ctrl+4")},
+                 Reach::Window,
+                 "panes",
+                 showPanes<4>,
+                 nullptr,
+                 showsPanes<4>,
+                 "panes"},
+                {"panes-all",
+                 tr("A pane for &every algorithm"),
+                 {QKeySequence("Ctrl+9")},
+                 Reach::Window,
+                 {},
+                 showAllPanes,
+                 nullptr,
+                 [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
+                 "panes"},
+                {"next-pane",
+                 tr("&Next pane"),
+                 {QKeySequence("F6")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { activatePane(w, 1); },
+                 severalPanes},
+                {"previous-pane",
+                 tr("&Previous pane"),
+                 {QKeySequence("Shift+F6")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
+                 severalPanes},
+                {"close-pane",
+                 tr("&Close pane"),
+                 {QKeySequence("Ctrl+Shift+W")},
+                 Reach::Window,
+                 {},
+                 closePane,
+                 severalPanes},
+            },
+            gatherPanes};
 }
 
 } // namespace ui

@@ -13,11 +13,14 @@
 #include <QPainter>
 #include <QResizeEvent>
 
+#include <algorithm>
+#include <array>
+
 namespace ui {
 
 namespace {
 
-constexpr int widthForCaptions = 1200;
+constexpr int steps = 4, narrowSnapping = 104;
 
 /// The square of an ink, in the true colour; a struck-through one for no stroke.
 QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
@@ -42,9 +45,10 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     : QToolBar(tr("Tool options"), parent), session_(session), ink_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new QComboBox), magnet_(new QLabel),
+      dashes_(new QComboBox), magnet_(new QLabel), snapping_(new QComboBox),
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
+      panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
       export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
@@ -60,6 +64,8 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     addSnapping(canvas);
     addSeparator();
     addClipping();
+    addSeparator();
+    addPanes(canvas);
     auto* room = new QWidget;
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(room);
@@ -108,7 +114,7 @@ void OptionBar::addStroke()
 void OptionBar::addSnapping(Canvas& canvas)
 {
     magnet_->setToolTip(tr("Snapping; Ctrl suspends it"));
-    auto* choice = new QComboBox;
+    QComboBox* const choice = snapping_;
     choice->setAccessibleName(tr("Snapping"));
     choice->setToolTip(magnet_->toolTip());
     choice->setFixedHeight(space::fieldHeight);
@@ -143,6 +149,34 @@ void OptionBar::addClipping()
     });
 }
 
+void OptionBar::addPanes(Canvas& canvas)
+{
+    static constexpr std::array<std::size_t, 3> counts{1, 2, 4}; // and all
+    addCaption(tr("Panes"));
+    panes_->setObjectName(QStringLiteral("panes"));
+    addWidget(panes_);
+    panes_->setToolTip(tr("The drawing side by side, each with its own algorithm"));
+    connect(panes_, &Segments::picked, this, [&canvas](int index) {
+        app::Panes panes = canvas.panes();
+        std::size_t(index) < counts.size() ? panes.show(counts[std::size_t(index)])
+                                           : panes.showAll();
+        canvas.setPanes(panes);
+        canvas.setFocus();
+    });
+    const auto follow = [this, &canvas] {
+        const app::Panes& panes = canvas.panes();
+        const auto count = std::ranges::find(counts, panes.size());
+        if (panes.showsAll())
+            panes_->choose(int(counts.size()));
+        else if (count != counts.end())
+            panes_->choose(int(count - counts.begin()));
+        else
+            panes_->chooseNone();
+    };
+    connect(&canvas, &Canvas::panesChanged, this, follow);
+    follow();
+}
+
 void OptionBar::addExport(QAction* exportCut)
 {
     export_->setDefaultAction(exportCut);
@@ -165,12 +199,22 @@ QLabel* OptionBar::addCaption(const QString& text)
 
 void OptionBar::resizeEvent(QResizeEvent* event)
 {
+    for (int step = 0; step < steps; ++step) {
+        arrange(step);
+        if (sizeHint().width() <= event->size().width())
+            break;
+    }
     QToolBar::resizeEvent(event);
-    const bool wide = event->size().width() >= widthForCaptions;
+}
+
+/// From 0, all that there is, each step takes less room.
+void OptionBar::arrange(int step)
+{
+    export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(wide);
-    export_->setToolButtonStyle(wide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+            action->setVisible(step < 3);
+    snapping_->setMaximumWidth(step < 2 ? QWIDGETSIZE_MAX : narrowSnapping);
 }
 
 void OptionBar::changeEvent(QEvent* event)

@@ -15,7 +15,8 @@ class LengthField;
 class Segments;
 
 /// The bar across the top: undo, redo, the stroke of what is selected or drawn next, snapping, what
-/// is kept and how the rest is shown, export. Where it is narrow, captions go first.
+/// is kept and how the rest is shown, panes, export. Where it is narrow the words
+/// of export go first, then room for what snaps, then captions.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -34,7 +35,9 @@ private:
     void addStroke();
     void addSnapping(Canvas& canvas);
     void addClipping();
+    void addPanes(Canvas& canvas);
     void addExport(QAction* exportCut);
+    void arrange(int step);
     QLabel* addCaption(const QString& text);
     void paintIcons();
     void followDisplay();
@@ -48,7 +51,8 @@ private:
     LengthField* width_;
     QComboBox* dashes_;
     QLabel* magnet_;
-    Segments *keep_, *removed_;
+    QComboBox* snapping_;
+    Segments *keep_, *removed_, *panes_;
     QList<QLabel*> captions_;
     QToolButton* export_;
 };

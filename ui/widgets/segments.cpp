@@ -82,4 +82,12 @@ Segments::Segments(const QString& name, const QStringList& choices, QWidget* par
 
 void Segments::choose(int index) { group_.button(index)->setChecked(true); }
 
+void Segments::chooseNone()
+{
+    group_.setExclusive(false);
+    for (QAbstractButton* button : group_.buttons())
+        button->setChecked(false);
+    group_.setExclusive(true);
+}
+
 } // namespace ui

@@ -17,6 +17,7 @@ public:
 
     int chosen() const { return group_.checkedId(); }
     void choose(int index); ///< without a signal
+    void chooseNone();      ///< what is so is not among them
 
 signals:
     void picked(int index); ///< by the person
