@@ -7,8 +7,6 @@ namespace app {
 
 namespace {
 
-constexpr double breadth = 4.0 / 3; // of a usual drawing's height
-
 struct Grid {
     int columns, rows;
 };
@@ -20,7 +18,7 @@ QSize cellSize(const QSize& area, const Grid& grid)
     return {length(area.width(), grid.columns), length(area.height(), grid.rows)};
 }
 
-Grid gridFor(const QSize& area, int count)
+Grid gridFor(const QSize& area, int count, double breadth)
 {
     const auto drawingHeight = [&](const Grid& grid) {
         const QSize cell = cellSize(area, grid);
@@ -42,19 +40,19 @@ int start(int whole, int parts, int i)
     return i * (size + paneGap) + std::min(i, over);
 }
 
-bool hasRoom(const QSize& area, int count)
+bool hasRoom(const QSize& area, int count, double breadth)
 {
     constexpr QSize few(200, 150), many(148, 128); // of many each need only be told apart
-    const QSize cell = cellSize(area, gridFor(area, count));
+    const QSize cell = cellSize(area, gridFor(area, count, breadth));
     const QSize least = count > 4 ? many : few;
     return cell.width() >= least.width() && cell.height() >= least.height();
 }
 
 } // namespace
 
-std::vector<QRect> paneCells(const QSize& area, int count)
+std::vector<QRect> paneCells(const QSize& area, int count, double breadth)
 {
-    const Grid grid = gridFor(area, count);
+    const Grid grid = gridFor(area, count, breadth);
     const QSize size = cellSize(area, grid);
     std::vector<QRect> cells;
     for (int i = 0; i < count; ++i)
@@ -64,10 +62,10 @@ std::vector<QRect> paneCells(const QSize& area, int count)
     return cells;
 }
 
-int panesWithRoom(const QSize& area, int count)
+int panesWithRoom(const QSize& area, int count, double breadth)
 {
     for (const int fewer : {count, 4, 2})
-        if (fewer <= count && hasRoom(area, fewer))
+        if (fewer <= count && hasRoom(area, fewer, breadth))
             return fewer;
     return 1;
 }

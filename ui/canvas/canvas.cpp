@@ -39,6 +39,7 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&controller, &Controller::hintChanged, this,
             [this] { emit hint(parts_->controller.hint()); });
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
+    connect(&session, &app::Session::loaded, this, &Canvas::layOut);
     layOut();
 }
 

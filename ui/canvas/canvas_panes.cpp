@@ -7,6 +7,7 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <cmath>
 
 // The panes of a canvas: where they stand, and which is the active one. One of them alone has
 // rulers instead of a heading.
@@ -100,6 +101,12 @@ void Canvas::addPane()
     });
 }
 
+static double breadthOf(const app::Page& page)
+{
+    const double width = std::abs(page.size.x), height = std::abs(page.size.y);
+    return width > 0 && height > 0 ? std::clamp(width / height, 0.5, 2.0) : 1;
+}
+
 void Canvas::layOut()
 {
     const QScopedValueRollback quiet(parts_->layingOut, true);
@@ -108,8 +115,9 @@ void Canvas::layOut()
     const int edge = alone ? rulerWidth : 0;
     const QRect area = rect().adjusted(edge, edge, 0, 0);
     const auto count = std::exchange(parts.shown, {}).size();
-    parts.shown =
-        parts.panes.shown(std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()))));
+    const double breadth = breadthOf(parts.controller.session().sheet().page);
+    parts.shown = parts.panes.shown(
+        std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()), breadth)));
     if (count != 0 && count != parts.shown.size()) {
         parts.controller.cancelGesture();
         parts.controller.navigation().hold();
@@ -118,7 +126,7 @@ void Canvas::layOut()
         addPane();
     const bool focused = std::ranges::any_of(
         parts.widgets, [](const auto& widget) { return widget->surface().widget().hasFocus(); });
-    const auto cells = app::paneCells(area.size(), int(parts.shown.size()));
+    const auto cells = app::paneCells(area.size(), int(parts.shown.size()), breadth);
     for (std::size_t i = 0; i < parts.shown.size(); ++i) {
         const std::size_t pane = parts.shown[i];
         parts.widgets[i]->setGeometry(cells[i].translated(area.topLeft()));

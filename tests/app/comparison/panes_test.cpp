@@ -12,6 +12,7 @@ using app::Panes;
 
 namespace {
 
+constexpr double usual = 4.0 / 3;
 constexpr auto published = clipping::Form::Published;
 
 Clipper row(const char* key, clipping::Form form = clipping::Form::Corrected)
@@ -183,7 +184,7 @@ private slots:
         for (const int count : {1, 2, 3, 4, 11, 12})
             for (int width = 600; width < 640; ++width) {
                 const QSize area(width, 500 + (width * 7) % 50);
-                const auto cells = app::paneCells(area, count);
+                const auto cells = app::paneCells(area, count, usual);
                 QCOMPARE(int(cells.size()), count);
                 QRegion free{QRect(QPoint(), area)};
                 for (const QRect& cell : cells) {
@@ -193,20 +194,24 @@ private slots:
                 }
                 QVERIFY(area.width() - cells.back().right() >= 1);
             }
-        const auto two = app::paneCells({900, 680}, 2);
+        const auto two = app::paneCells({900, 680}, 2, usual);
         QCOMPARE(two[0].top(), two[1].top());
-        const auto high = app::paneCells({400, 900}, 2);
+        const auto square = app::paneCells({1000, 780}, 2, 1);
+        QCOMPARE(square[0].top(), square[1].top());
+        const auto broad = app::paneCells({1000, 780}, 2, 2);
+        QCOMPARE(broad[0].left(), broad[1].left());
+        const auto high = app::paneCells({400, 900}, 2, usual);
         QCOMPARE(high[0].left(), high[1].left());
-        QCOMPARE(app::paneCells({900, 680}, 4)[3].topLeft(), QPoint(451, 341));
+        QCOMPARE(app::paneCells({900, 680}, 4, usual)[3].topLeft(), QPoint(451, 341));
     }
     void becomeFewerWhereThereIsNoRoom()
     {
-        QCOMPARE(app::panesWithRoom({900, 680}, 12), 12);
-        QCOMPARE(app::panesWithRoom({900, 680}, 4), 4);
-        QCOMPARE(app::panesWithRoom({430, 500}, 12), 4);
-        QCOMPARE(app::panesWithRoom({390, 500}, 4), 2);
-        QCOMPARE(app::panesWithRoom({150, 100}, 4), 1);
-        QCOMPARE(app::panesWithRoom({900, 680}, 1), 1);
+        QCOMPARE(app::panesWithRoom({900, 680}, 12, usual), 12);
+        QCOMPARE(app::panesWithRoom({900, 680}, 4, usual), 4);
+        QCOMPARE(app::panesWithRoom({430, 500}, 12, usual), 4);
+        QCOMPARE(app::panesWithRoom({390, 500}, 4, usual), 2);
+        QCOMPARE(app::panesWithRoom({150, 100}, 4, usual), 1);
+        QCOMPARE(app::panesWithRoom({900, 680}, 1, usual), 1);
     }
 };
 
