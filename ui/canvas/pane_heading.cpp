@@ -66,6 +66,11 @@ PaneHeading::PaneHeading(QWidget* parent)
     connect(&pause_, &QTimer::timeout, this, &PaneHeading::showTime);
 }
 
+PaneHeading::~PaneHeading()
+{
+    disconnect(qApp, nullptr, this, nullptr); // its buttons may lose the focus by going
+}
+
 void PaneHeading::show(const Pane& pane)
 {
     pane_ = pane;

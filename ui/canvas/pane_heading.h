@@ -17,6 +17,7 @@ class PaneHeading : public QWidget {
 
 public:
     explicit PaneHeading(QWidget* parent);
+    ~PaneHeading() override;
 
     void show(const Pane& pane);
     void note(const FrameTimes& times);
