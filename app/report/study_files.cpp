@@ -35,35 +35,56 @@ std::optional<QString> writeText(const QString& path, const QString& text)
     return error ? std::optional(StudyFiles::tr("Cannot write %1: %2").arg(path, *error)) : error;
 }
 
+QStringList tablePaths(const TableFormat& format, const Study& study, const QString& path)
+{
+    if (format.key != u"csv") // the others keep tables apart in one file
+        return {path};
+    QStringList paths;
+    for (const Table& table : tablesOf(study))
+        paths << pathFor(path, table.key);
+    return paths;
+}
+
+QStringList chartPaths(const Study& study, const QString& path)
+{
+    QStringList paths;
+    for (const Chart& chart : chartsOf(study))
+        paths << pathFor(path, chart.key);
+    return paths;
+}
+
 /// The circumstances are facts of every table.
 Written writeTables(const TableFormat& format, const Study& study, const QString& path)
 {
     const auto tables = tablesOf(study);
-    if (format.key != u"csv") { // the others keep tables apart in one file
+    const QStringList paths = tablePaths(format, study, path);
+    if (paths == QStringList{path}) {
         const auto error = writeText(path, format.text(tables));
-        return error ? Written::failure(*error) : Written::of({path});
+        return error ? Written::failure(*error) : Written::of(paths);
     }
-    QStringList paths;
-    for (const Table& table : tables) {
-        paths << pathFor(path, table.key);
-        if (const auto error = writeText(paths.back(), format.text(std::span(&table, 1))))
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        if (const auto error = writeTable(tables[i], format, paths[qsizetype(i)]))
             return Written::failure(*error);
-    }
     return Written::of(paths);
 }
 
 Written writeCharts(const Study& study, const QString& path)
 {
-    QStringList paths;
-    for (const Chart& chart : chartsOf(study)) {
-        paths << pathFor(path, chart.key);
-        if (const auto error = writeChart(chart, paths.back(), chartLook(Ground::Light)))
+    const QStringList paths = chartPaths(study, path);
+    qsizetype i = 0;
+    for (const Chart& chart : chartsOf(study))
+        if (const auto error = writeChart(chart, paths[i++], chartLook(Ground::Light)))
             return Written::failure(*error);
-    }
     return Written::of(paths);
 }
 
 } // namespace
+
+std::optional<QString> writeTable(const Table& table, const TableFormat& format,
+                                  const QString& path)
+{
+    return writeText(path, format.text(std::span(&table, 1)));
+}
 
 std::vector<StudyFile> studyFiles()
 {
@@ -72,14 +93,18 @@ std::vector<StudyFile> studyFiles()
         if (format.key != u"text")
             rows.push_back({StudyFile::Group::Tables, format.name, format.ending,
                             [format](const Study& study, const QString& path) {
+                                return tablePaths(format, study, path);
+                            },
+                            [format](const Study& study, const QString& path) {
                                 return writeTables(format, study, path);
                             }});
     for (const ChartFormat& format : chartFormats())
         rows.push_back({StudyFile::Group::Charts, format.name,
                         QString::fromUtf8(format.key.data(), qsizetype(format.key.size())),
-                        writeCharts});
+                        chartPaths, writeCharts});
     for (const ReportFormat& format : reportFormats())
         rows.push_back({StudyFile::Group::Report, format.name, format.key,
+                        [](const Study&, const QString& path) { return QStringList{path}; },
                         [](const Study& study, const QString& path) {
                             const auto error = writeReport(reportOf(study), path);
                             return error ? Written::failure(*error) : Written::of({path});

@@ -3,6 +3,7 @@
 
 #include "app/experiment/study.h"
 #include "app/result.h"
+#include "app/tables/table.h"
 
 #include <functional>
 
@@ -14,6 +15,8 @@ struct StudyFile {
     Group group;
     QString name;   ///< "CSV", translated
     QString ending; ///< of the file's name
+    /// The files that `write` makes of `path`: that one, or one a table or chart.
+    std::function<QStringList(const Study& study, const QString& path)> paths;
     /// Writes what was asked for at `path`, replacing what is there only by whole new files; all of
     /// them, or the sentence that says what is wrong. Where each table or chart is a file of its
     /// own, "times.csv" becomes "times-table1-clip-published.csv" and so on.
@@ -22,5 +25,9 @@ struct StudyFile {
 
 /// Tables in every format but text, then charts, then reports.
 std::vector<StudyFile> studyFiles();
+
+/// Writes one table to a file, and nothing else. Nothing, or the sentence that says what is wrong.
+std::optional<QString> writeTable(const Table& table, const TableFormat& format,
+                                  const QString& path);
 
 } // namespace app

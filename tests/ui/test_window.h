@@ -22,8 +22,9 @@ public:
 
     QString open, save, proposed;
     Answer answer = Answer::Cancel;
-    bool asNewFile = false;
-    int asked = 0; ///< how often about unsaved changes
+    bool asNewFile = false, overwrite = false;
+    QStringList existing; ///< what was asked about before it was overwritten
+    int asked = 0;        ///< how often about unsaved changes
 
     QString fileToOpen(const QString&) override { return open; }
     QString fileToSave(const QString&, const QString& proposal, Formats) override
@@ -36,6 +37,17 @@ public:
     {
         proposed = proposal;
         return save;
+    }
+    QString filesToWrite(const QString&, const QString& proposal, const QString&,
+                         const QString&) override
+    {
+        proposed = proposal;
+        return save;
+    }
+    bool overwriteFiles(const QStringList& files, int) override
+    {
+        existing = files;
+        return overwrite;
     }
     Answer saveChanges(const QString&) override { return ++asked, answer; }
     bool saveAsNewFile(const std::vector<app::Loss>&) override { return asNewFile; }

@@ -41,6 +41,18 @@ int ask(QWidget& parent, const QString& sentence, const QString& more, const QSt
     return int(buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));
 }
 
+QString pathToWrite(QWidget& window, const QString& title, const QString& proposal,
+                    const QString& kind, const QString& ending, QFileDialog::Options options)
+{
+    QFileDialog dialog(&window, title, QFileInfo(proposal).path(),
+                       QStringLiteral("%1 (*.%2)").arg(kind, ending));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setOptions(options);
+    dialog.setDefaultSuffix(ending);
+    dialog.selectFile(QFileInfo(proposal).fileName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 } // namespace
 
 QString Questions::fileToOpen(const QString& folder)
@@ -82,12 +94,31 @@ QString Questions::fileToSave(const QString& title, const QString& proposal, For
 QString Questions::fileToWrite(const QString& title, const QString& proposal, const QString& kind,
                                const QString& ending)
 {
-    QFileDialog dialog(&window_, title, QFileInfo(proposal).path(),
-                       QStringLiteral("%1 (*.%2)").arg(kind, ending));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(ending);
-    dialog.selectFile(QFileInfo(proposal).fileName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    return pathToWrite(window_, title, proposal, kind, ending, {});
+}
+
+QString Questions::filesToWrite(const QString& title, const QString& proposal, const QString& kind,
+                                const QString& ending)
+{
+    return pathToWrite(window_, title, proposal, kind, ending, QFileDialog::DontConfirmOverwrite);
+}
+
+bool Questions::overwriteFiles(const QStringList& existing, int all)
+{
+    constexpr int mostNamed = 3;
+    QStringList names;
+    for (const QString& path : existing.first(std::min<qsizetype>(existing.size(), mostNamed)))
+        names << QFileInfo(path).fileName();
+    if (existing.size() > mostNamed)
+        names << QStringLiteral("…");
+    return ask(window_,
+               tr("%1 of %2 files exist in %3.")
+                   .arg(existing.size())
+                   .arg(all)
+                   .arg(QFileInfo(existing.front()).path()),
+               tr("Writing replaces what is there now: %1").arg(names.join(QStringLiteral(", "))),
+               {tr("Overwrite")})
+           == 0;
 }
 
 Questions::Answer Questions::saveChanges(const QString& name)

@@ -28,6 +28,12 @@ public:
     /// is called, `ending` what its name ends with, which is added where there is none.
     virtual QString fileToWrite(const QString& title, const QString& proposal, const QString& kind,
                                 const QString& ending);
+    /// The same for several files whose names begin alike: no one file of that name is written, so
+    /// none is asked about.
+    virtual QString filesToWrite(const QString& title, const QString& proposal, const QString& kind,
+                                 const QString& ending);
+    /// Some of the files that are about to be written exist; true: overwrite them.
+    virtual bool overwriteFiles(const QStringList& existing, int all);
     virtual Answer saveChanges(const QString& name);
     /// What an import lost is about to be lost for good; true: save as a new file.
     virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);

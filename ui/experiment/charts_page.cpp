@@ -7,6 +7,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -51,6 +53,14 @@ void ChartsPage::show(std::vector<app::Chart> charts)
         column_->insertWidget(column_->count() - 1, views_.back());
     }
     verticalScrollBar()->setValue(0);
+}
+
+const app::Chart* ChartsPage::current() const
+{
+    const int top = verticalScrollBar()->value();
+    const auto shown = std::ranges::find_if(
+        views_, [top](const ChartView* view) { return view->geometry().center().y() >= top; });
+    return shown == views_.end() ? nullptr : &(*shown)->chart();
 }
 
 } // namespace ui

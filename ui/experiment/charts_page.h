@@ -20,6 +20,9 @@ public:
 
     void show(std::vector<app::Chart> charts);
 
+    /// The uppermost one that is in sight with its middle; null: there is none.
+    const app::Chart* current() const;
+
 signals:
     void exportWanted(const app::Chart& chart);
 

@@ -203,7 +203,9 @@ QWidget* ExperimentWindow::below()
 
 void ExperimentWindow::addTools()
 {
-    QMenu* menu = exports_->menu([this] { return results_->study(); });
+    QMenu* menu = exports_->menu([this] {
+        return Exports::Shown{results_->study(), results_->shownTable(), results_->shownChart()};
+    });
     connect(export_, &QToolButton::clicked, menu,
             [this, menu] { menu->popup(export_->mapToGlobal(export_->rect().bottomLeft())); });
     export_->setText(tr("&Export ▾"));
@@ -219,7 +221,7 @@ void ExperimentWindow::addTools()
         state_->setText(tr("The table is on the clipboard."));
     });
     connect(results_, &Results::tabChanged, this,
-            [this] { copy_->setEnabled(results_->showsTables()); });
+            [this] { copy_->setEnabled(results_->shownTable() != nullptr); });
     connect(results_, &Results::exportWanted, exports_, &Exports::exportChart);
     connect(exports_, &Exports::told, strip_, &MessageStrip::tell);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/exports.h"
 
-#include "app/charts/chart_file.h"
+#include "app/charts/study_charts.h"
 #include "ui/dialogs/in_background.h"
 
 #include <QFileInfo>
@@ -9,24 +9,39 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
 
 using Written = app::Result<QStringList>;
 
-QString titleOf(app::StudyFile::Group group)
+QString latin(std::string_view text)
 {
-    using Group = app::StudyFile::Group;
-    return group == Group::Tables   ? Exports::tr("Tables as")
-           : group == Group::Charts ? Exports::tr("Charts as")
-                                    : Exports::tr("Report as");
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-QString lastFolder()
+/// What a row makes of a study, and of how many files.
+QString entryText(const app::StudyFile& row, const app::Study& study)
+{
+    using Group = app::StudyFile::Group;
+    if (row.group == Group::Report)
+        return Exports::tr("Report as %1…").arg(row.name);
+    const bool tables = row.group == Group::Tables;
+    const int parts = int(tables ? app::tablesOf(study).size() : app::chartsOf(study).size());
+    const int files = int(row.paths(study, QStringLiteral("/any.") + row.ending).size());
+    const QString what = tables ? Exports::tr("All %n tables as %1", nullptr, parts)
+                                : Exports::tr("All %n charts as %1", nullptr, parts);
+    return files == 1 ? Exports::tr("%1 (one file)…").arg(what.arg(row.name))
+                      : Exports::tr("%1 (%n files)…", nullptr, files).arg(what.arg(row.name));
+}
+
+QString proposal(const QString& name, const QString& ending)
 {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QSettings().value("experimentFolder", usual).toString();
+    const QString folder = QSettings().value("experimentFolder", usual).toString();
+    return QStringLiteral("%1/%2.%3").arg(folder, name, ending);
 }
 
 } // namespace
@@ -39,49 +54,112 @@ Exports::Exports(QWidget& window)
 QMenu* Exports::menu(Current current)
 {
     auto* menu = new QMenu(&window_);
-    std::optional<app::StudyFile::Group> last;
-    for (const app::StudyFile& row : app::studyFiles()) {
-        if (last != row.group)
-            menu->addSection(titleOf(row.group));
-        last = row.group;
-        auto* action = menu->addAction(tr("%1…").arg(row.name));
-        action->setObjectName(QStringLiteral("export-%1-%2").arg(int(row.group)).arg(row.ending));
-        connect(action, &QAction::triggered, this,
-                [this, row, current] { exportAs(row, current()); });
-    }
+    addShown(*menu, current);
+    addStudy(*menu, current);
     return menu;
 }
 
-/// Empty: cancelled.
-QString Exports::askedPath(const QString& name, const QString& kind, const QString& ending)
+void Exports::addShown(QMenu& menu, const Current& current)
 {
-    const QString proposal = QStringLiteral("%1/%2.%3").arg(lastFolder(), name, ending);
-    const QString path = questions_->fileToWrite(tr("Export"), proposal, kind, ending);
+    const auto add = [&](const QString& text, const QString& key, auto&& of, auto&& write) {
+        auto* action = menu.addAction(text);
+        action->setObjectName(QStringLiteral("export-shown-%1").arg(key));
+        connect(action, &QAction::triggered, this, [current, write, of] {
+            if (const auto* shown = current().*of)
+                write(*shown);
+        });
+        connect(&menu, &QMenu::aboutToShow, action,
+                [action, current, of] { action->setVisible(current().*of != nullptr); });
+    };
+    for (const app::TableFormat& format : app::tableFormats())
+        if (format.key != u"text")
+            add(tr("This table as %1…").arg(format.name), format.ending, &Shown::table,
+                [this, format](const app::Table& table) { writeTable(table, format); });
+    for (const app::ChartFormat& format : app::chartFormats())
+        add(tr("This chart as %1…").arg(format.name), latin(format.key), &Shown::chart,
+            [this, format](const app::Chart& chart) { writeChart(chart, format); });
+}
+
+void Exports::addStudy(QMenu& menu, const Current& current)
+{
+    std::optional<app::StudyFile::Group> last;
+    for (const app::StudyFile& row : app::studyFiles()) {
+        if (last != row.group)
+            menu.addSeparator();
+        last = row.group;
+        auto* action = menu.addAction(row.name);
+        action->setObjectName(QStringLiteral("export-%1-%2").arg(int(row.group)).arg(row.ending));
+        connect(action, &QAction::triggered, this,
+                [this, row, current] { writeStudy(row, current().study); });
+        connect(&menu, &QMenu::aboutToShow, action, [action, row, current] {
+            if (const auto study = current().study)
+                action->setText(entryText(row, *study));
+        });
+    }
+}
+
+/// The folder is the next proposal.
+QString Exports::remembered(const QString& path)
+{
     if (!path.isEmpty())
         QSettings().setValue("experimentFolder", QFileInfo(path).path());
     return path;
 }
 
-void Exports::exportAs(const app::StudyFile& row, const std::shared_ptr<const app::Study>& study)
+void Exports::writeTable(const app::Table& table, const app::TableFormat& format)
 {
-    const QString path = askedPath(QStringLiteral("clearcut"), row.name, row.ending);
+    const QString path = remembered(questions_->fileToWrite(
+        tr("Export"), proposal(table.key, format.ending), format.name, format.ending));
+    if (path.isEmpty())
+        return;
+    const auto error = app::writeTable(table, format, path);
+    tell(error ? Written::failure(*error) : Written::of({path}));
+}
+
+void Exports::writeChart(const app::Chart& chart, const app::ChartFormat& format)
+{
+    const QString ending = latin(format.key);
+    const QString path = remembered(
+        questions_->fileToWrite(tr("Export"), proposal(chart.key, ending), format.name, ending));
+    if (path.isEmpty())
+        return;
+    const auto error = app::writeChart(chart, path, app::chartLook(app::Ground::Light));
+    tell(error ? Written::failure(*error) : Written::of({path}));
+}
+
+void Exports::exportChart(const app::Chart& chart)
+{
+    writeChart(chart, app::chartFormats().front());
+}
+
+/// Where to write, once whatever is there may be overwritten; empty: cancelled.
+QString Exports::pathFor(const app::StudyFile& row, const app::Study& study)
+{
+    const QString proposed = proposal(QStringLiteral("clearcut"), row.ending);
+    const int files = int(row.paths(study, proposed).size());
+    if (files == 1)
+        return remembered(questions_->fileToWrite(tr("Export"), proposed, row.name, row.ending));
+    const QString path = remembered(
+        questions_->filesToWrite(tr("Export %n files, whose names begin so", nullptr, files),
+                                 proposed, row.name, row.ending));
+    if (path.isEmpty())
+        return {};
+    const QStringList paths = row.paths(study, path);
+    QStringList existing;
+    std::ranges::copy_if(paths, std::back_inserter(existing),
+                         [](const QString& one) { return QFileInfo::exists(one); });
+    return existing.isEmpty() || questions_->overwriteFiles(existing, files) ? path : QString();
+}
+
+void Exports::writeStudy(const app::StudyFile& row, const std::shared_ptr<const app::Study>& study)
+{
+    const QString path = study ? pathFor(row, *study) : QString();
     if (path.isEmpty())
         return;
     const auto written = inBackground(&window_, tr("Writing…"),
                                       [study, row, path] { return row.write(*study, path); });
     if (written)
         tell(*written);
-}
-
-void Exports::exportChart(const app::Chart& chart)
-{
-    const app::ChartFormat& format = app::chartFormats().front();
-    const QString ending = QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
-    const QString path = askedPath(chart.key, format.name, ending);
-    if (path.isEmpty())
-        return;
-    const auto error = app::writeChart(chart, path, app::chartLook(app::Ground::Light));
-    tell(error ? Written::failure(*error) : Written::of({path}));
 }
 
 void Exports::tell(const Written& written)

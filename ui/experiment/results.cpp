@@ -181,12 +181,21 @@ void Results::showReasons()
         reasonChart_->setChart(std::move(*chart));
 }
 
-bool Results::showsTables() const { return tabs_->currentWidget() != charts_; }
+const app::Table* Results::shownTable() const
+{
+    const auto* page = qobject_cast<TablesPage*>(tabs_->currentWidget());
+    return study_ && page ? page->current() : nullptr;
+}
+
+const app::Chart* Results::shownChart() const
+{
+    return study_ && tabs_->currentWidget() == charts_ ? charts_->current() : nullptr;
+}
 
 void Results::copyTable() const
 {
-    if (showsTables())
-        static_cast<TablesPage*>(tabs_->currentWidget())->copy();
+    if (const auto* page = qobject_cast<TablesPage*>(tabs_->currentWidget()))
+        page->copy();
 }
 
 } // namespace ui

@@ -31,8 +31,10 @@ public:
     void show(std::shared_ptr<const app::Study> study);
     const std::shared_ptr<const app::Study>& study() const { return study_; } ///< null: none yet
 
-    bool showsTables() const; ///< in the tab that is in front
-    void copyTable() const;   ///< of the tab that is in front
+    /// Of the tab that is in front; null: there is none.
+    const app::Table* shownTable() const;
+    const app::Chart* shownChart() const;
+    void copyTable() const;
 
 signals:
     void tabChanged();

@@ -22,8 +22,9 @@ public:
     };
     void show(std::vector<Entry> entries);
 
-    /// Copies the table that had the focus last, or the first.
-    void copy() const;
+    /// The table that had the focus last, or the first; null: there is none.
+    const app::Table* current() const { return last_ ? &last_->table() : nullptr; }
+    void copy() const; ///< that one
 
     /// Something to stand above the tables; it is kept.
     void setTop(QWidget* top);

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QMenu>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTabWidget>
@@ -308,6 +309,62 @@ private slots:
         stage.window->findChild<QAction*>("export-0-json")->trigger();
         QTRY_VERIFY(stage.window->findChild<MessageStrip*>()->sentence().startsWith(
             "Cannot write /nowhere/at/all.json"));
+    }
+
+    void whatExistsIsOverwrittenOnlyAfterAQuestion()
+    {
+        const Stage stage;
+        stage.runFew("near-miss");
+        auto* csv = stage.window->findChild<QAction*>("export-0-csv");
+        const QString there = stage.test.path("out-classes.csv");
+        const auto content = [&] {
+            QFile file(there);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        QFile own(there);
+        QVERIFY(own.open(QIODevice::WriteOnly));
+        own.write("mine");
+        own.close();
+        stage.answers->save = stage.test.path("out.csv");
+        csv->trigger();
+        QCOMPARE(stage.answers->existing, QStringList{there});
+        QCOMPARE(content(), QByteArray("mine"));
+        QCOMPARE(QDir(stage.test.folder.path()).entryList({"out-*"}).size(), 1);
+        stage.answers->overwrite = true;
+        csv->trigger();
+        QVERIFY(content().startsWith("algorithm,form"));
+        QCOMPARE(QDir(stage.test.folder.path()).entryList({"out-*"}).size(),
+                 qsizetype(app::tablesOf(*stage.window->study()).size()));
+    }
+
+    void theMenuSaysHowManyFilesCome()
+    {
+        const Stage stage;
+        stage.runFew("near-miss");
+        auto* action = stage.window->findChild<QAction*>("export-0-csv");
+        emit qobject_cast<QMenu*>(action->parent())->aboutToShow();
+        const auto tables = app::tablesOf(*stage.window->study()).size();
+        QCOMPARE(action->text(), QString("All %1 tables as CSV (%1 files)…").arg(tables));
+        QVERIFY(stage.window->findChild<QAction*>("export-0-json")->text().contains("(one file)"));
+    }
+
+    void whatIsShownIsOneFileOfTheNameThatWasChosen()
+    {
+        const Stage stage;
+        stage.runFew("near-miss");
+        const auto* shown = stage.shownTables().front();
+        stage.answers->save = stage.test.path("this.csv");
+        stage.window->findChild<QAction*>("export-shown-csv")->trigger();
+        QFile file(stage.answers->save);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().startsWith(shown->table().names.join(',').toUtf8()));
+        stage.answers->save = stage.test.path("this.svg");
+        stage.window->findChild<QAction*>("export-shown-svg")->trigger(); // no chart is in front
+        QVERIFY(!QFile::exists(stage.answers->save));
+        stage.window->findChild<QTabWidget*>()->setCurrentIndex(1);
+        stage.window->findChild<QAction*>("export-shown-svg")->trigger();
+        QVERIFY(QFile::exists(stage.answers->save));
+        QCOMPARE(QDir(stage.test.folder.path()).entryList({"this*"}).size(), 2);
     }
 
     void everyChartIsAFile()
