@@ -50,7 +50,7 @@ QString textOf(const Chart& chart)
         lines << QString(row.detail).replace(u'\n', QStringLiteral("; "));
     for (const Tie& tie : chart.ties) {
         QStringList names;
-        for (std::size_t i = tie.first; i <= tie.last; ++i)
+        for (const std::size_t i : tie.rows)
             names << chart.rows[i].name;
         lines << QCoreApplication::translate("Charts", "%1 tie: too close to call.")
                      .arg(names.join(QStringLiteral(", ")));

@@ -46,9 +46,9 @@ struct ChartRow {
     QString detail{};              ///< all that is known of it, a line a fact: shown on hover
 };
 
-/// Rows from `first` to `last`, both included, that are too close to call.
+/// Rows that are too close to call, each against each other, from the top down.
 struct Tie {
-    std::size_t first, last;
+    std::vector<std::size_t> rows; ///< two at least
 };
 
 /// What the legend shows beside a text.
@@ -78,7 +78,7 @@ struct Chart {
     bool oneScale = true;               ///< of all panels
     QStringList columns{};              ///< headings of the numbers at the right
     std::vector<ChartRow> rows;
-    std::vector<Tie> ties{};           ///< apart from each other
+    std::vector<Tie> ties{};           ///< a row may be in several; none holds another
     std::optional<double> reference{}; ///< a line through all rows, such as 1
     QStringList notes{};               ///< sentences below
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_layout.h"
 
+#include "app/experiment/record.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -22,7 +23,8 @@ struct Shown {
 
 /// The widths that a chart asks for, as it is written.
 struct Widths {
-    double name = 0, note = 0, value = 0, end = 0, tie = 0;
+    double name = 0, note = 0, value = 0, end = 0;
+    double lane = 0; ///< of brackets, with what stands at them
     std::vector<double> columns;
 };
 
@@ -79,9 +81,29 @@ Widths widthsOf(const Chart& chart, const ChartLook& look, double unit)
         for (std::size_t c = 0; c < widths.columns.size() && qsizetype(c) < row.numbers.size(); ++c)
             widths.columns[c] = widest(caption, row.numbers[qsizetype(c)], widths.columns[c]);
     }
-    if (!chart.ties.empty())
-        widths.tie = 14 * unit + caption.horizontalAdvance(tieWord());
+    for (std::size_t t = 0; t < chart.ties.size(); ++t)
+        widths.lane = widest(caption, tieName(chart, t), widths.lane - 14 * unit) + 14 * unit;
     return widths;
+}
+
+/// Each bracket in the first lane where none is at its rows.
+std::vector<std::size_t> lanesOf(const std::vector<Tie>& ties)
+{
+    std::vector<std::size_t> lanes;
+    for (const Tie& tie : ties) {
+        const auto taken = [&](std::size_t lane) {
+            for (std::size_t t = 0; t < lanes.size(); ++t)
+                if (lanes[t] == lane && ties[t].rows.front() <= tie.rows.back()
+                    && tie.rows.front() <= ties[t].rows.back())
+                    return true;
+            return false;
+        };
+        std::size_t lane = 0;
+        while (taken(lane))
+            ++lane;
+        lanes.push_back(lane);
+    }
+    return lanes;
 }
 
 /// What is left of the panels; their left.
@@ -112,8 +134,10 @@ double placeColumns(ChartLayout& layout, const QRectF& area, const Widths& width
         layout.columnRights[c] = right;
         right -= widths.columns[c] + 16 * u;
     }
-    if (widths.tie > 0) {
-        layout.bracket = right - widths.tie;
+    if (!layout.lanes.empty()) {
+        const double lanes = double(std::ranges::max(layout.lanes) + 1);
+        layout.bracketLane = widths.lane;
+        layout.bracket = right - lanes * widths.lane;
         right = layout.bracket - 6 * u;
     }
     if (shown.columns > 0) {
@@ -141,6 +165,7 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
 void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const Widths widths = widthsOf(chart, look, layout.unit);
+    layout.lanes = lanesOf(chart.ties);
     const qsizetype all = chart.columns.size(), one = std::min(all, qsizetype(1));
     const double enough = (chart.panels.size() == 1 ? 190 : 56) * layout.unit;
     for (const Shown& shown :
@@ -325,6 +350,9 @@ QFont captionFont(const ChartLook& look)
     return font;
 }
 
-QString tieWord() { return QCoreApplication::translate("Charts", "tie"); }
+QString tieName(const Chart& chart, std::size_t tie)
+{
+    return chart.ties.size() == 1 ? QCoreApplication::translate("Charts", "tie") : tieLetter(tie);
+}
 
 } // namespace app

@@ -53,16 +53,13 @@ QString nameOf(const PaperTable& paper) { return Charts::tr("Table %1").arg(pape
 
 std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order)
 {
-    const auto places = standings(things);
     std::vector<Tie> ties;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-        const auto tie = places[order[i]].tie;
-        if (!tie || tie != places[order[i - 1]].tie)
-            continue;
-        if (!ties.empty() && ties.back().last == i - 1)
-            ties.back().last = i;
-        else
-            ties.push_back({i - 1, i});
+    for (const auto& group : tieGroups(things)) {
+        Tie tie;
+        for (std::size_t row = 0; row < order.size(); ++row)
+            if (std::ranges::find(group, order[row]) != group.end())
+                tie.rows.push_back(row);
+        ties.push_back(std::move(tie));
     }
     return ties;
 }

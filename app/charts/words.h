@@ -28,7 +28,7 @@ QString sceneText(const ExperimentOptions& options);
 /// "Table 1".
 QString nameOf(const PaperTable& paper);
 
-/// Which rows are too close to call, where row r shows thing order[r].
+/// A tie a group that is too close to call, where row r shows thing order[r].
 std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order);
 
 } // namespace app

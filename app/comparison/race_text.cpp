@@ -7,8 +7,6 @@
 
 #include <QCoreApplication>
 
-#include <map>
-
 namespace app {
 namespace {
 
@@ -23,14 +21,13 @@ QString tiesText(std::span<const RaceRow> rows)
     std::vector<Summary> summaries;
     for (const RaceRow& row : rows)
         summaries.push_back(row.summary());
-    const auto places = standings(summaries);
-    std::map<int, QStringList> ties;
-    for (const std::size_t i : sortedByMedian(summaries))
-        if (places[i].tie)
-            ties[*places[i].tie] << nameOf(rows[i].contestant);
     QStringList texts;
-    for (const auto& [tie, names] : ties)
+    for (const auto& group : tieGroups(summaries)) {
+        QStringList names;
+        for (const std::size_t i : group)
+            names << nameOf(rows[i].contestant);
         texts << Races::tr("%1 tie").arg(listText(names));
+    }
     return texts.isEmpty()
                ? QString()
                : Races::tr("%1: too close to call").arg(texts.join(QStringLiteral(", ")));

@@ -21,7 +21,7 @@ std::map<QString, Heading> timeHeadings()
          {Headings::tr("Form"),
           Headings::tr("Published: as its authors printed it. Corrected: without their faults.")}},
         {"rank",
-         {Headings::tr("Rank"), Headings::tr("Ties with the same letter are too close to call.")}},
+         {Headings::tr("Rank"), Headings::tr("Ties that share a letter are too close to call.")}},
         {"median_ns",
          {Headings::tr("Median\nns"),
           Headings::tr("Nanoseconds a line: half of the runs took less.")}},

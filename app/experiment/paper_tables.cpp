@@ -100,6 +100,23 @@ QStringList lossesOf(const PaperTable& paper, const Record& record)
     return sentences;
 }
 
+/// Whether one of a group ties with who is not of it.
+bool isLinked(const std::vector<std::size_t>& group, const std::vector<Standing>& places)
+{
+    return std::ranges::any_of(group, [&](std::size_t i) { return places[i].ties.size() > 1; });
+}
+
+/// "A = B", in brackets where another group has one of them, too.
+QString groupText(const QStringList& names, const std::vector<std::size_t>& group,
+                  const std::vector<Standing>& places)
+{
+    QStringList all;
+    for (const std::size_t i : group)
+        all << names[qsizetype(i)];
+    const QString text = all.join(QStringLiteral(" = "));
+    return isLinked(group, places) ? QStringLiteral("(%1)").arg(text) : text;
+}
+
 QString perCent(double number) { return QString::number(number, 'f', 2); }
 
 } // namespace
@@ -173,26 +190,39 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
         "they are printed. Negative: Prop. is slower.")
                 << Experiments::tr("The paper timed the making of the lines, clipping and drawing "
                                    "together: Total is what compares with it.")
-                << Experiments::tr("Ties are too close to call: their 95 % confidence intervals "
-                                   "overlap.");
+                << Experiments::tr("Ties that share a letter are too close to call: their 95 % "
+                                   "confidence intervals overlap. Who shares none with another "
+                                   "differs from it.");
     return table;
 }
 
 QString rankingText(const QStringList& names, std::span<const Summary> summaries)
 {
+    const auto groups = tieGroups(summaries);
     const auto places = standings(summaries);
-    QStringList parts;
-    std::optional<int> tie;
+    QString text;
+    const auto add = [&](const QString& part, bool linked) {
+        text += (text.isEmpty() ? QString() : QString::fromLatin1(linked ? " " : " < ")) + part;
+    };
+    bool chains = false;
+    std::size_t told = 0; // groups
     for (const std::size_t i : sortedByMedian(summaries)) {
-        const QString& name = names[qsizetype(i)];
-        if (places[i].tie && places[i].tie == tie)
-            parts.back() += QStringLiteral(" = ") + name;
+        if (places[i].rank)
+            add(names[qsizetype(i)], false);
         else
-            parts << name;
-        tie = places[i].tie;
+            for (; told <= std::size_t(places[i].ties.back()); ++told) {
+                const bool linked = std::ranges::any_of(groups[told], [&](std::size_t one) {
+                    return std::size_t(places[one].ties.front()) < told;
+                });
+                chains = chains || linked;
+                add(groupText(names, groups[told], places), linked);
+            }
     }
-    return Experiments::tr("From the fastest to the slowest by median (=: too close to call): %1.")
-        .arg(parts.join(QStringLiteral(" < ")));
+    return (chains ? Experiments::tr("From the fastest to the slowest by median (=: too close to "
+                                     "call; who are not in the same brackets differ): %1.")
+                   : Experiments::tr(
+                       "From the fastest to the slowest by median (=: too close to call): %1."))
+        .arg(text);
 }
 
 } // namespace app

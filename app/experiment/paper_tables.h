@@ -24,7 +24,8 @@ Table paperLayout(const PaperTable& paper);
 Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure);
 
 /// "From the fastest to the slowest by median (=: too close to call): Skala < CS = LB < CB." Names
-/// and summaries belong together.
+/// and summaries belong together. Where CS ties with LB, and LB with CB, but not CS with CB:
+/// "(CS = LB) (LB = CB)".
 QString rankingText(const QStringList& names, std::span<const Summary> summaries);
 
 } // namespace app

@@ -91,10 +91,20 @@ QString rectangleText(const clipping::Window& window)
     return QString::fromStdString(text);
 }
 
+QString tieLetter(std::size_t group)
+{
+    const QString last(QChar(u'a' + char16_t(group % 26)));
+    return group < 26 ? last : tieLetter(group / 26 - 1) + last;
+}
+
 QString placeText(const Standing& standing)
 {
-    return standing.rank ? QString::number(*standing.rank)
-                         : Experiments::tr("tie %1").arg(QChar(u'a' + *standing.tie % 26));
+    if (standing.rank)
+        return QString::number(*standing.rank);
+    QStringList letters;
+    for (const int tie : standing.ties)
+        letters << tieLetter(std::size_t(tie));
+    return Experiments::tr("tie %1").arg(letters.join(u' '));
 }
 
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options)
@@ -145,8 +155,9 @@ Table timesTable(const Record& record, const Measure& measure)
                                        "agrees may still have another "
                                        "checksum.");
     if (hasTies(places))
-        table.notes << Experiments::tr(
-            "Ties with the same letter are too close to call: their intervals overlap.");
+        table.notes << Experiments::tr("Ties that share a letter are too close to call: their "
+                                       "intervals overlap. Who shares none "
+                                       "with another differs from it.");
     return table;
 }
 

@@ -25,7 +25,10 @@ std::vector<Summary> summaries(const Record& record, const Measure& measure);
 /// "-100,-75,100,75", as the command line takes it.
 QString rectangleText(const clipping::Window& window);
 
-/// "2", "tie a".
+/// What a group of ties is called: "a" for the first.
+QString tieLetter(std::size_t group);
+
+/// "2", "tie a", "tie a b".
 QString placeText(const Standing& standing);
 
 /// What is true of all lines: scene, how many, seed, space and window.

@@ -77,24 +77,45 @@ std::vector<std::size_t> sortedByMedian(std::span<const Summary> things)
     return order;
 }
 
+std::vector<std::vector<std::size_t>> tieGroups(std::span<const Summary> things)
+{
+    // Intervals that overlap pairwise have a point in common, the highest of their lows; so those
+    // that hold the low of one of them are all candidates.
+    const auto order = sortedByMedian(things);
+    std::vector<std::vector<std::size_t>> groups; // of places in that order
+    for (const Summary& thing : things) {
+        std::vector<std::size_t> group;
+        for (std::size_t place = 0; place < order.size(); ++place)
+            if (const Interval& one = things[order[place]].confidence;
+                one.low <= thing.confidence.low && thing.confidence.low <= one.high)
+                group.push_back(place);
+        const auto within = [](const auto& larger, const auto& smaller) {
+            return std::ranges::includes(larger, smaller);
+        };
+        if (group.size() < 2
+            || std::ranges::any_of(groups, [&](const auto& other) { return within(other, group); }))
+            continue;
+        std::erase_if(groups, [&](const auto& other) { return within(group, other); });
+        groups.push_back(std::move(group));
+    }
+    std::ranges::sort(groups);
+    for (auto& group : groups)
+        for (std::size_t& place : group)
+            place = order[place];
+    return groups;
+}
+
 std::vector<Standing> standings(std::span<const Summary> things)
 {
-    // Intervals that are linked by overlaps follow one another when sorted by where they begin.
-    std::vector<std::size_t> order = sortedByMedian(things);
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return things[i].confidence.low; });
     std::vector<Standing> result(things.size());
-    int ties = 0;
-    for (std::size_t from = 0, to = 0; from < order.size(); from = to) {
-        double high = things[order[from]].confidence.high;
-        for (to = from + 1; to < order.size() && things[order[to]].confidence.low <= high; ++to)
-            high = std::max(high, things[order[to]].confidence.high);
-        if (to == from + 1)
-            result[order[from]] = {int(from) + 1, std::nullopt};
-        else
-            for (const int tie = ties++;
-                 const std::size_t i : std::span(order).subspan(from, to - from))
-                result[i] = {std::nullopt, tie};
-    }
+    const auto groups = tieGroups(things);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (const std::size_t i : groups[g])
+            result[i].ties.push_back(int(g));
+    const auto order = sortedByMedian(things);
+    for (std::size_t place = 0; place < order.size(); ++place)
+        if (Standing& standing = result[order[place]]; standing.ties.empty())
+            standing.rank = int(place) + 1;
     return result;
 }
 

@@ -27,17 +27,23 @@ struct Summary {
 /// Of at least one number.
 Summary summaryOf(std::span<const double> numbers);
 
-/// The place of one thing among others: a rank, or a tie with those that share its number.
-struct Standing {
-    std::optional<int> rank; ///< 1 for the fastest; none where it is too close to call
-    std::optional<int> tie;  ///< from 0, then
-};
-
-/// The places by median, the lowest first. Things whose confidence intervals overlap, or are linked
-/// by others that overlap, are too close to call, and none of them has a rank.
-std::vector<Standing> standings(std::span<const Summary> things);
-
 /// Indices of the things from the lowest median to the highest.
 std::vector<std::size_t> sortedByMedian(std::span<const Summary> things);
+
+/// The largest groups of two things or more in which every confidence interval overlaps every
+/// other: within a group it is too close to call. One thing may be in several, so that two who
+/// share no group differ even where a third ties with both. Each group is sorted by median, and so
+/// are the groups.
+std::vector<std::vector<std::size_t>> tieGroups(std::span<const Summary> things);
+
+/// The place of one thing among others.
+struct Standing {
+    std::optional<int> rank; ///< 1 for the fastest; none where it is too close to call
+    std::vector<int> ties{}; ///< of which of tieGroups it is, then
+};
+
+/// The places by median, the lowest first. A thing has a rank if its confidence interval overlaps
+/// that of no other; two things share a tie if theirs overlap.
+std::vector<Standing> standings(std::span<const Summary> things);
 
 } // namespace app

@@ -39,62 +39,91 @@ QString longName(const Record& record, std::size_t i)
 
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
 
-/// The fastest one, or those that tie with it, by median.
-std::vector<std::size_t> leaders(const std::vector<Summary>& times,
-                                 const std::vector<Standing>& places)
+/// By median: the fastest, and those that are too close to call against it. They may differ among
+/// themselves.
+std::vector<std::size_t> leaders(const std::vector<Summary>& times)
 {
-    std::vector<std::size_t> first;
-    const auto order = sortedByMedian(times);
-    for (const std::size_t i : order)
-        if (i == order.front() || (places[i].tie && places[i].tie == places[order.front()].tie))
-            first.push_back(i);
+    std::vector<std::size_t> first = sortedByMedian(times);
+    const Interval fastest = times[first.front()].confidence;
+    std::erase_if(first, [&](std::size_t i) { return !times[i].confidence.overlaps(fastest); });
     return first;
+}
+
+bool allTie(const std::vector<Summary>& times, const std::vector<std::size_t>& some)
+{
+    return std::ranges::all_of(some, [&](std::size_t i) {
+        return std::ranges::all_of(
+            some, [&](std::size_t j) { return times[i].confidence.overlaps(times[j].confidence); });
+    });
 }
 
 /// Whoever leaves lines out has less to do: that must be said where it wins.
 bool losesLines(const Record& record, std::size_t i) { return record.timings[i].found.lost > 0; }
 
-/// "about 214 ns a line", or from which to which where a chain of ties links what is far apart.
+/// "22.30 ns a line", "22.30 to 22.41 ns a line": the medians of some, sorted by them.
 QString rangeText(const std::vector<Summary>& times, const std::vector<std::size_t>& some)
 {
     const double low = times[some.front()].median, high = times[some.back()].median;
-    return high < 1.1 * low ? Experiments::tr("about %1").arg(timeText(low))
-                            : Experiments::tr("%1 to %2").arg(numberText(low, 2), timeText(high));
+    const QString least = numberText(low, high < 100 ? 2 : 0), most = timeText(high);
+    return most.startsWith(least + u' ') ? most : Experiments::tr("%1 to %2").arg(least, most);
+}
+
+/// "; CB, the slowest, takes 2.36 times as long": of who is slower beyond doubt.
+QString slowestText(const Record& record, const std::vector<Summary>& times)
+{
+    const auto order = sortedByMedian(times);
+    const Summary &fastest = times[order.front()], &slowest = times[order.back()];
+    if (slowest.confidence.overlaps(fastest.confidence))
+        return {};
+    const bool alone =
+        std::ranges::count_if(
+            times, [&](const Summary& one) { return one.confidence.overlaps(slowest.confidence); })
+        == 1;
+    return (alone ? Experiments::tr("; %1, the slowest, takes %2 as long")
+                  : Experiments::tr("; %1, the slowest by median, takes %2 as long"))
+        .arg(shortName(record, order.back()), timesText(slowest.median / fastest.median));
+}
+
+QString leaderName(const Record& record, std::size_t i)
+{
+    return losesLines(record, i) ? Experiments::tr("%1 (loses lines)").arg(shortName(record, i))
+                                 : shortName(record, i);
 }
 
 QString leaderSentence(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
-    const auto order = sortedByMedian(times);
-    const auto first = leaders(times, standings(times));
+    const auto first = leaders(times);
     if (times.size() == 1)
         return Experiments::tr("%1: %2 takes %3.")
             .arg(measure.name, longName(record, 0), timeText(times[0].median));
-    const double fastest = times[order.front()].median;
-    const QString slowest =
-        Experiments::tr("%1, the slowest, takes %2 as long")
-            .arg(shortName(record, order.back()), timesText(times[order.back()].median / fastest));
+    const QString slowest = slowestText(record, times);
+    if (first.size() == 1)
+        return (losesLines(record, first[0])
+                    ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines%4.")
+                    : Experiments::tr("%1: %2 is the fastest with %3%4."))
+            .arg(measure.name, longName(record, first[0]), timeText(times[first[0]].median),
+                 slowest);
+    QStringList names;
+    for (const std::size_t i : first)
+        names << leaderName(record, i);
+    if (!allTie(times, first))
+        return Experiments::tr("%1: %2 has the lowest median, %3, but against it each of %4 is too "
+                               "close to call, with %5%6.")
+            .arg(measure.name, names.front(), timeText(times[first[0]].median),
+                 listText(names.sliced(1)), rangeText(times, {first.begin() + 1, first.end()}),
+                 slowest);
     if (first.size() == times.size())
         return Experiments::tr("%1: too close to call, all of them take %2.")
             .arg(measure.name, rangeText(times, first));
-    if (first.size() == 1)
-        return (losesLines(record, order.front())
-                    ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines; %4.")
-                    : Experiments::tr("%1: %2 is the fastest with %3; %4."))
-            .arg(measure.name, longName(record, order.front()), timeText(fastest), slowest);
-    QStringList names;
-    for (const std::size_t i : first)
-        names << (losesLines(record, i)
-                      ? Experiments::tr("%1 (loses lines)").arg(shortName(record, i))
-                      : shortName(record, i));
-    return Experiments::tr("%1: %2 are the fastest with %3, too close to call; %4.")
+    return Experiments::tr("%1: %2 are the fastest with %3, too close to call%4.")
         .arg(measure.name, listText(names), rangeText(times, first), slowest);
 }
 
 QString proposedText(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
-    const auto first = leaders(times, standings(times));
+    const auto first = leaders(times);
     const std::size_t proposed = times.size() - 1;
     const double fastest = std::ranges::min(times, {}, &Summary::median).median;
     if (std::ranges::find(first, proposed) == first.end())
@@ -117,16 +146,17 @@ QString rankingSentence(const Trial& trial, const Measure& measure)
         return Experiments::tr("Nothing can be said of the paper's ranking: all %1 pairs are too "
                                "close to call.")
             .arg(pairs);
-    if (!check.holds())
+    if (check.reversed > 0)
         return Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come out "
-                               "the other way round (%4 are too close to call).")
-            .arg(own, countText(check.reversed), pairs, undecided);
-    return (check.same < check.undecided
-                ? Experiments::tr("Nothing speaks against the paper's ranking, and little for it: "
-                                  "%1, %2 of %3 pairs come out as in the paper, and %4 are too "
-                                  "close to call.")
-                : Experiments::tr("The paper's ranking holds: %1, %2 of %3 pairs come out as in "
-                                  "the paper, and %4 are too close to call."))
+                               "the other way round (%4 as in the paper, %5 are too close to "
+                               "call).")
+            .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
+    if (check.holds())
+        return Experiments::tr("The paper's ranking holds: %1, and all %2 pairs come out as in the "
+                               "paper.")
+            .arg(own, pairs);
+    return Experiments::tr("Nothing contradicts the paper's ranking: %1, %2 of %3 pairs come out "
+                           "as in the paper, and %4 are too close to call.")
         .arg(own, countText(check.same), pairs, undecided);
 }
 
@@ -170,11 +200,10 @@ RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const M
     for (const PaperColumn& column : paper.columns)
         theirs.push_back(summaryOf(column.runs));
     const auto ours = summaries(record, measure);
-    const auto places = standings(ours);
-    RankingCheck check{.paperTies = leaders(theirs, standings(theirs)).size() > 1};
+    RankingCheck check{.paperTies = leaders(theirs).size() > 1};
     for (std::size_t i = 0; i < ours.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (places[i].tie && places[i].tie == places[j].tie)
+            if (ours[i].confidence.overlaps(ours[j].confidence))
                 ++check.undecided;
             else if ((paper.columns[i].printedAverage < paper.columns[j].printedAverage)
                      == (ours[i].median < ours[j].median))

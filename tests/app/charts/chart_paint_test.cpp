@@ -180,7 +180,7 @@ private slots:
         Chart chart = chartOf(sample::seven(), clip());
         QCOMPARE(chart.ties.size(), std::size_t(1));
         QSet<QString> names;
-        for (std::size_t r = chart.ties[0].first; r <= chart.ties[0].last; ++r)
+        for (const std::size_t r : chart.ties[0].rows)
             names << chart.rows[r].name;
         QCOMPARE(names, (QSet<QString>{"LB", "MD"}));
 
@@ -188,12 +188,34 @@ private slots:
         const QRectF area(0, 0, 560, 300);
         const ChartLayout layout = layoutOf(chart, area, look);
         const QImage before = sample::picture(chart, look, {560, 300}, 1);
-        chart.ties = {{0, 1}};
+        chart.ties = {{{0, 1}}};
         const QRect changed = difference(before, sample::picture(chart, look, {560, 300}, 1));
         QVERIFY(changed.left() >= layout.columnRights[0]);
         QVERIFY(changed.top() >= layout.rows[0].top());
         QVERIFY(changed.bottom() <= layout.rows[4].bottom());
         QVERIFY(layout.rows[4].top() < changed.bottom());
+    }
+    void bracketsThatOverlapStandBesideEachOther()
+    {
+        Chart chart = chartOf(sample::seven(), clip());
+        chart.ties = {{{0, 1}}, {{1, 3}}, {{4, 5}}};
+        const ChartLook look = chartLook(Ground::Light);
+        const ChartLayout layout = layoutOf(chart, {0, 0, 560, 300}, look);
+        QCOMPARE(layout.lanes, (std::vector<std::size_t>{0, 1, 0}));
+        const QImage image = sample::picture(chart, look, {560, 300}, 1);
+        const auto dark = [&](std::size_t lane, std::size_t row) { // beside the middle of a row
+            const int x = int(layout.bracket + double(lane) * layout.bracketLane
+                              + 2.5 * layout.unit),
+                      y = int(layout.rows[row].top() + layout.barMiddle);
+            int darkest = 255;
+            for (int dy = -8; dy <= 8; ++dy)
+                darkest = std::min(darkest, qGray(image.pixel(x, y + dy)));
+            return darkest < 200;
+        };
+        QVERIFY(dark(0, 0) && dark(0, 1) && dark(1, 1) && dark(1, 3) && dark(0, 4) && dark(0, 5));
+        QVERIFY(!dark(1, 2)); // it is not of the tie that goes past it
+        QVERIFY(!dark(1, 0) && !dark(0, 3) && !dark(1, 5));
+        QVERIFY(layout.bracket + 2 * layout.bracketLane <= 560.5);
     }
     void separateTimesHaveNoBracket()
     {

@@ -163,6 +163,14 @@ private slots:
                                                   {.median = 4, .confidence = {3, 5}},
                                                   {.median = 9, .confidence = {8, 9}}};
         QVERIFY(app::rankingText({"A", "B", "C", "D"}, summaries).endsWith(": B < C = A < D."));
+        // E overlaps A, but not C.
+        auto chain = summaries;
+        chain.push_back({.median = 5.8, .confidence = {5.5, 6.5}});
+        const QString told = app::rankingText({"A", "B", "C", "D", "E"}, chain);
+        QVERIFY2(told.endsWith(": B < (C = A) (A = E) < D."), qPrintable(told));
+        QVERIFY(told.contains("not in the same brackets"));
+        QCOMPARE(app::placeText(app::standings(chain)[0]), "tie a b");
+        QCOMPARE(app::tieLetter(27), "ab");
     }
 };
 

@@ -3,8 +3,10 @@
 
 #include <QTest>
 
+#include <bit>
 #include <cmath>
 #include <random>
+#include <set>
 
 using app::Summary;
 
@@ -73,14 +75,54 @@ private slots:
         const auto places = app::standings(things);
         QCOMPARE(places[4].rank, std::optional(1));
         QCOMPARE(places[0].rank, std::optional(5));
-        for (const int i : {1, 2, 3}) { // 1 and 3 are linked by 2
+        // 1 and 3 do not overlap, but 2 overlaps both.
+        QCOMPARE(places[1].ties, (std::vector{0}));
+        QCOMPARE(places[2].ties, (std::vector{0, 1}));
+        QCOMPARE(places[3].ties, (std::vector{1}));
+        QCOMPARE(places[5].ties, (std::vector{2}));
+        QCOMPARE(places[6].ties, (std::vector{2}));
+        for (const int i : {1, 2, 3, 5, 6})
             QVERIFY(!places[std::size_t(i)].rank);
-            QCOMPARE(places[std::size_t(i)].tie, std::optional(0));
-        }
-        QCOMPARE(places[5].tie, std::optional(1));
-        QCOMPARE(places[6].tie, std::optional(1));
-        QVERIFY(!places[0].tie && !places[4].tie);
+        QVERIFY(places[0].ties.empty() && places[4].ties.empty());
         QCOMPARE(app::sortedByMedian(things), (std::vector<std::size_t>{4, 1, 2, 3, 0, 5, 6}));
+    }
+
+    void tiesAreTheLargestGroupsThatOverlapPairwise()
+    {
+        std::mt19937_64 random(2);
+        std::uniform_real_distribution<double> anywhere(0, 10), size(0, 3);
+        const auto overlap = [](const std::vector<Summary>& all, unsigned some) {
+            for (std::size_t i = 0; i < all.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if ((some >> i & 1) && (some >> j & 1)
+                        && !all[i].confidence.overlaps(all[j].confidence))
+                        return false;
+            return true;
+        };
+        for (int round = 0; round < 200; ++round) {
+            std::vector<Summary> things;
+            for (int i = 0; i < 7; ++i) {
+                const double low = anywhere(random);
+                things.push_back(between(low, low + size(random)));
+            }
+            std::set<unsigned> expected, found; // a bit a thing
+            for (unsigned some = 1; some < 128; ++some) {
+                bool largest = std::popcount(some) > 1 && overlap(things, some);
+                for (unsigned i = 0; i < 7; ++i)
+                    largest = largest && ((some >> i & 1) || !overlap(things, some | 1u << i));
+                if (largest)
+                    expected.insert(some);
+            }
+            for (const auto& group : app::tieGroups(things)) {
+                unsigned some = 0;
+                for (const std::size_t i : group)
+                    some |= 1u << i;
+                QVERIFY(found.insert(some).second);
+                QVERIFY(std::ranges::is_sorted(group, {},
+                                               [&](std::size_t i) { return things[i].median; }));
+            }
+            QVERIFY(found == expected);
+        }
     }
 };
 
