@@ -97,7 +97,7 @@ std::vector<Dissent> dissents(std::span<const Segment> segments, const Window& w
 QString sentence(std::span<const Dissent> dissents)
 {
     if (dissents.empty())
-        return QCoreApplication::translate("agreement", "All algorithms agree here");
+        return QCoreApplication::translate("agreement", "All algorithms, corrected, agree here");
     QStringList sentences;
     for (const Dissent& dissent : dissents)
         sentences << sentence(dissent);

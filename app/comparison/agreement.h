@@ -28,7 +28,7 @@ std::vector<Dissent> dissents(std::span<const clipping::Segment> segments,
                               const clipping::Window& window, const clipping::Algorithm& chosen,
                               clipping::Form form);
 
-/// "All algorithms agree here", or "KWC as published loses 456 lines that are visible".
+/// "All algorithms, corrected, agree here", or "KWC as published loses 456 lines that are visible".
 QString sentence(std::span<const Dissent> dissents);
 
 } // namespace app

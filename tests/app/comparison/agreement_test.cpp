@@ -20,7 +20,7 @@ private slots:
             s = {{x(random), y(random)}, {x(random), y(random)}};
         const auto found = app::dissents(segments, {{-100, -75}, {100, 75}}, *findAlgorithm("md"),
                                          Form::Corrected);
-        QCOMPARE(app::sentence(found), "All algorithms agree here");
+        QCOMPARE(app::sentence(found), "All algorithms, corrected, agree here");
     }
     /// Published KWC takes a line with |dx| < 1 for a vertical one at x1 (algorithms.md).
     void publishedFaultsAreCounted()
