@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/looking.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/dock.h"
@@ -20,7 +21,10 @@ void MainWindow::addWide()
     auto* dock = new Dock("compare", tr("Compare"), compare);
     differencePanel_ = new DifferencePanel(session_);
     wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_)};
-    connect(differencePanel_, &DifferencePanel::placeWanted, canvas_, &Canvas::fit);
+    connect(differencePanel_, &DifferencePanel::placeWanted, this,
+            [this](const clipping::Window& place) {
+                canvas_->go(app::lookingAt(canvas_->view(), place, canvas_->window()));
+            });
     connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
     connect(canvas_, &Canvas::frameShown, compare,
             [this, compare] { compare->frameShown(canvas_->window()); });

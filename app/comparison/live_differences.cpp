@@ -68,10 +68,7 @@ Window placeOf(const Comparison& comparison, const Segment& line, const Window& 
         }
     if (!place)
         place = Window{glm::min(line.a, line.b), glm::max(line.a, line.b)};
-    // Not closer than would still show where in the window it is.
-    const glm::dvec2 size = place->max - place->min, whole = window.max - window.min;
-    const double room = std::max({size.x, size.y, std::max(whole.x, whole.y) / 100}) / 2;
-    return {place->min - room, place->max + room};
+    return *place;
 }
 
 LiveDifferences::LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent)

@@ -29,7 +29,7 @@ struct Differences {
 Differences extended(Differences so, const Comparison& comparison,
                      std::span<const clipping::Segment> lines, std::size_t count);
 
-/// The view to show a difference in: around the pieces that A and B leave of the line.
+/// What is to be seen of a difference: the pieces that A and B leave of the line.
 clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
                          const clipping::Window& window);
 

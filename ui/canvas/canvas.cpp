@@ -65,7 +65,7 @@ void Canvas::setPointingDevice(PointingDevice device)
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }
-void Canvas::fit(const clipping::Window& place) { parts_->controller.navigation().show(place); }
+void Canvas::go(const app::View& view) { parts_->controller.navigation().go(view); }
 void Canvas::setZoom(double zoom) { parts_->controller.setZoom(zoom); }
 void Canvas::previousView() { parts_->controller.navigation().back(); }
 void Canvas::nextView() { parts_->controller.navigation().forth(); }

@@ -61,7 +61,7 @@ public:
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< nothing selected: the drawing
     void fitWindow();
-    void fit(const clipping::Window& place); ///< a rectangle of the drawing
+    void go(const app::View& view); ///< of its size; remembered for previousView()
     void zoomBy(double factor);
     void setZoom(double zoom); ///< as zoom()
     void previousView();

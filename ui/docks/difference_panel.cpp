@@ -96,8 +96,8 @@ void DifferencePanel::addChoosers()
     grid->addLayout(allowed, 2, 1, 1, 2);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    connect(a_, &QComboBox::currentIndexChanged, this, &DifferencePanel::ask);
-    connect(b_, &QComboBox::currentIndexChanged, this, &DifferencePanel::ask);
+    connect(a_, &QComboBox::currentIndexChanged, this, &DifferencePanel::change);
+    connect(b_, &QComboBox::currentIndexChanged, this, &DifferencePanel::change);
     connect(ulps_, &QSpinBox::valueChanged, this, &DifferencePanel::ask);
     connect(exchange, &QToolButton::clicked, this, &DifferencePanel::swap);
 }
@@ -178,14 +178,36 @@ void DifferencePanel::ask()
         session_.differences.ask(wanted());
 }
 
+/// Others differ on other lines: the one that was chosen says nothing any more.
+void DifferencePanel::change()
+{
+    if (following_)
+        return;
+    if (const auto line = session_.inspected(); line && model_.rowOf(*line) >= 0)
+        session_.inspect(std::nullopt);
+    ask();
+}
+
+void DifferencePanel::setBoth(int a, int b)
+{
+    const QScopedValueRollback together(following_, true);
+    a_->setCurrentIndex(a);
+    b_->setCurrentIndex(b);
+}
+
+void DifferencePanel::compare(const app::Clipper& a, const app::Clipper& b)
+{
+    const auto all = app::clippers();
+    const auto indexOf = [&](const app::Clipper& clipper) {
+        return int(std::ranges::find(all, clipper) - all.begin());
+    };
+    setBoth(indexOf(a), indexOf(b));
+    change();
+}
+
 void DifferencePanel::swap()
 {
-    const int a = a_->currentIndex();
-    {
-        const QScopedValueRollback together(following_, true);
-        a_->setCurrentIndex(b_->currentIndex());
-        b_->setCurrentIndex(a);
-    }
+    setBoth(b_->currentIndex(), a_->currentIndex());
     ask();
 }
 
@@ -207,8 +229,8 @@ void DifferencePanel::follow()
     table_->setVisible(model_.rowCount() > 0);
     paintSummary();
     fitColumns();
-    if (const auto line = session_.inspected())
-        choose(model_.rowOf(*line));
+    const auto line = session_.inspected();
+    choose(line ? model_.rowOf(*line) : -1);
 }
 
 /// To what another comparison finds; then they stay, also while the window moves.
@@ -262,7 +284,7 @@ void DifferencePanel::choose(int row)
 {
     const QScopedValueRollback quietly(following_, true);
     if (row < 0)
-        return table_->clearSelection();
+        return table_->selectionModel()->clear();
     table_->setCurrentIndex(model_.index(row, 0));
 }
 

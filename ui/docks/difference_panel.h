@@ -20,13 +20,15 @@ public:
     explicit DifferencePanel(app::Session& session, QWidget* parent = nullptr);
 
     QString summary() const { return summary_->text(); }
+    /// Chooses both.
+    void compare(const app::Clipper& a, const app::Clipper& b);
     /// The next difference of the list, or an earlier one; round and round.
     void go(int rows);
 
     QSize sizeHint() const override;
 
 signals:
-    void placeWanted(const clipping::Window& place); ///< to be shown
+    void placeWanted(const clipping::Window& place); ///< is to be seen
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -40,6 +42,8 @@ private:
     void paintMarkers();
     app::Comparison wanted() const;
     void ask();
+    void change();
+    void setBoth(int a, int b);
     void swap();
     void follow();
     void paintSummary();

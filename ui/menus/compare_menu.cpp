@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
+#include "app/view/looking.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
@@ -40,7 +41,9 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     const auto now = session.inspected() ? std::ptrdiff_t(*session.inspected())
                      : by > 0            ? -1
                                          : count;
-    session.inspect(std::size_t((now + by + count) % count));
+    const auto line = std::size_t((now + by + count) % count);
+    session.inspect(line);
+    window.canvas().go(app::bringing(window.canvas().view(), session.scene.segments()[line]));
     window.raisePanel("line");
 }
 
@@ -50,6 +53,15 @@ void goToDifference(MainWindow& window, int rows)
     if (!window.showsPanel("difference"))
         window.togglePanel("difference");
     window.differencePanel().go(rows);
+}
+
+void showMisprint(MainWindow& window)
+{
+    if (!window.showsPanel("difference"))
+        window.togglePanel("difference");
+    const app::Exhibit& misprint = app::exhibits().front();
+    window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
+                                     app::exactClipper());
 }
 
 void choose(MainWindow& window, clipping::Form form)
@@ -175,6 +187,13 @@ MenuInfo compareMenu()
                  [](MainWindow& w) { w.togglePanel("difference"); },
                  nullptr,
                  [](const MainWindow& w) { return w.showsPanel("difference"); }},
+                {"misprint",
+                 tr("The paper's &misprinted Step 2"),
+                 {},
+                 Reach::Window,
+                 {},
+                 showMisprint,
+                 nullptr},
                 {"next-difference",
                  tr("Next d&ifference"),
                  {QKeySequence("F4")},

@@ -167,11 +167,10 @@ private slots:
         const Segment line{{0, 0}, {0.5, 300}};
         const Window window{{0, 100}, {400, 200}};
         const auto place = app::placeOf(kwcAgainstExact(), line, window);
-        QVERIFY(place.min.y < 100 && place.max.y > 200); // all of the piece
-        QVERIFY(place.min.y > 0 && place.max.y < 300);   // and not all of the line
-        // A contact is a point: the view still shows what is around it.
-        const auto point = app::placeOf(kwcAgainstExact(), {{-10, 90}, {10, 110}}, window);
-        QVERIFY(point.max.x - point.min.x >= 400. / 100);
+        QCOMPARE(place.min.y, 100.); // all of the piece, and not all of the line
+        QCOMPARE(place.max.y, 200.);
+        const auto contact = app::placeOf(kwcAgainstExact(), {{-10, 110}, {10, 90}}, window);
+        QCOMPARE(contact, (Window{{0, 100}, {0, 100}}));
     }
 
     void aHundredThousandLinesTakeNoTime()

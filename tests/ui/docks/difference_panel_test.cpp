@@ -119,7 +119,8 @@ private slots:
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
         QVERIFY(!wanted.isEmpty());
         const auto place = wanted.back()[0].value<clipping::Window>();
-        QVERIFY(place.min.y < 0 && place.max.y > 90 && place.min.x < 50 && place.max.x > 50.5);
+        QCOMPARE(place.min.y, 0.); // all that exact leaves
+        QCOMPARE(place.max.y, 90.);
         // The keyboard too.
         QTest::keyClick(stage.table, Qt::Key_Down);
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(8));
@@ -166,6 +167,26 @@ private slots:
             visited.push_back(*stage.session.inspected());
         }
         QCOMPARE(visited, (std::vector<std::size_t>{2, 5, 8, 2, 8, 5}));
+    }
+
+    void anotherComparisonChoosesNothing()
+    {
+        Stage stage;
+        stage.show();
+        for (const char* a : {"MD  Matthes-Drakopoulos, as published",
+                              "KWC  Kodituwakku-Wijeweera-Chamikara, as published"}) {
+            stage.choose(stage.a, a);
+            QTRY_VERIFY(stage.session.differences.upToDate());
+            QVERIFY(!stage.session.inspected());
+            QVERIFY(!stage.table->selectionModel()->hasSelection());
+        }
+        stage.click(1);
+        QVERIFY(stage.session.inspected());
+        stage.choose(stage.a, "LB  Liang-Barsky");
+        QVERIFY(!stage.session.inspected());
+        stage.session.inspect(3); // which has nothing to do with it
+        stage.choose(stage.a, "CS  Cohen-Sutherland");
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(3));
     }
 
     void swappedTheySayTheSame()
@@ -242,14 +263,18 @@ private slots:
         QTRY_COMPARE(t.window->differencePanel().summary(),
                      "KWC as published loses 3 lines that exact keeps.");
 
+        t.window->canvas().fitWindow();
+        const app::View before = t.window->canvas().view();
         QTest::keyClick(t.drawingArea(), Qt::Key_F4);
         QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(2));
-        const app::View view = t.window->canvas().view();
-        const app::Point middle = view.toScreen({26.25, 65});
-        QVERIFY(std::abs(middle.x - view.size.x / 2) < 2
-                && std::abs(middle.y - view.size.y / 2) < 2);
+        QCOMPARE(t.window->canvas().view(), before); // which sees it well
+        app::View aside = before;
+        aside.pan({1e4, 0});
+        t.window->canvas().go(aside);
         QTest::keyClick(t.drawingArea(), Qt::Key_F4, Qt::ShiftModifier);
         QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(8));
+        QCOMPARE(t.window->canvas().view().centre, app::Point(74.25, 65));
+        QCOMPARE(t.window->canvas().view().zoom, before.zoom);
 
         QTest::keyClick(t.drawingArea(), Qt::Key_F9, Qt::ShiftModifier);
         QVERIFY(dock->isHidden() && !open->isChecked());
@@ -258,6 +283,31 @@ private slots:
         t.action("next-difference")->trigger();
         QVERIFY(!dock->isHidden());
         QCOMPARE(t.window->session().inspected(), std::optional<std::size_t>(2));
+    }
+
+    void theMenuShowsTheMisprint()
+    {
+        TestWindow t;
+        t.window->session().drawing.load(tenLines());
+        t.show();
+        t.action("misprint")->trigger();
+        QVERIFY(t.window->showsPanel("difference"));
+        const auto& asked = t.window->session().differences.asked();
+        QVERIFY(asked && asked->a.exhibit && asked->b == app::exactClipper());
+        QCOMPARE(asked->a.exhibit->key, "md-step-2");
+    }
+
+    void theNextLineIsBroughtIntoTheView()
+    {
+        TestWindow t;
+        t.window->session().drawing.load(tenLines());
+        t.show();
+        app::View aside = t.window->canvas().view();
+        aside.pan({1e4, 0});
+        t.window->canvas().go(aside);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F8);
+        QCOMPARE(t.window->canvas().view().centre, app::Point(25, 65)); // of (10,40)-(40,90)
+        QCOMPARE(t.window->canvas().view().zoom, aside.zoom);
     }
 
     void halfAMillionRows()
