@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,10 +63,10 @@ QString pieceText(const std::optional<Segment>& piece, const Number& number)
     };
     return piece->a == piece->b
                ? point(piece->a)
-               : Rows::tr("%1 – %2", "from, to").arg(point(piece->a), point(piece->b));
+               : Rows::tr("%1 → %2", "from, to").arg(point(piece->a), point(piece->b));
 }
 
-/// In the unit of rulers and fields; with all digits where those of A and B would look alike.
+/// In the unit of rulers and fields, and with as many decimals as there.
 template <Side side>
 QString shortPieceText(const Session& session, const Difference& difference)
 {
@@ -75,10 +77,37 @@ QString shortPieceText(const Session& session, const Difference& difference)
         return std::isfinite(length) ? lengthNumber(length, session.display().unit, size)
                                      : inFull(length);
     };
-    const auto piece = pieceOf(session, difference, side);
-    const auto other = pieceOf(session, difference, side == Side::A ? Side::B : Side::A);
-    const QString text = pieceText(piece, rounded);
-    return text == pieceText(other, rounded) ? pieceText(piece, inFull) : text;
+    return pieceText(pieceOf(session, difference, side), rounded);
+}
+
+/// Of the piece that only one of the two sees, in user units.
+double lengthOf(const Session& session, const Difference& difference)
+{
+    const auto piece =
+        pieceOf(session, difference, difference.kind == Kind::OnlyA ? Side::A : Side::B);
+    return piece ? glm::distance(piece->a, piece->b) : 0;
+}
+
+QString pieceLengthText(const Session& session, double length)
+{
+    if (!std::isfinite(length))
+        return QStringLiteral("∞");
+    const double size = session.sheet().page.millimetresPerUnit();
+    const Unit unit = session.display().unit;
+    const double least = fromUnit(std::pow(10, -infoOf(unit).decimals), unit, size);
+    return length == 0      ? Rows::tr("a point")
+           : length < least ? QStringLiteral("< ") + lengthText(least, unit, size)
+                            : lengthText(length, unit, size);
+}
+
+QString amountText(const Session& session, const Difference& difference)
+{
+    if (!isThere(session, difference))
+        return {};
+    if (difference.kind != Kind::EndsApart)
+        return pieceLengthText(session, lengthOf(session, difference));
+    return difference.ulps == 1 ? Rows::tr("1 ulp")
+                                : Rows::tr("%1 ulps").arg(ulpsText(difference.ulps));
 }
 
 QString lineText(const Session& session, const Difference& difference)
@@ -108,8 +137,16 @@ QString placeText(const Session& session, const Difference& difference)
 }
 
 Key byLine(const Session&, const Difference& difference) { return {double(difference.source), 0}; }
-Key byUlps(const Session&, const Difference& difference) { return {difference.ulps, 0}; }
 Key byKind(const Session&, const Difference& difference) { return {double(difference.kind), 0}; }
+
+/// Ends that are apart come first: by less than any piece is long, as a rule.
+Key byAmount(const Session& session, const Difference& difference)
+{
+    if (difference.kind == Kind::EndsApart)
+        return {0, difference.ulps};
+    const double length = isThere(session, difference) ? lengthOf(session, difference) : 0;
+    return {1, std::isfinite(length) ? length : std::numeric_limits<double>::infinity()};
+}
 
 /// By where it begins; what is not seen, or is not a number, comes last.
 template <Side side>
@@ -123,10 +160,9 @@ Key byPiece(const Session& session, const Difference& difference)
 }
 
 template <Side side>
-QString pieceHeading(const Comparison& comparison)
+QString pieceHeading(const Comparison&)
 {
-    return side == Side::A ? Rows::tr("A: %1").arg(nameOf(comparison.a))
-                           : Rows::tr("B: %1").arg(nameOf(comparison.b));
+    return side == Side::A ? Rows::tr("A") : Rows::tr("B");
 }
 
 template <Side side>
@@ -159,15 +195,14 @@ std::span<const DifferenceColumn> differenceColumns()
                                              "end it elsewhere");
                          },
                          whatText, byKind, false},
-        DifferenceColumn{
-            [](const Comparison&) { return Rows::tr("Ulps"); },
-            [](const Comparison&) {
-                return Rows::tr("How far the ends are apart, or how long the piece is "
-                                "that only one of the two sees, in units in the last "
-                                "place of the largest coordinate of line and window");
-            },
-            [](const Session&, const Difference& difference) { return ulpsText(difference.ulps); },
-            byUlps, true},
+        DifferenceColumn{[](const Comparison&) { return Rows::tr("How much"); },
+                         [](const Comparison&) {
+                             return Rows::tr(
+                                 "How long the piece is that only one of the two sees, or how far "
+                                 "the ends are apart, in units in the last place of the largest "
+                                 "coordinate of line and window (ulps)");
+                         },
+                         amountText, byAmount, true},
         DifferenceColumn{pieceHeading<Side::A>, pieceMeaning<Side::A>, shortPieceText<Side::A>,
                          byPiece<Side::A>, false},
         DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,
