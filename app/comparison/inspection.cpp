@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -78,6 +79,16 @@ QString stepText(const clipping::Step& step)
         .arg(text, pointText(step.segment.a), pointText(step.segment.b));
 }
 
+Clipper explaining(const Session& session, std::size_t segment)
+{
+    const auto& asked = session.differences.asked();
+    const auto& list = session.differences.found().list;
+    const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
+    if (!asked || found == list.end() || found->source != segment)
+        return {session.display().algorithm, session.display().usedForm()};
+    return asked->a == exactClipper() ? asked->b : asked->a;
+}
+
 QString endText(const Inspection& line)
 {
     switch (line.trace.outcome) {
@@ -120,21 +131,31 @@ Region regionOf(const Point& point, const clipping::Window& window)
 Inspection inspect(const Session& session, std::size_t segment)
 {
     const clipping::Window& window = session.sheet().window;
-    const auto& uses = session.uses();
-    Inspection line{.number = segment,
+    Inspection line{.clipper = explaining(session, segment),
+                    .number = segment,
                     .shape = session.scene.shapeOf(segment),
                     .segment = session.scene.segments()[segment]};
     line.from = regionOf(line.segment.a, window);
     line.to = regionOf(line.segment.b, window);
-    line.visible = uses.clip(line.segment, window);
+    line.visible = clipped(line.clipper, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
-    line.cost = uses.count({&line.segment, 1}, window);
-    line.trace = uses.trace(line.segment, window);
+    if (!line.clipper.exhibit) {
+        const auto& uses = *clipping::usesOf(*line.clipper.algorithm, line.clipper.form);
+        line.cost = uses.count({&line.segment, 1}, window);
+        line.trace = uses.trace(line.segment, window);
+    }
     if (line.visible) {
         const double whole = glm::distance(line.segment.a, line.segment.b);
         line.share = whole > 0 ? glm::distance(line.visible->a, line.visible->b) / whole : 1;
     }
     return line;
+}
+
+QString verdictText(const Inspection& line)
+{
+    const QString name = nameOf(line.clipper);
+    return line.visible ? tr("%1: visible, %2").arg(name, percentText(line.share))
+                        : tr("%1: nothing visible").arg(name);
 }
 
 QString costText(const clipping::OperationCounts& cost)
@@ -154,6 +175,8 @@ QString costText(const clipping::OperationCounts& cost)
 
 QStringList stepTexts(const Inspection& line)
 {
+    if (const Exhibit* exhibit = line.clipper.exhibit)
+        return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step));

@@ -21,8 +21,11 @@ struct Region {
 };
 Region regionOf(const Point& point, const clipping::Window& window);
 
-/// One line under the magnifying glass: the window and the algorithm that are chosen.
+/// One line under the magnifying glass, in the window that is chosen.
 struct Inspection {
+    /// What is explained: of a line that differs between A and B, while somebody looks, A (or B if
+    /// A is `exact`, which does nothing wrong); else what is chosen.
+    Clipper clipper{};
     std::size_t number = 0; ///< index into the scene's segments
     std::size_t shape = 0;
     clipping::Segment segment{};
@@ -30,15 +33,17 @@ struct Inspection {
     LineClass lineClass = LineClass::Inside;
     std::optional<clipping::Segment> visible{}; ///< what the algorithm leaves
     double share = 0;                           ///< of the length; a point: 1 if visible
-    clipping::OperationCounts cost{};
+    clipping::OperationCounts cost{};           ///< like the trace of no exhibit
     clipping::Trace trace{};
 };
 Inspection inspect(const Session& session, std::size_t segment);
 
+/// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
+QString verdictText(const Inspection& inspection);
 /// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace: what is done, with which values, what is left, in the
-/// drawing's own units; and one for how it ended.
+/// drawing's own units; and one for how it ended. Of an exhibit what is wrong with it.
 QStringList stepTexts(const Inspection& inspection);
 
 } // namespace app

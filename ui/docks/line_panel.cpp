@@ -12,14 +12,15 @@ namespace ui {
 namespace {
 
 enum Column { Name, XColumn, YColumn, RegionColumn, AfterColumn };
-enum Row { Header, From, To, VisibleA, VisibleB, Cost };
+enum Row { Verdict, Header, From, To, VisibleA, VisibleB, Cost };
 
 } // namespace
 
 LinePanel::LinePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session),
       nothing_(new QLabel(tr("Click a line to see what happens to it."))), table_(new QWidget),
-      grid_(new QGridLayout(table_)), cost_(new QLabel), steps_(new QPlainTextEdit)
+      grid_(new QGridLayout(table_)), verdict_(new QLabel), cost_(new QLabel),
+      steps_(new QPlainTextEdit)
 {
     nothing_->setForegroundRole(QPalette::PlaceholderText);
     nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
@@ -28,6 +29,11 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     grid_->setHorizontalSpacing(space::labelToField + 2);
     grid_->setVerticalSpacing(3);
     grid_->setColumnStretch(AfterColumn, 1);
+    verdict_->setFont(semiBold(captionFont(font())));
+    verdict_->setForegroundRole(QPalette::Link);
+    verdict_->setWordWrap(true);
+    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    grid_->addWidget(verdict_, Verdict, Name, 1, 5);
     cost_->setFont(captionFont(font()));
     cost_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     cost_->setWordWrap(true);
@@ -61,6 +67,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     connect(&session, &app::Session::inspectedChanged, this, later);
     connect(&session, &app::Session::displayChanged, this, later);
     connect(&session.scene, &app::Scene::outdated, this, later);
+    connect(&session.differences, &app::LiveDifferences::changed, this, later);
     show();
 }
 
@@ -102,18 +109,18 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Header, AfterColumn, tr("after"));
     end(From, tr("From"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);
     end(To, tr("To"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
-    put(VisibleA, Name, line.visible ? tr("Visible") : tr("Nothing visible"));
+    verdict_->setText(app::verdictText(line));
+    put(VisibleA, Name, line.visible ? tr("Visible") : QString());
     for (const int row : {VisibleA, VisibleB})
         for (const int column : {XColumn, YColumn, RegionColumn})
             put(row, column, {});
     if (line.visible) {
         point(VisibleA, line.visible->a);
         point(VisibleB, line.visible->b);
-        put(VisibleA, RegionColumn, tr("%1 of its length").arg(app::percentText(line.share)));
     }
-    put(VisibleB, RegionColumn, app::words(line.lineClass));
+    put(VisibleA, RegionColumn, app::words(line.lineClass));
     put(Cost, Name, tr("Cost"));
-    cost_->setText(app::costText(line.cost));
+    cost_->setText(line.clipper.exhibit ? tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line).join(u'\n'));
 }
 
@@ -122,15 +129,12 @@ QLabel* LinePanel::cell(int row, int column)
     if (auto* item = grid_->itemAtPosition(row, column))
         return static_cast<QLabel*>(item->widget());
     auto* label = new QLabel;
-    label->setFont(column == Name && row == VisibleA ? semiBold(captionFont(font()))
-                                                     : captionFont(font()));
+    label->setFont(captionFont(font()));
     if (row == Header || column == AfterColumn)
         label->setForegroundRole(QPalette::PlaceholderText);
-    if (column == Name && row == VisibleA)
-        label->setForegroundRole(QPalette::Link);
     if (row != Header)
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    const bool wide = column == RegionColumn && (row == VisibleA || row == VisibleB);
+    const bool wide = column == RegionColumn && row == VisibleA;
     grid_->addWidget(label, row, column, 1, wide ? 2 : 1);
     return label;
 }

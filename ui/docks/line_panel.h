@@ -10,14 +10,15 @@
 
 namespace ui {
 
-/// The inspected line: where its ends lie, what the chosen algorithm leaves of it, what that costs,
-/// and its steps as text.
+/// The inspected line: where its ends lie, what the algorithm that is explained leaves of it,
+/// what that costs, and its steps as text.
 class LinePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit LinePanel(app::Session& session, QWidget* parent = nullptr);
 
+    QString verdict() const { return verdict_->text(); } ///< with the algorithm's name
     QString steps() const { return steps_->toPlainText(); }
 
 signals:
@@ -33,7 +34,7 @@ private:
     QLabel* nothing_;
     QWidget* table_;
     QGridLayout* grid_;
-    QLabel* cost_;
+    QLabel *verdict_, *cost_;
     QPlainTextEdit* steps_;
     QTimer soon_; ///< many changes in one event are shown once
 };

@@ -74,6 +74,38 @@ private slots:
             QVERIFY(app::stepTexts(line).last().contains("Visible"));
         }
     }
+    /// A line that differs is explained by who errs on it, as long as somebody looks.
+    void whatDiffersIsExplainedByA()
+    {
+        app::Session session;
+        session.load({sheetOf({{{1, 1}, {2, 2}}, {{5, 4}, {5.05, 9}}}), {}});
+        const auto kwc = *app::findClipper("kwc:published");
+        const auto look = [&](const app::Clipper& a, const app::Clipper& b) {
+            session.differences.ask(app::Comparison{a, b});
+            session.differences.finish();
+        };
+        look(kwc, app::exactClipper());
+        QCOMPARE(session.differences.found().list.size(), std::size_t(1));
+        QVERIFY(app::inspect(session, 1).clipper == kwc);
+        QCOMPARE(app::verdictText(app::inspect(session, 1)), "KWC as published: nothing visible");
+        QCOMPARE(app::verdictText(app::inspect(session, 0)), "exact: visible, 100.0 %");
+        look(app::exactClipper(), kwc);
+        QVERIFY(app::inspect(session, 1).clipper == kwc);
+        session.differences.ask(std::nullopt);
+        QCOMPARE(app::verdictText(app::inspect(session, 1)), "exact: visible, 100.0 %");
+    }
+    void anExhibitHasNoSteps()
+    {
+        app::Session session;
+        session.load({sheetOf({{{-3, 4}, {17, 9}}, {{-5, 2}, {7, 12}}, {{2, -6}, {9, 14}}}), {}});
+        session.differences.ask(app::Comparison{*app::findClipper("md-step-2")});
+        session.differences.finish();
+        QVERIFY(!session.differences.found().list.empty());
+        const auto line = app::inspect(session, session.differences.found().list[0].source);
+        QVERIFY(line.clipper.exhibit);
+        QVERIFY(app::stepTexts(line).front().contains("not recorded"));
+        QVERIFY(app::verdictText(line).startsWith("MD with Step 2 as printed: "));
+    }
     void costInWords()
     {
         QCOMPARE(app::costText({4, 1, 1, 14, 0}), "14 compare, 4 add, 1 multiply, 1 divide");
