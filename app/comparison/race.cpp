@@ -163,6 +163,8 @@ void Race::finish()
     ++rounds_;
     looks_ += purpose_ == Purpose::Findings;
     for (std::size_t i = 0; i < next_.size(); ++i) {
+        if (purpose_ == Purpose::Times) // all findings are of one frame
+            next_[i].visible = rows_[i].visible;
         auto& times = next_[i].milliseconds;
         if (times.size() == length)
             times.erase(times.begin());

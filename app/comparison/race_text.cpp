@@ -33,6 +33,14 @@ QString tiesText(std::span<const RaceRow> rows)
                : Races::tr("%1: too close to call").arg(texts.join(QStringLiteral(", ")));
 }
 
+QString shortTimeText(double milliseconds)
+{
+    if (milliseconds >= 0.1)
+        return millisecondsText(milliseconds);
+    const double micro = milliseconds * 1e3;
+    return Races::tr("%1 µs").arg(numberText(micro, micro < 10 ? 2 : 1));
+}
+
 QString fieldText(std::size_t lines)
 {
     const QString count = countText(lines);

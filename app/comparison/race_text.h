@@ -10,6 +10,9 @@ namespace app {
 /// "MD and LB tie: too close to call"; empty if every place is clear.
 QString tiesText(std::span<const RaceRow> rows);
 
+/// "0.42 ms" as everywhere, but below 0.1 ms "30.1 µs", so that small times tell something.
+QString shortTimeText(double milliseconds);
+
 /// "9,969 lines, rotated order, 1 thread"; "312 lines: too few to time".
 QString fieldText(std::size_t lines);
 

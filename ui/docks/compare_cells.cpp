@@ -55,9 +55,9 @@ void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& opti
     if (form != clipping::Form::Published)
         return;
     text.setLeft(text.left() + QFontMetrics(bold).horizontalAdvance(name) + 8);
-    const QString published = QCoreApplication::translate("Compare", "as published");
+    QString published = QCoreApplication::translate("Compare", "as published");
     if (option.fontMetrics.horizontalAdvance(published) > text.width())
-        return; // the hollow marker says it
+        published = QCoreApplication::translate("Compare", "pub.");
     painter.setFont(option.font);
     painter.setPen(look.muted);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, published);

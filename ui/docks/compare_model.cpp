@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_model.h"
 
+#include "app/comparison/race_text.h"
 #include "app/experiment/contestant_name.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
@@ -38,15 +39,6 @@ struct ColumnInfo {
 
 QString nameOf(const Cell& cell) { return app::nameOf(cell.row.contestant); }
 
-/// As many decimals as the median has, without its unit.
-QString spreadText(const Cell& cell)
-{
-    const double median = cell.summary.median;
-    if (cell.summary.spread < 0.01)
-        return QStringLiteral("< ") + app::numberText(0.01, 2);
-    return app::numberText(cell.summary.spread / 2, median < 10 ? 2 : median < 100 ? 1 : 0);
-}
-
 QString onlyTimed(const Cell& cell, const QString& text)
 {
     return cell.timed ? text : QStringLiteral("–");
@@ -69,11 +61,11 @@ constexpr std::array columns{
     ColumnInfo{
         QT_TRANSLATE_NOOP("Compare", "median"),
         QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame, the middle of several rounds."),
-        [](const Cell& c) { return onlyTimed(c, app::millisecondsText(c.summary.median)); },
+        [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.median)); },
         [](const Cell& c) { return orderOf(c, c.summary.median); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "± spread"),
-               QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles, in ms."),
-               [](const Cell& c) { return onlyTimed(c, spreadText(c)); },
+               QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles."),
+               [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.spread / 2)); },
                [](const Cell& c) { return orderOf(c, c.summary.spread); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "ops/line"),
                QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
@@ -96,9 +88,11 @@ QString tipOf(const app::RaceRow& row, int column)
     if (column == CompareModel::Differ && row.differences.all() > 0)
         return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactClipper(),
                              row.differences, 0);
-    QString tip =
-        Compare::tr("%1 (%2)\n%3")
-            .arg(latin(algorithm.name), QString::number(algorithm.year), latin(algorithm.idea));
+    const QString name = row.contestant.form == clipping::Form::Published
+                             ? Compare::tr("%1, as published").arg(latin(algorithm.name))
+                             : latin(algorithm.name);
+    QString tip = Compare::tr("%1 (%2)\n%3")
+                      .arg(name, QString::number(algorithm.year), latin(algorithm.idea));
     if (&algorithm == &clipping::exactAlgorithm())
         tip += u'\n'
                + Compare::tr("Here it clips line by line as the others do. In the editor's own "

@@ -22,6 +22,7 @@ public:
     const app::RaceRow& row(int number) const { return rows_[std::size_t(number)]; }
     std::size_t lines() const { return lines_; }
     bool timed() const; ///< there are enough lines for times to say something
+    bool sortsBy(int column) const { return timed() || column < Sparkline || column > Spread; }
     /// The number of the row of that form, or -1.
     int rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const;
 

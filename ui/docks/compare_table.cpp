@@ -15,7 +15,7 @@ namespace ui {
 namespace {
 
 constexpr qint64 sortMilliseconds = 1000;
-constexpr int sparklineWidth = 96, leastNameWidth = 92;
+constexpr int sparklineWidth = 96, leastNameWidth = 112;
 
 /// What goes first where space is short.
 constexpr std::array dispensable{CompareModel::Visible, CompareModel::Spread,
@@ -37,6 +37,7 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     setSortingEnabled(true);
     sortByColumn(CompareModel::Median, Qt::AscendingOrder);
+    connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &CompareTable::showOrder);
     connect(this, &QTableView::activated, this, &CompareTable::choose);
     connect(&session, &app::Session::displayChanged, this, &CompareTable::follow);
 }
@@ -51,6 +52,7 @@ void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t line
         follow();
     if (begins || sinceSorted_.elapsed() >= sortMilliseconds)
         sort();
+    showOrder();
     fitColumns();
 }
 
@@ -95,6 +97,14 @@ void CompareTable::sort()
     const QHeaderView* header = horizontalHeader();
     sorted_.sort(header->sortIndicatorSection(), header->sortIndicatorOrder());
     sinceSorted_.start();
+}
+
+/// No arrow at times that say nothing, which leave the catalogue's order.
+void CompareTable::showOrder()
+{
+    QHeaderView* header = horizontalHeader();
+    header->setSortIndicatorShown(model_.sortsBy(header->sortIndicatorSection()));
+    header->viewport()->update();
 }
 
 int CompareTable::widthOf(int column) const

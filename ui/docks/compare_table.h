@@ -31,6 +31,7 @@ private:
     void choose(const QModelIndex& index);
     void follow();
     void sort();
+    void showOrder();
     void fitColumns();
     int widthOf(int column) const;
 

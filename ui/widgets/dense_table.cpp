@@ -50,7 +50,7 @@ protected:
     void paintSection(QPainter* painter, const QRect& rect, int section) const override
     {
         const Look& look = lookOf(palette());
-        const bool sorts = section == sortIndicatorSection();
+        const bool sorts = isSortIndicatorShown() && section == sortIndicatorSection();
         const QString text = model()->headerData(section, Qt::Horizontal).toString();
         const int side =
             model()->headerData(section, Qt::Horizontal, Qt::TextAlignmentRole).toInt();

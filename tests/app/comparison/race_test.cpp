@@ -211,11 +211,19 @@ private slots:
         const auto found = [&] { return race.rows()[0].differences; };
         run(race, {lines, window});
         run(race, {lines, other}, app::Race::Purpose::Times);
-        QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, other).size());
+        QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, window).size());
         QVERIFY(found() == countedOneByOne(kwc, lines, window));
         run(race, {lines, other});
+        QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, other).size());
         QVERIFY(found() == countedOneByOne(kwc, lines, other));
         QCOMPARE(race.rounds(), std::size_t(2));
+    }
+    void smallTimesTellSomething()
+    {
+        QCOMPARE(app::shortTimeText(0.42), "0.42 ms");
+        QCOMPARE(app::shortTimeText(0.0301), "30.1 µs");
+        QCOMPARE(app::shortTimeText(0.0004), "0.40 µs");
+        QCOMPARE(app::shortTimeText(0), "0.00 µs");
     }
     void tiesAreNamed()
     {

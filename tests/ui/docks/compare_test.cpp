@@ -249,6 +249,10 @@ private slots:
         QVERIFY(t.text(0, CompareModel::Visible).toInt() > 0);
         QCOMPARE(t.text(0, CompareModel::Name), "CS"); // in the order of the catalogue
         QCOMPARE(t.text(t.rows() - 1, CompareModel::Name), "SB as published");
+        const QHeaderView* header = t.table().horizontalHeader();
+        QVERIFY(!header->isSortIndicatorShown());
+        t.clickHeader(CompareModel::Visible);
+        QVERIFY(header->isSortIndicatorShown());
     }
     void theColumnIsWideWhileItIsOpen()
     {
