@@ -197,6 +197,19 @@ private slots:
                 panel.resize(width, height);
         QCOMPARE(panel.height(), 999);
     }
+    void theTimesAreOfWhatIsChosen()
+    {
+        TestWindow t; // never shown, so that no other frames come
+        const auto frame = [&](const char* algorithm, double clipMs) {
+            FrameTimes times{.clipMs = clipMs, .drawMs = 1, .total = 5000};
+            times.choice = app::findClipper(algorithm);
+            emit t.window->canvas().frameShown(times);
+        };
+        for (int i = 0; i < 9; ++i)
+            frame("cs", 5);
+        frame("md", 2);
+        QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
+    }
     void theStatusBarCounts()
     {
         TestWindow t;
