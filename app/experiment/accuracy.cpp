@@ -98,6 +98,8 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
         source(lines);
         clipInto(truth, exact, lines, window);
         for (Accuracy& row : all) {
+            if (pace.stopped())
+                return std::nullopt;
             clipInto(found, row.contestant, lines, window);
             add(row, lines, found, truth, window);
         }

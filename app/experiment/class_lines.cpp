@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_lines.h"
 
+#include "app/experiment/pace.h"
+
 #include <algorithm>
 
 namespace app {
 namespace {
 
-constexpr std::uint64_t mostLooked = 4'000'000, block = 100'000;
+constexpr std::uint64_t mostLooked = 4'000'000, block = 50'000;
 constexpr std::size_t fewest = 1000;
 
 /// In the order of lineClasses: scenes that are made of one class.
@@ -20,16 +22,20 @@ bool isEnough(const All& all, std::size_t most)
                                [&](const ClassLines& one) { return one.lines.size() >= most; });
 }
 
-All lookedThrough(const TestScene& scene, const Field& field, std::uint64_t seed, std::size_t most)
+std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std::uint64_t seed,
+                                 std::size_t most, const Follower& follower)
 {
     All all;
     for (std::size_t c = 0; c < all.size(); ++c)
         all[c].lineClass = lineClasses[c];
     const LineSource source = scene.begin(field, seed);
     const std::uint64_t last = scene.lines == 0 ? mostLooked : scene.lines;
+    Pace pace(follower, double((last + block - 1) / block));
     std::vector<clipping::Segment> some;
     std::uint64_t looked = 0;
     while (looked < last && !isEnough(all, most)) {
+        if (pace.stopped())
+            return std::nullopt;
         some.resize(std::min(block, last - looked));
         source(some);
         looked += some.size();
@@ -39,22 +45,38 @@ All lookedThrough(const TestScene& scene, const Field& field, std::uint64_t seed
             if (one.lines.size() < most)
                 one.lines.push_back(line);
         }
+        pace.turnDone();
     }
     for (ClassLines& one : all)
         one.share /= double(looked);
     return all;
 }
 
+/// False if it was stopped.
+bool fill(std::span<clipping::Segment> lines, const LineSource& source, const std::stop_token& stop)
+{
+    for (; !lines.empty(); lines = lines.subspan(std::min<std::size_t>(block, lines.size()))) {
+        if (stop.stop_requested())
+            return false;
+        source(lines.first(std::min<std::size_t>(block, lines.size())));
+    }
+    return true;
+}
+
 } // namespace
 
-All linesByClass(const TestScene& scene, const Field& field, std::uint64_t seed, std::size_t most)
+std::optional<All> linesByClass(const TestScene& scene, const Field& field, std::uint64_t seed,
+                                std::size_t most, const Follower& follower)
 {
-    All all = lookedThrough(scene, field, seed, most);
-    for (std::size_t c = 0; c < all.size() && scene.lines == 0; ++c)
-        if (all[c].lines.size() < std::min(fewest, most)) {
-            all[c].standIn = QString::fromUtf16(standIns[c]);
-            all[c].lines.resize(most);
-            findTestScene(all[c].standIn)->begin(field, seed)(all[c].lines);
+    auto all = lookedThrough(scene, field, seed, most, follower);
+    if (!all)
+        return std::nullopt;
+    for (std::size_t c = 0; c < all->size() && scene.lines == 0; ++c)
+        if (ClassLines& one = (*all)[c]; one.lines.size() < std::min(fewest, most)) {
+            one.standIn = QString::fromUtf16(standIns[c]);
+            one.lines.resize(most);
+            if (!fill(one.lines, findTestScene(one.standIn)->begin(field, seed), follower.stop))
+                return std::nullopt;
         }
     return all;
 }

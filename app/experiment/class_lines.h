@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/comparison/line_class.h"
-#include "app/experiment/test_scene.h"
+#include "app/experiment/experiment.h"
 
 #include <array>
 
@@ -19,8 +19,10 @@ struct ClassLines {
 /// `most` lines of each class, or as many as there are among the first four million of the scene
 /// (all of a drawing), in the order of lineClasses. Where an endless scene has fewer than a
 /// thousand of a class, the scene of the catalogue that is made of that class stands in; for lines
-/// inside of the paper's scene that is the very same distribution.
-std::array<ClassLines, lineClasses.size()> linesByClass(const TestScene& scene, const Field& field,
-                                                        std::uint64_t seed, std::size_t most);
+/// inside of the paper's scene that is the very same distribution. The follower is asked every
+/// 50,000 lines; nothing if it was stopped.
+std::optional<std::array<ClassLines, lineClasses.size()>>
+linesByClass(const TestScene& scene, const Field& field, std::uint64_t seed, std::size_t most,
+             const Follower& follower = {});
 
 } // namespace app

@@ -82,14 +82,20 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                                          const Follower& follower)
 {
     ClassProfile profile{options, {}};
-    auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass);
-    Legs legs(follower, std::vector(all.size(), 1.0));
-    for (std::size_t c = 0; c < all.size(); ++c) {
-        auto lines = std::exchange(all[c].lines, {});
+    // To look for lines takes about as long as eighty turns on those of one class.
+    std::vector weights(1 + lineClasses.size(),
+                        double((options.runs + options.warmUps) * contestants.size()));
+    weights.front() = 80;
+    Legs legs(follower, weights);
+    auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass, legs.next());
+    if (!all)
+        return std::nullopt;
+    for (ClassLines& one : *all) {
+        auto lines = std::exchange(one.lines, {});
         auto record = recordOf(options, std::move(lines), contestants, legs.next());
         if (!record)
             return std::nullopt;
-        profile.classes.push_back({std::move(all[c]), std::move(*record)});
+        profile.classes.push_back({std::move(one), std::move(*record)});
     }
     return profile;
 }

@@ -94,7 +94,7 @@ class ProfilesTest : public QObject {
 private slots:
     void classesAreWhatTheySay()
     {
-        const auto classes = app::linesByClass(*app::findTestScene(u"paper"), {}, 1, 5000);
+        const auto classes = app::linesByClass(*app::findTestScene(u"paper"), {}, 1, 5000).value();
         const std::array shares{0.00011, 0.6418, 0.164, 0.1941}; // algorithms.md, section 12
         for (std::size_t c = 0; c < classes.size(); ++c) {
             QCOMPARE(classes[c].lineClass, app::lineClasses[c]);
@@ -110,7 +110,7 @@ private slots:
     {
         const auto scene =
             app::drawingScene("two", {{{0, 0}, {1, 1}}, {{-500, 0}, {-400, 2}}, {{0, 0}, {2, 2}}});
-        const auto classes = app::linesByClass(scene, {}, 1, 5000);
+        const auto classes = app::linesByClass(scene, {}, 1, 5000).value();
         QCOMPARE(classes[0].lines.size(), 2u);
         QCOMPARE(classes[1].lines.size(), 1u);
         QVERIFY(classes[2].lines.empty() && classes[3].lines.empty());
@@ -253,6 +253,26 @@ private slots:
         const auto table = app::accuracyTable(rows, thePapers(100'000));
         QCOMPARE(table.rows.size(), rows.size());
         QCOMPARE(table.names[3], "lost");
+    }
+
+    void looksForLinesNoLongerThanItIsLet()
+    {
+        std::stop_source source;
+        std::size_t made = 0;
+        auto options = thePapers(1000);
+        options.scene = *app::findTestScene(u"rejected"); // of the others it finds none
+        options.scene.begin = [&, begin = options.scene.begin](const app::Field& field,
+                                                               std::uint64_t seed) {
+            return [&, lines = begin(field, seed)](std::span<Segment> some) {
+                lines(some);
+                made += some.size();
+            };
+        };
+        const auto stop = [&](const app::Progress&) { source.request_stop(); };
+        QVERIFY(!app::classProfile(options, all(), {source.get_token(), stop}));
+        QCOMPARE(made, 50'000u); // and not four million
+        QVERIFY(!app::classProfile(options, all(), {source.get_token(), {}}));
+        QCOMPARE(made, 50'000u);
     }
 
     void whatIsStoppedGivesNothing()
