@@ -21,7 +21,6 @@ constexpr std::array kinds{
     Kind{QT_TRANSLATE_NOOP("Charts", "additions"), &OperationCounts::additions},
     Kind{QT_TRANSLATE_NOOP("Charts", "multiplications"), &OperationCounts::multiplications},
     Kind{QT_TRANSLATE_NOOP("Charts", "divisions"), &OperationCounts::divisions},
-    Kind{QT_TRANSLATE_NOOP("Charts", "negations"), &OperationCounts::negations},
 };
 
 ChartRow rowOf(const ContestantOperations& operations, std::uint64_t lines)
@@ -35,6 +34,8 @@ ChartRow rowOf(const ContestantOperations& operations, std::uint64_t lines)
         detail << Charts::tr("%1 %2 a line")
                       .arg(numberText(bar.parts.back(), 2), Charts::tr(kind.name));
     }
+    detail << Charts::tr("not counted: %1 negations a line")
+                  .arg(numberText(double(scene.negations) / double(lines), 2));
     row.numbers = {numberText(bar.length(), 1)};
     row.detail = detail.join(u'\n');
     row.figures = {std::move(bar)};
@@ -95,7 +96,9 @@ Chart chartOf(const OperationProfile& profile)
                 .subtitle = sceneText(profile.options),
                 .panels = {{{}, Charts::tr("operations a line")}},
                 .columns = {Charts::tr("all")},
-                .rows = {}};
+                .rows = {},
+                .notes = {Charts::tr("Additions with subtractions; negations and operations on "
+                                     "bits are not counted.")}};
     for (std::size_t k = 0; k < kinds.size(); ++k)
         chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
     for (const ContestantOperations& operations : profile.rows)

@@ -23,8 +23,8 @@ Chart boxPlotOf(const Record& record, const Measure& measure);
 /// the ties of its runs, which the paper does not tell.
 Chart chartOf(const PaperTable& paper);
 
-/// Comparisons, additions, multiplications, divisions and negations a line of the scene, as parts
-/// of one bar, the fewest first.
+/// Comparisons, additions, multiplications and divisions a line of the scene (what promisedOf
+/// counts), as parts of one bar, the fewest first.
 Chart chartOf(const OperationProfile& profile);
 
 /// Nanoseconds a line of each class, a panel a class, all on one scale; in the order of what a line

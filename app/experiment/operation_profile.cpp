@@ -54,19 +54,23 @@ QStringList rowOf(const Contestant& contestant, const QString& lineClass, std::u
     const auto perLine = [&](std::uint64_t count) {
         return QString::number(double(count) / double(lines), 'f', 2);
     };
-    return {
-        QString::fromUtf8(contestant.algorithm->key),
-        wordOf(contestant.form),
-        lineClass,
-        QString::number(lines),
-        perLine(counts.comparisons),
-        perLine(counts.additions),
-        perLine(counts.multiplications),
-        perLine(counts.divisions),
-        perLine(counts.comparisons + counts.additions + counts.multiplications + counts.divisions)};
+    return {QString::fromUtf8(contestant.algorithm->key),
+            wordOf(contestant.form),
+            lineClass,
+            QString::number(lines),
+            perLine(counts.comparisons),
+            perLine(counts.additions),
+            perLine(counts.multiplications),
+            perLine(counts.divisions),
+            perLine(promisedOf(counts))};
 }
 
 } // namespace
+
+std::uint64_t promisedOf(const OperationCounts& counts)
+{
+    return counts.additions + counts.multiplications + counts.divisions + counts.comparisons;
+}
 
 OperationCounts ContestantOperations::scene() const
 {

@@ -13,8 +13,11 @@ struct ContestantOperations {
     clipping::OperationCounts scene() const;                           ///< of all lines
 };
 
-/// What the paper's abstract promises and the paper never shows: additions (with subtractions),
-/// multiplications, divisions and comparisons, and negations apart.
+/// What the paper's abstract promises: additions (with subtractions), multiplications, divisions
+/// and comparisons. Negations are not among them.
+std::uint64_t promisedOf(const clipping::OperationCounts& counts);
+
+/// What the paper's abstract promises and the paper never shows.
 struct OperationProfile {
     ExperimentOptions options;                           ///< scene, field, lines and seed
     std::array<std::uint64_t, lineClasses.size()> mix{}; ///< lines of each class

@@ -48,10 +48,7 @@ QString operationReason(const OperationProfile& profile)
 {
     const auto all = contestantsOf(profile.rows);
     const auto perLine = [&](const ContestantOperations& row) {
-        const auto counts = row.scene();
-        return double(counts.comparisons + counts.additions + counts.multiplications
-                      + counts.divisions)
-               / double(profile.options.lines);
+        return double(promisedOf(row.scene())) / double(profile.options.lines);
     };
     const auto [fewest, most] = std::ranges::minmax_element(profile.rows, {}, perLine);
     const auto of = [&](auto row) {
