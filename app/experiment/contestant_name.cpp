@@ -36,6 +36,15 @@ QString nameAmong(std::span<const Contestant> all, std::size_t i)
     return mixed ? nameOf(all[i]) : abbreviation(all[i]);
 }
 
+QString introducedName(const clipping::Algorithm& algorithm)
+{
+    const auto name = QString::fromUtf8(algorithm.name.data(), qsizetype(algorithm.name.size()));
+    return algorithm.name == algorithm.abbreviation
+               ? name
+               : Experiments::tr("%1 (%2)").arg(
+                   name, abbreviation({&algorithm, clipping::Form::Corrected}));
+}
+
 QString listText(const QStringList& names)
 {
     if (names.size() < 2)

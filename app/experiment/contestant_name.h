@@ -13,6 +13,9 @@ QString nameOf(const Contestant& contestant);
 /// The name among others: without its form if all have the same.
 QString nameAmong(std::span<const Contestant> all, std::size_t i);
 
+/// "Cohen-Sutherland (CS)"; "Skala", whose name is as short as it gets.
+QString introducedName(const clipping::Algorithm& algorithm);
+
 /// "CS, LB and MD".
 QString listText(const QStringList& names);
 

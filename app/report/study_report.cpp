@@ -2,6 +2,7 @@
 #include "app/report/study_report.h"
 
 #include "app/charts/study_charts.h"
+#include "app/experiment/contestant_name.h"
 #include "app/experiment/verdict.h"
 #include "app/view/numbers.h"
 
@@ -42,9 +43,7 @@ QString introduction(const Study& study)
     QStringList names;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)
-            names << Reports::tr("%1 (%2)").arg(
-                QString::fromUtf8(timing.contestant.algorithm->name),
-                QString::fromUtf8(timing.contestant.algorithm->abbreviation));
+            names << introducedName(*timing.contestant.algorithm);
     names.removeDuplicates();
     return Reports::tr(
                "A line clipper keeps the part of each line that lies inside a window. These "

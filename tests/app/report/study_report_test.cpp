@@ -53,6 +53,7 @@ private slots:
                                     "both", "--measure", "clip,total,accuracy"});
         const app::Report report = app::reportOf(study);
         QVERIFY(report.summary[0].contains("Cohen-Sutherland (CS), "));
+        QVERIFY(report.summary[0].contains(", Skala, "));
         for (const char* trial : {"Table 1, as published, 2,000 lines. Clipping only: ",
                                   "Table 2, corrected, 2,000 lines. Clipping only: "})
             QCOMPARE(report.summary.filter(trial).size(), 1);
