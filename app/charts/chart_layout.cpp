@@ -350,6 +350,19 @@ QFont captionFont(const ChartLook& look)
     return font;
 }
 
+Interval tickLabel(const ChartLayout& layout, std::size_t panel, double tick, const ChartLook& look)
+{
+    const double half = QFontMetricsF(captionFont(look))
+                            .horizontalAdvance(numberText(tick, layout.axes[panel].decimals))
+                        / 2;
+    double middle = layout.x(panel, tick);
+    if (const double beyond = 5 * layout.unit; panel > 0)
+        middle = std::max(middle, layout.panels[panel].left() - beyond + half);
+    if (const double beyond = 5 * layout.unit; panel + 1 < layout.panels.size())
+        middle = std::min(middle, layout.panels[panel].right() + beyond - half);
+    return {middle - half, middle + half};
+}
+
 QString tieName(const Chart& chart, std::size_t tie)
 {
     return chart.ties.size() == 1 ? QCoreApplication::translate("Charts", "tie") : tieLetter(tie);

@@ -51,6 +51,11 @@ double leastHeight(const Chart& chart, double width, const ChartLook& look);
 QFont semiBoldFont(const ChartLook& look);
 QFont captionFont(const ChartLook& look);
 
+/// From where to where a number of an axis is written: below its tick, but apart from the numbers
+/// of the next panel.
+Interval tickLabel(const ChartLayout& layout, std::size_t panel, double tick,
+                   const ChartLook& look);
+
 /// What stands at the bracket of a tie: a word, or its letter where there are several.
 QString tieName(const Chart& chart, std::size_t tie);
 

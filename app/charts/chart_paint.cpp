@@ -108,8 +108,10 @@ void paintAxis(const Canvas& c, std::size_t p)
         c.painter.setPen(QPen(c.look.rule, u));
         c.painter.drawLine(QPointF(x, panel.top()), QPointF(x, panel.bottom()));
         c.painter.setRenderHint(QPainter::Antialiasing);
-        c.text({x - 100 * u, line.top(), 200 * u, line.height()}, Qt::AlignHCenter,
-               captionFont(c.look), c.look.muted, numberText(tick, axis.decimals));
+        const Interval label = tickLabel(c.layout, p, tick, c.look);
+        c.text({label.low - u, line.top(), label.high - label.low + 2 * u, line.height()},
+               Qt::AlignHCenter, captionFont(c.look), c.look.muted,
+               numberText(tick, axis.decimals));
     }
 }
 

@@ -217,6 +217,26 @@ private slots:
         QVERIFY(!dark(1, 0) && !dark(0, 3) && !dark(1, 5));
         QVERIFY(layout.bracket + 2 * layout.bracketLane <= 560.5);
     }
+    void numbersOfAxesAreApart()
+    {
+        const ChartLook look = chartLook(Ground::Light);
+        for (Chart chart : {boxPlotOf(sample::seven(), clip()), chartOf(sample::classes())})
+            for (double most = 60; most < 2000; most *= 1.4) { // ticks at all places
+                if (!chart.oneScale)
+                    for (std::size_t r = 0; r < chart.rows.size(); ++r)
+                        chart.rows[r].figures = {boxOf(std::vector{most / 3, most}),
+                                                 boxOf(std::vector{-most / 17, most / 5})};
+                const ChartLayout layout = layoutOf(chart, {0, 0, 720, 400}, look);
+                double last = -1;
+                for (std::size_t p = 0; p < layout.panels.size(); ++p)
+                    for (const double tick : layout.axes[p].ticks) {
+                        const Interval label = tickLabel(layout, p, tick, look);
+                        QVERIFY2(label.low > last + 3,
+                                 qPrintable(QStringLiteral("%1 %2").arg(most).arg(tick)));
+                        last = label.high;
+                    }
+            }
+    }
     void separateTimesHaveNoBracket()
     {
         const sample::Times all[]{{"CS", sample::ours, 10}, {"LB", sample::ours, 20}};
