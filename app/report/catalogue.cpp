@@ -29,6 +29,11 @@ QString endings()
 
 } // namespace
 
+QString readable(const QString& field, bool numeric)
+{
+    return numeric && field.startsWith(u'-') ? QChar(0x2212) + field.sliced(1) : field;
+}
+
 // THE CATALOGUE. To add a format: write its file in app/report/, and name it above and below.
 std::vector<ReportFormat> reportFormats()
 {

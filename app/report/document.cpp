@@ -4,6 +4,7 @@
 #include "app/charts/chart_file.h"
 #include "app/charts/chart_paint.h"
 #include "app/experiment/heading.h"
+#include "app/report/keep_together.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontDatabase>
@@ -83,15 +84,13 @@ public:
 
     void paragraph(const QString& text, const QTextCharFormat& format, double above, double below)
     {
-        QTextBlockFormat block;
-        block.setTopMargin(above * point);
-        block.setBottomMargin(below * point);
-        begin(block, format);
-        at_.insertText(text, format);
+        insert({}, text, format, above, below);
     }
-    void heading(const QString& text, double points, double above)
+    void heading(const QString& text, double points, double above, double below = 4)
     {
-        paragraph(text, textFormat(points, QFont::DemiBold, documentLook().text), above, 4);
+        QTextBlockFormat block;
+        setBelongsToNext(block);
+        insert(block, text, textFormat(points, QFont::DemiBold, documentLook().text), above, below);
     }
     void sentences(const QStringList& all)
     {
@@ -118,6 +117,14 @@ public:
     void table(const Table& table);
 
 private:
+    void insert(QTextBlockFormat block, const QString& text, const QTextCharFormat& format,
+                double above, double below)
+    {
+        block.setTopMargin(above * point);
+        block.setBottomMargin(below * point);
+        begin(block, format);
+        at_.insertText(text, format);
+    }
     void begin(const QTextBlockFormat& block, const QTextCharFormat& format)
     {
         if (!std::exchange(empty_, false))
@@ -167,7 +174,7 @@ void Writer::cell(QTextTableCell cell, const QString& text, Qt::Alignment side,
 void Writer::table(const Table& table)
 {
     if (!table.title.isEmpty())
-        paragraph(table.title, textFormat(textPoints, QFont::DemiBold, documentLook().text), 8, 0);
+        heading(table.title, textPoints, 8, 0);
     const auto numeric = numericColumns(table);
     const auto side = [&](qsizetype column) {
         return numeric[std::size_t(column)] ? Qt::AlignRight : Qt::AlignLeft;
@@ -181,7 +188,8 @@ void Writer::table(const Table& table)
         heading.replace(u'\n', QChar::LineSeparator);
         cell(grid->cellAt(0, int(c)), heading, side(c), head);
         for (std::size_t r = 0; r < table.rows.size(); ++r)
-            cell(grid->cellAt(int(r) + 1, int(c)), table.rows[r][c], side(c), body);
+            cell(grid->cellAt(int(r) + 1, int(c)),
+                 readable(table.rows[r][c], numeric[std::size_t(c)]), side(c), body);
     }
     at_.movePosition(QTextCursor::End);
     empty_ = true; // Qt puts a block below a table

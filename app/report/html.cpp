@@ -66,7 +66,7 @@ QString rowOf(const QStringList& fields, const std::vector<bool>& numeric)
     for (qsizetype i = 0; i < fields.size(); ++i)
         row += QStringLiteral("<td%1>%2</td>")
                    .arg(numeric[std::size_t(i)] ? QStringLiteral(" class=\"n\"") : QString(),
-                        escaped(fields[i]));
+                        escaped(readable(fields[i], numeric[std::size_t(i)])));
     return element("tr", row);
 }
 

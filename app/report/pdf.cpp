@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/write_all.h"
 #include "app/report/document.h"
+#include "app/report/keep_together.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -43,6 +44,7 @@ void paintPages(QPdfWriter& writer, QTextDocument& document, const QString& titl
     const QSizeF page(paper.width(), paper.height() - dots(footerMillimetres));
     document.documentLayout()->setPaintDevice(&writer);
     document.setPageSize(page);
+    keepTogether(document);
     QFont font = document.defaultFont();
     font.setPointSizeF(8);
     QPainter painter(&writer);

@@ -24,6 +24,9 @@ struct Report {
     std::vector<ReportSection> sections;
 };
 
+/// A field of a table as people read it: numbers with a real minus.
+QString readable(const QString& field, bool numeric);
+
 /// One row of the catalogue of what a report can be.
 struct ReportFormat {
     QString key;  ///< "html": of --report, and the ending of a file's name

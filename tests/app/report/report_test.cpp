@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/record_chart.h"
+#include "app/report/document.h"
+#include "app/report/keep_together.h"
 #include "app/report/report.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QFile>
 #include <QProcess>
@@ -9,6 +12,9 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextTable>
 #include <QXmlStreamReader>
 
 namespace {
@@ -91,6 +97,50 @@ class ReportTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void noRowIsAloneOnAPage()
+    {
+        app::Report report{.title = "Pages", .summary = {}, .sections = {}};
+        for (int i = 0; i < 12; ++i)
+            report.sections.push_back(
+                {.title = "Part",
+                 .tables = {{.names = {"who", "median_ns"},
+                             .rows = std::vector(std::size_t(4 + i % 3), QStringList{"a", "1"}),
+                             .title = "Times",
+                             .facts = {},
+                             .notes = {"A note."}}}});
+        int torn = 0; // as they come
+        for (int height = 300; height < 420; height += 7)
+            for (const bool kept : {false, true}) {
+                const auto document = app::documentOf(report, 96);
+                document->setPageSize(QSizeF(500, height));
+                if (kept)
+                    app::keepTogether(*document);
+                const auto page = [&](const QTextBlock& block) {
+                    return int(document->documentLayout()->blockBoundingRect(block).top() + 0.5)
+                           / height;
+                };
+                for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
+                    const QTextTable* table = QTextCursor(block).currentTable();
+                    const auto row = [&](int r) {
+                        return page(table->cellAt(r, 0).firstCursorPosition().block());
+                    };
+                    const bool alone =
+                        table ? row(0) != row(2) || row(table->rows() - 1) != row(table->rows() - 2)
+                              : (block.text() == "Part" || block.text() == "Times")
+                                    && page(block) != page(block.next());
+                    torn += !kept && alone;
+                    QVERIFY2(!kept || !alone, qPrintable(QString::number(height)));
+                }
+            }
+        QVERIFY(torn > 0);
+    }
+    void numbersHaveARealMinus()
+    {
+        QCOMPARE(app::readable("-3.5", true), "−3.5");
+        QCOMPARE(app::readable("-a", false), "-a");
+        QCOMPARE(app::readable("3.5", true), "3.5");
+    }
+
     void aPageIsWellFormedAndTakesNothingForMarkup()
     {
         const Page page = pageOf(written("html", sample()));
