@@ -2,6 +2,7 @@
 #include "app/charts/record_chart.h"
 
 #include "app/charts/words.h"
+#include "app/experiment/paper_tables.h"
 #include "app/view/numbers.h"
 
 #include <algorithm>
@@ -136,7 +137,10 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         chart.key = QStringLiteral("%1-%2").arg(paper->key, measure.key);
         chart.columns << Charts::tr("paper");
         chart.legend.push_back(
-            {LegendMark{}, Charts::tr("hollow: the paper, %1, total time").arg(nameOf(*paper))});
+            {LegendMark{}, Charts::tr("hollow: the paper, %1, total time of %2 lines")
+                               .arg(nameOf(*paper), countText(paper->lines))});
+        if (const QString other = otherWorkText(*paper, record.options, measure); !other.isEmpty())
+            chart.notes << other;
     }
     return withSharedNote(std::move(chart));
 }

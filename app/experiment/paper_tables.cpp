@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/paper_tables.h"
 
+#include "app/experiment/paper_scene.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -79,10 +80,17 @@ Table layout(const PaperTable& paper, const Columns& columns)
     return table;
 }
 
+/// "2,000 lines", "2,000 lines of the scene “Long”".
+QString linesText(const ExperimentOptions& options)
+{
+    const QString count = countText(options.lines), other = otherLinesText(options);
+    return other.isEmpty() ? Experiments::tr("%1 lines").arg(count) : count + u' ' + other;
+}
+
 QString titleOf(const PaperTable& paper, const Record& record, const Measure& measure)
 {
-    return Experiments::tr("%1, %2: seconds for %3 lines, algorithms %4")
-        .arg(numberOf(paper), measure.name, countText(record.options.lines),
+    return Experiments::tr("%1, %2: seconds for %3, algorithms %4")
+        .arg(numberOf(paper), measure.name, linesText(record.options),
              wordOf(record.timings.front().contestant.form));
 }
 
@@ -124,6 +132,27 @@ QString perCent(double number) { return QString::number(number, 'f', 2); }
 QString numberOf(const PaperTable& paper)
 {
     return Experiments::tr("Table %1").arg(paper.key.back());
+}
+
+QString otherLinesText(const ExperimentOptions& options)
+{
+    if (options.scene.key != testScenes().front().key)
+        return Experiments::tr("lines of the scene “%1”").arg(options.scene.name);
+    const bool same = rectangleText(options.field.space) == rectangleText(paperSpace)
+                      && rectangleText(options.field.window) == rectangleText(paperWindow);
+    return same ? QString() : Experiments::tr("lines in another space or window");
+}
+
+QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
+                      const Measure& measure)
+{
+    if (measure.key == u"total" && options.lines == paper.lines
+        && otherLinesText(options).isEmpty())
+        return {};
+    return Experiments::tr("Not the same work: the paper's times are the total, of making, "
+                           "clipping and drawing %1 random lines; ours are “%2” of %3. Compare "
+                           "ranks and ratios, not seconds.")
+        .arg(countText(paper.lines), measure.name, linesText(options));
 }
 
 std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form)
@@ -184,6 +213,8 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
         }
         table.rows.push_back(row);
     }
+    if (const QString other = otherWorkText(paper, record.options, measure); !other.isEmpty())
+        table.notes << other;
     table.notes << Experiments::tr(
         "Faster: the time between the other and Prop. in per cent of Prop.'s, as the paper has it. "
         "Saves: the same in per cent of the other's time. From averages, those of the paper as "

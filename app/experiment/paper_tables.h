@@ -9,6 +9,14 @@ namespace app {
 /// "Table 1", "Table 2".
 QString numberOf(const PaperTable& paper);
 
+/// "lines of the scene “Long”" where lines are not made as the paper's; empty where they are.
+QString otherLinesText(const ExperimentOptions& options);
+
+/// One sentence where ours is not the work that the paper timed: by another measure than the total,
+/// with other lines, or with fewer or more of them. Empty where it is the same.
+QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
+                      const Measure& measure);
+
 /// The algorithms of a table of the paper in one form, in its order.
 std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form);
 

@@ -23,9 +23,8 @@ double operationsOf(const PlannedTrial& trial)
     trial.options.scene.begin(trial.options.field, trial.options.seed)(some);
     std::uint64_t all = 0;
     for (const Contestant& one : trial.contestants) {
-        const auto counts =
-            clipping::usesOf(*one.algorithm, one.form)->count(some, trial.options.field.window);
-        all += counts.comparisons + counts.additions + counts.multiplications + counts.divisions;
+        all += promisedOf(
+            clipping::usesOf(*one.algorithm, one.form)->count(some, trial.options.field.window));
     }
     return double(all) / double(some.size());
 }
@@ -121,8 +120,10 @@ QString nameOf(const Trial& trial)
         return trial.record.options.scene.name;
     const bool published =
         trial.record.timings.front().contestant.form == clipping::Form::Published;
-    return published ? Experiments::tr("%1, as published").arg(numberOf(*trial.paper))
-                     : Experiments::tr("%1, corrected").arg(numberOf(*trial.paper));
+    const QString name = published ? Experiments::tr("%1, as published").arg(numberOf(*trial.paper))
+                                   : Experiments::tr("%1, corrected").arg(numberOf(*trial.paper)),
+                  lines = otherLinesText(trial.record.options);
+    return lines.isEmpty() ? name : Experiments::tr("%1, with %2").arg(name, lines);
 }
 
 std::vector<Table> tablesOf(const Trial& trial, const Measure& measure, Against against)

@@ -2,6 +2,7 @@
 #include "app/experiment/verdict.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/paper_tables.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -160,14 +161,21 @@ QString rankingSentence(const Trial& trial, const Measure& measure)
         .arg(own, countText(check.same), pairs, undecided);
 }
 
-/// What the paper's own runs say by our rule.
-QString paperSentence(const Trial& trial)
+/// What the paper's own runs say by our rule, and whether its lines were others.
+QStringList paperSentences(const Trial& trial)
 {
-    const Measure clip = measures().front();
-    return rankingCheck(*trial.paper, trial.record, clip).paperTies ? Experiments::tr(
-               "By the rule used here, the paper's own runs leave its fastest too "
-               "close to call.")
-                                                                    : QString();
+    const ExperimentOptions& options = trial.record.options;
+    QStringList sentences;
+    if (rankingCheck(*trial.paper, trial.record, measures().front()).paperTies)
+        sentences << Experiments::tr("By the rule used here, the paper's own runs leave its "
+                                     "fastest too close to call.");
+    if (!otherLinesText(options).isEmpty())
+        sentences << Experiments::tr("The paper clipped other lines: %1 random ones; these are %2.")
+                         .arg(countText(trial.paper->lines), otherLinesText(options));
+    else if (options.lines != trial.paper->lines)
+        sentences << Experiments::tr("The paper clipped %1 lines, not %2.")
+                         .arg(countText(trial.paper->lines), countText(options.lines));
+    return sentences;
 }
 
 QStringList lossSentences(const Record& record)
@@ -224,8 +232,8 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
             sentences.back() += u' ' + rankingSentence(trial, measure);
     }
     QStringList further = lossSentences(trial.record);
-    if (trial.paper && !paperSentence(trial).isEmpty())
-        further << paperSentence(trial);
+    if (trial.paper)
+        further << paperSentences(trial);
     return sentences << further.join(u' ');
 }
 

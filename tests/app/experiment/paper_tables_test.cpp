@@ -141,6 +141,7 @@ private slots:
         const auto measure = app::measures()[2];
         const auto table = app::againstPaper(paper, record, measure);
         QCOMPARE(table.rows.size(), 7u);
+        QVERIFY(table.notes.join(' ').contains("Not the same work"));
         const auto& nln = table.rows[3];
         QCOMPARE(nln[0], "NLN");
         QCOMPARE(nln[1], "12.969");
@@ -154,6 +155,28 @@ private slots:
         QCOMPARE(table.rows[6][3], "1");
         QCOMPARE(table.rows[2][3], table.rows[3][3]);
         QVERIFY(table.rows[2][3].startsWith("tie"));
+    }
+
+    void whatIsNotTheSameWorkIsToldSo()
+    {
+        const auto paper = app::paperTables()[0];
+        const auto clip = app::measures().front(), total = app::measures().back();
+        QCOMPARE(total.key, "total");
+        app::ExperimentOptions options;
+        options.lines = paper.lines;
+        QCOMPARE(app::otherWorkText(paper, options, total), "");
+        QVERIFY(app::otherWorkText(paper, options, clip).contains(clip.name));
+        options.lines = 20'000;
+        const QString fewer = app::otherWorkText(paper, options, total);
+        QVERIFY2(fewer.contains(app::countText(1'000'000) + " random lines")
+                     && fewer.contains(app::countText(20'000) + " lines."),
+                 qPrintable(fewer));
+        options.scene = *app::findTestScene(u"long");
+        QVERIFY(app::otherWorkText(paper, options, total).contains("lines of the scene “Long”"));
+        QCOMPARE(app::otherLinesText(options), "lines of the scene “Long”");
+        options = {};
+        options.field.window.max.x += 1;
+        QVERIFY(!app::otherLinesText(options).isEmpty());
     }
 
     void theRankingInWords()

@@ -202,6 +202,10 @@ private slots:
         QVERIFY(shares.front() > 0 && std::abs(shares.back() - 1) < 1e-9);
         QCOMPARE(study->trials.size(), 4u);
         QCOMPARE(app::nameOf(study->trials[1]), "Table 1, corrected");
+        auto other = study->trials[1];
+        other.record.options.scene = *app::findTestScene(u"long");
+        QCOMPARE(app::nameOf(other), "Table 1, corrected, with lines of the scene “Long”");
+        QVERIFY(app::verdict(other, clipOnly()).back().contains("other lines"));
         std::set<QString> keys;
         for (const auto& table : app::tablesOf(*study)) {
             QVERIFY2(keys.insert(table.key).second, qPrintable(table.key + " is there twice"));
