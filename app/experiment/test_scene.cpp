@@ -106,17 +106,69 @@ bool isMissing(const Segment& s, const Field& f)
 }
 bool isAnything(const Segment&, const Field&) { return true; }
 
+/// For windows that leave so little room that chance hardly makes a near miss: round a corner,
+/// from beyond one side to beyond the next.
+Segment roundCorner(Dice& dice, const Field& field)
+{
+    const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
+    const glm::dvec2 share = 0.5 * (glm::dvec2{side, up} + 1.0);
+    const glm::dvec2 corner = glm::mix(field.window.min, field.window.max, share);
+    const glm::dvec2 room = glm::mix(field.space.min, field.space.max, share) - corner;
+    const double far = dice.between(0.1, 1),
+                 back = far * dice.between(0, 0.9); // back < far: past it
+    const glm::dvec2 out = corner + far * room;
+    const glm::dvec2 in =
+        corner - back * glm::sign(room) * glm::min(glm::abs(room), sizeOf(field.window));
+    return {{in.x, out.y}, {out.x, in.y}};
+}
+
+/// For such windows, too: from beyond one side to beyond the opposite one.
+Segment across(Dice& dice, const Field& field)
+{
+    const auto& [space, window] = field;
+    if (dice.heads())
+        return {dice.in({{space.min.x, window.min.y}, {window.min.x, window.max.y}}),
+                dice.in({{window.max.x, window.min.y}, {space.max.x, window.max.y}})};
+    return {dice.in({{window.min.x, space.min.y}, {window.max.x, window.min.y}}),
+            dice.in({{window.min.x, window.max.y}, {window.max.x, space.max.y}})};
+}
+
 /// Lines as `line` makes them, without those that are not `wanted` (rounding alone can spoil one).
-template <auto line, auto wanted>
+/// Where it made none in a thousand tries, `tight` makes them from there on; and where that makes
+/// none either, since numbers are too coarse for such a field, all its lines are taken: it always
+/// ends.
+template <auto line, auto wanted, auto tight>
+class Made {
+public:
+    Made(const Field& field, std::uint64_t seed) : field_(field), dice_(seed) {}
+    void operator()(std::span<Segment> lines)
+    {
+        for (Segment& one : lines)
+            one = next();
+    }
+
+private:
+    Segment next()
+    {
+        constexpr int most = 1000;
+        for (; way_ < 2; ++way_)
+            for (int tries = 0; tries < most; ++tries)
+                if (const Segment one = way_ == 0 ? line(dice_, field_) : tight(dice_, field_);
+                    wanted(one, field_))
+                    return one;
+        return tight(dice_, field_);
+    }
+
+    Field field_;
+    Dice dice_;
+    int way_ = 0;
+};
+
+template <auto line, auto wanted, auto tight = line>
 LineSource begin(const Field& field, std::uint64_t seed)
 {
     assert(hasRoom(field));
-    return [field, dice = Dice(seed)](std::span<Segment> lines) mutable {
-        for (Segment& one : lines)
-            do
-                one = line(dice, field);
-            while (!wanted(one, field));
-    };
+    return Made<line, wanted, tight>(field, seed);
 }
 
 LineSource beginPaper(const Field& field, std::uint64_t seed)
@@ -148,10 +200,10 @@ std::vector<TestScene> testScenes()
          begin<rejected, isRejected>},
         {"crossing", Scenes::tr("Crossing"),
          Scenes::tr("Both ends outside, and a part between them visible."),
-         begin<crossing, isCrossing>},
+         begin<crossing, isCrossing, across>},
         {"near-miss", Scenes::tr("Near miss"),
          Scenes::tr("Past a corner of the window, a billionth to a tenth of its size away."),
-         begin<nearMiss, isMissing>},
+         begin<nearMiss, isMissing, roundCorner>},
         {"long", Scenes::tr("Long"),
          Scenes::tr("Through or past the window, a thousand times as long as the space is wide."),
          begin<longLine, isAnything>},

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/line_class.h"
+#include "app/experiment/dice.h"
 #include "app/experiment/test_scene.h"
 
 #include <QSet>
 #include <QTest>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/clipping/oracle.h"
 
@@ -146,6 +149,30 @@ private slots:
             ++corners[std::size_t(nearest)];
         }
         QVERIFY(std::ranges::all_of(corners, [](int count) { return count > 900; }));
+    }
+
+    void linesComeWhereverTheWindowIs()
+    {
+        std::vector<app::Field> fields{{app::paperSpace, {{-955, -716}, {955, 716}}}};
+        app::Dice dice(11);
+        for (int i = 0; i < 40; ++i) { // all sides of their own, down to a hundred-millionth
+            const auto side = [&] { return 900 * std::pow(10, dice.between(-8, 0)); };
+            fields.push_back({{{-1000, -1000}, {1000, 1000}},
+                              {{side() - 1000, side() - 1000}, {1000 - side(), 1000 - side()}}});
+        }
+        const std::array made{u"inside", u"rejected", u"crossing", u"near-miss"};
+        for (const app::Field& field : fields)
+            for (std::size_t c = 0; c < made.size(); ++c)
+                for (const Segment& line : linesOf(*app::findTestScene(made[c]), field, 6, 300)) {
+                    QCOMPARE(trueClass(line, field.window), app::lineClasses[c]);
+                    for (const glm::dvec2& p : {line.a, line.b})
+                        QCOMPARE(glm::clamp(p, field.space.min, field.space.max), p);
+                }
+        // There is no number between window and space: anything, but in no time.
+        const double most = std::nextafter(1000.0, 0.0);
+        const app::Field coarse{{{-1000, -1000}, {1000, 1000}}, {{-most, -most}, {most, most}}};
+        for (const app::TestScene& scene : app::testScenes())
+            QCOMPARE(linesOf(scene, coarse, 6, 10'000).size(), 10'000u);
     }
 
     void aDrawingIsRepeated()
