@@ -88,24 +88,42 @@ double lengthOf(const Session& session, const Difference& difference)
     return piece ? glm::distance(piece->a, piece->b) : 0;
 }
 
-QString pieceLengthText(const Session& session, double length)
+/// How far the ends of two pieces are apart, whichever way round they run.
+double distanceOf(const Session& session, const Difference& difference)
+{
+    const auto a = pieceOf(session, difference, Side::A), b = pieceOf(session, difference, Side::B);
+    if (!a || !b)
+        return 0;
+    return std::min(std::max(glm::distance(a->a, b->a), glm::distance(a->b, b->b)),
+                    std::max(glm::distance(a->a, b->b), glm::distance(a->b, b->a)));
+}
+
+/// The least length that does not read as zero, in user units.
+double leastToRead(const Session& session)
+{
+    const Unit unit = session.display().unit;
+    return fromUnit(std::pow(10, -infoOf(unit).decimals), unit,
+                    session.sheet().page.millimetresPerUnit());
+}
+
+QString amountText(const Session& session, double length)
 {
     if (!std::isfinite(length))
         return QStringLiteral("∞");
-    const double size = session.sheet().page.millimetresPerUnit();
-    const Unit unit = session.display().unit;
-    const double least = fromUnit(std::pow(10, -infoOf(unit).decimals), unit, size);
-    return length == 0      ? Rows::tr("a point")
-           : length < least ? QStringLiteral("< ") + lengthText(least, unit, size)
-                            : lengthText(length, unit, size);
+    const double least = leastToRead(session);
+    const QString text = lengthText(std::max(length, least), session.display().unit,
+                                    session.sheet().page.millimetresPerUnit());
+    return length == 0 ? Rows::tr("a point") : length < least ? QStringLiteral("< ") + text : text;
 }
 
-QString amountText(const Session& session, const Difference& difference)
+QString differenceText(const Session& session, const Difference& difference)
 {
     if (!isThere(session, difference))
         return {};
     if (difference.kind != Kind::EndsApart)
-        return pieceLengthText(session, lengthOf(session, difference));
+        return amountText(session, lengthOf(session, difference));
+    if (const double distance = distanceOf(session, difference); distance >= leastToRead(session))
+        return amountText(session, distance);
     return difference.ulps == 1 ? Rows::tr("1 ulp")
                                 : Rows::tr("%1 ulps").arg(ulpsText(difference.ulps));
 }
@@ -199,10 +217,11 @@ std::span<const DifferenceColumn> differenceColumns()
                          [](const Comparison&) {
                              return Rows::tr(
                                  "How long the piece is that only one of the two sees, or how far "
-                                 "the ends are apart, in units in the last place of the largest "
+                                 "the ends are apart; where that is too short to read, in units in "
+                                 "the last place of the largest "
                                  "coordinate of line and window (ulps)");
                          },
-                         amountText, byAmount, true},
+                         differenceText, byAmount, true},
         DifferenceColumn{pieceHeading<Side::A>, pieceMeaning<Side::A>, shortPieceText<Side::A>,
                          byPiece<Side::A>, false},
         DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,

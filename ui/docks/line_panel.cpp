@@ -144,6 +144,7 @@ void LinePanel::put(int row, int column, const QString& text, Qt::Alignment alig
     QLabel* label = cell(row, column);
     label->setAlignment(alignment | Qt::AlignVCenter);
     label->setText(text);
+    label->setVisible(!text.isEmpty()); // a row without any takes no room
 }
 
 } // namespace ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/difference_row.h"
+#include "app/view/numbers.h"
 
 #include <QTest>
 
@@ -59,6 +60,26 @@ private slots:
         session.differences.ask(std::nullopt);
         for (const std::size_t column : {0, 1, 2, 3, 4, 5})
             QCOMPARE(columns[column].text(session, first), "");
+    }
+
+    void endsThatAreSeenToDifferAreApartInTheUnit()
+    {
+        app::Session session;
+        app::Sheet sheet;
+        sheet.window = {{0, 0}, {100, 100}};
+        app::Shape line; // leaves by the lower edge at (50, 100)
+        line.paths = {{{40, 80}, {{{60, 120}}}}};
+        sheet.shapes.push_back(std::move(line));
+        session.drawing.load(std::move(sheet));
+        session.differences.ask(app::Comparison{*app::findClipper("md-step-2")});
+        session.differences.finish();
+        const auto& list = session.differences.found().list;
+        QCOMPARE(list.size(), std::size_t(1));
+        QCOMPARE(list[0].kind, app::Difference::Kind::EndsApart);
+        // x1 + (x2 - x1) / (y2 - y1) (ymax - x1) = 40 + 20 / 40 * 60 = 70, not 50
+        const double size = session.sheet().page.millimetresPerUnit();
+        QCOMPARE(app::differenceColumns()[2].text(session, list[0]),
+                 app::lengthText(20, session.display().unit, size));
     }
 
     void everyColumnSortsBothWays()
