@@ -4,6 +4,8 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <new>
 #include <optional>
@@ -82,6 +84,7 @@ bool isCommandLine(const QStringList& arguments)
 
 int runCommandLine(const QStringList& arguments)
 {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); // the same everywhere
     answerSignals();
     const auto command = commandOf(arguments);
     const QString name = command ? QLatin1StringView(command->key) : QString();

@@ -31,6 +31,15 @@ private slots:
         QVERIFY(refused.err.contains("OpenGL cannot draw here: it needs a display."));
     }
 
+    // Dots would be read as points by whoever reads the file elsewhere.
+    void countsLookTheSameInEveryCountry()
+    {
+        const auto run = inShell("LC_ALL=de_DE.UTF-8 $clearcut bench --paper table1 --quick "
+                                 "--measure clip -f markdown");
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.contains("100,000 lines") && !run.out.contains("100.000"));
+    }
+
     void aDisplayThatIsNotThereIsNone()
     {
         const auto run = inShell("DISPLAY=:987 $clearcut bench -n 1000 -r 1 -a md --measure draw");
