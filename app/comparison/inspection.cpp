@@ -41,6 +41,20 @@ QString edgeName(Edge edge)
     }
 }
 
+/// How values are said: in which unit, and as the values of which form.
+struct Measure {
+    clipping::Form form;
+    Unit unit;
+    double millimetresPerUnit;
+
+    double inUnit(double length) const { return app::inUnit(length, unit, millimetresPerUnit); }
+    QString point(const Point& p) const
+    {
+        const auto number = [&](double v) { return lengthNumber(v, unit, millimetresPerUnit, 1); };
+        return QStringLiteral("(%1; %2)").arg(number(p.x), number(p.y));
+    }
+};
+
 /// Six digits say enough here; the last of seventeen would hide the first.
 QString shortNumber(double number)
 {
@@ -48,35 +62,55 @@ QString shortNumber(double number)
     return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
 }
 
-QString pointText(const Point& p)
+bool isAmong(std::string_view name, std::initializer_list<std::string_view> names)
 {
-    return QStringLiteral("(%1; %2)").arg(shortNumber(p.x), shortNumber(p.y));
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// Of which power of lengths a value is: what the pseudo-codes' names stand for.
+int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, clipping::Form form)
+{
+    if (step.what == "line") // with a slope m the c is where the line meets the axis; else a code
+        return value.name == "dx" || value.name == "dy"
+               || (value.name == "c" && step.values.front().name == "m");
+    if (step.what == "compare" || value.name == "e")
+        return 2;                               // products of two lengths
+    if (value.name == "D" || value.name == "N") // the published normals are as long as the edges
+        return form == clipping::Form::Published ? 2 : 1;
+    return isAmong(value.name, {"p", "q", "rise", "run"});
 }
 
 /// Outcodes as everywhere in the window, for the edges as they appear on the screen: where y points
 /// down, the library's bottom is above.
-QString valueText(const clipping::Step& step, const clipping::NamedValue& value)
+QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
+                  const Measure& measure)
 {
-    if (step.what != "outcodes")
-        return shortNumber(value.value);
+    if (step.what != "outcodes") {
+        double number = value.value;
+        for (int power = dimensionOf(step, value, measure.form); power > 0; --power)
+            number = measure.inUnit(number);
+        return shortNumber(number);
+    }
     const auto code = unsigned(value.value);
     return Region{int((code & 2) != 0) - int((code & 1) != 0),
                   int((code & 8) != 0) - int((code & 4) != 0)}
         .outcode();
 }
 
-QString stepText(const clipping::Step& step)
+QString stepText(const clipping::Step& step, const Measure& measure)
 {
     QString text = latin(step.what);
     if (const QString edge = edgeName(step.edge); !edge.isEmpty())
         text += QStringLiteral(", ") + edge;
     QStringList values;
     for (const auto& value : step.values)
-        values << latin(value.name) + QStringLiteral(" = ") + valueText(step, value);
+        values << latin(value.name) + QStringLiteral(" = ") + valueText(step, value, measure);
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
+    if (isAmong(step.what, {"reject", "give up"}))
+        return tr("%1\n     leaves nothing").arg(text);
     return tr("%1\n     leaves %2 to %3")
-        .arg(text, pointText(step.segment.a), pointText(step.segment.b));
+        .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
 }
 
 Clipper explaining(const Session& session, std::size_t segment)
@@ -89,7 +123,7 @@ Clipper explaining(const Session& session, std::size_t segment)
     return asked->a == exactClipper() ? asked->b : asked->a;
 }
 
-QString endText(const Inspection& line)
+QString endText(const Inspection& line, const Measure& measure)
 {
     switch (line.trace.outcome) {
     case clipping::Outcome::DidNotEnd:
@@ -100,7 +134,7 @@ QString endText(const Inspection& line)
         break;
     }
     return tr("Visible: %1 to %2")
-        .arg(pointText(line.trace.visible.a), pointText(line.trace.visible.b));
+        .arg(measure.point(line.trace.visible.a), measure.point(line.trace.visible.b));
 }
 
 } // namespace
@@ -173,14 +207,15 @@ QString costText(const clipping::OperationCounts& cost)
     return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
 }
 
-QStringList stepTexts(const Inspection& line)
+QStringList stepTexts(const Inspection& line, Unit unit, double millimetresPerUnit)
 {
     if (const Exhibit* exhibit = line.clipper.exhibit)
         return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
+    const Measure measure{line.clipper.form, unit, millimetresPerUnit};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
-        texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step));
-    return texts << endText(line);
+        texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
+    return texts << endText(line, measure);
 }
 
 } // namespace app

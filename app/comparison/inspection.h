@@ -42,8 +42,9 @@ Inspection inspect(const Session& session, std::size_t segment);
 QString verdictText(const Inspection& inspection);
 /// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
 QString costText(const clipping::OperationCounts& cost);
-/// A text for each step of the trace: what is done, with which values, what is left, in the
-/// drawing's own units; and one for how it ended. Of an exhibit what is wrong with it.
-QStringList stepTexts(const Inspection& inspection);
+/// A text for each step of the trace: what is done, with which values, what is left; and one for
+/// how it ended. Coordinates and lengths are in `unit`, as everywhere in the window. Of an exhibit
+/// what is wrong with it.
+QStringList stepTexts(const Inspection& inspection, Unit unit, double millimetresPerUnit);
 
 } // namespace app

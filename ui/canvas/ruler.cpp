@@ -76,8 +76,7 @@ void Ruler::paintTicks(QPainter& painter, double length)
     const double perUnit =
         app::inUnit(1, controller_.session().display().unit, page.millimetresPerUnit());
     const clipping::Window seen = view.visible();
-    const double from = (seen.min[axis] - page.min[axis]) * perUnit,
-                 to = (seen.max[axis] - page.min[axis]) * perUnit;
+    const double from = seen.min[axis] * perUnit, to = seen.max[axis] * perUnit;
     const double pixels = view.zoom / perUnit, ratio = devicePixelRatioF(), pixel = 1 / ratio;
     painter.setFont(rulerFont(*this));
     const auto all = app::ticks(from, to, pixels);

@@ -10,7 +10,8 @@ namespace ui {
 constexpr int rulerWidth = 20;
 
 /// Ticks in the drawing's unit along an edge of the canvas, the clip window's span tinted, a mark
-/// where the pointer is. 0 is the page's corner.
+/// where the pointer is. 0 is the drawing's own origin, as in every coordinate that the editor
+/// says.
 class Ruler : public QWidget {
     Q_OBJECT
 

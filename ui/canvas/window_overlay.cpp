@@ -43,10 +43,9 @@ QString labelText(const Controller& controller)
     const clipping::Window window = controller.window();
     if (controller.tool().windowGesture() != Tool::WindowGesture::Moving)
         return app::sizeText(window.max - window.min, unit, page.millimetresPerUnit());
-    const app::Point corner = window.min - page.min;
     return QStringLiteral("%1, %2").arg(
-        app::lengthNumber(corner.x, unit, page.millimetresPerUnit()),
-        app::lengthText(corner.y, unit, page.millimetresPerUnit()));
+        app::lengthNumber(window.min.x, unit, page.millimetresPerUnit()),
+        app::lengthText(window.min.y, unit, page.millimetresPerUnit()));
 }
 
 void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)

@@ -121,7 +121,7 @@ void LinePanel::showLine(const app::Inspection& line)
     put(VisibleA, RegionColumn, app::words(line.lineClass));
     put(Cost, Name, tr("Cost"));
     cost_->setText(line.clipper.exhibit ? tr("not counted") : app::costText(line.cost));
-    steps_->setPlainText(app::stepTexts(line).join(u'\n'));
+    steps_->setPlainText(app::stepTexts(line, unit, size).join(u'\n'));
 }
 
 QLabel* LinePanel::cell(int row, int column)

@@ -17,6 +17,20 @@ app::Sheet sheetOf(const std::vector<clipping::Segment>& lines)
     return sheet;
 }
 
+QStringList stepTexts(const app::Inspection& line)
+{
+    return app::stepTexts(line, app::Unit::User, 1);
+}
+
+app::Inspection inspected(const char* algorithm, const clipping::Segment& line,
+                          clipping::Form form = clipping::Form::Corrected)
+{
+    app::Session session;
+    session.load({sheetOf({line}), {}});
+    session.setDisplay({.algorithm = clipping::findAlgorithm(algorithm), .form = form});
+    return app::inspect(session, 0);
+}
+
 } // namespace
 
 class InspectionTest : public QObject {
@@ -55,8 +69,8 @@ private slots:
         session.setDisplay(display);
         const auto line = app::inspect(session, 0);
         QCOMPARE(line.from.outcode(), "1001");
-        QVERIFY2(app::stepTexts(line).front().contains("a = 1001, b = 0010"),
-                 qPrintable(app::stepTexts(line).front()));
+        const QString first = stepTexts(line).front();
+        QVERIFY2(first.contains("a = 1001, b = 0010"), qPrintable(first));
     }
     void whatIsLeftAndWhatItCosts()
     {
@@ -70,8 +84,44 @@ private slots:
             QCOMPARE(line.visible, (clipping::Segment{{0, 5}, {10, 5}}));
             QCOMPARE(line.share, 0.5);
             QVERIFY(line.cost.comparisons > 0);
-            QCOMPARE(app::stepTexts(line).size(), qsizetype(line.trace.steps.size()) + 1);
-            QVERIFY(app::stepTexts(line).last().contains("Visible"));
+            QCOMPARE(stepTexts(line).size(), qsizetype(line.trace.steps.size()) + 1);
+            QVERIFY(stepTexts(line).last().contains("Visible"));
+        }
+    }
+    void stepsAreInTheChosenUnit() // a unit of the drawing is 5 mm
+    {
+        const auto text = [](const char* algorithm, const clipping::Segment& line,
+                             clipping::Form form = clipping::Form::Corrected) {
+            return app::stepTexts(inspected(algorithm, line, form), app::Unit::Mm, 5).join(u'\n');
+        };
+        const auto says = [](const QString& all, std::initializer_list<const char*> parts) {
+            for (const char* part : parts)
+                if (!all.contains(QString::fromUtf8(part)))
+                    return qWarning("%s is not in\n%s", part, qPrintable(all)), false;
+            return true;
+        };
+        // From (-10, 5) to (10, 9) at (0, 0)-(10, 10): enters at (0, 7), half way.
+        const clipping::Segment line{{-10, 5}, {10, 9}};
+        QVERIFY(says(text("cs", line),
+                     {"leaves (0.000; 35.000) to (50.000; 45.000)",
+                      "Visible: (0.000; 35.000) to (50.000; 45.000)", "a = 0001, b = 0000"}));
+        QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250, r = 0.5", "u = 0.5"}));
+        QVERIFY(says(text("md", line), {"rise = 10"}));
+        QVERIFY(says(text("cb", line), {"D = 100, N = \u221250, t = 0.5"}));
+        QVERIFY(says(text("cb", line, clipping::Form::Published),
+                     {"D = 5,000, N = \u22122,500, t = 0.5"}));
+        QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2, c = 35"}));
+        QVERIFY(says(text("kwc", line), {"dx = 100, dy = 20"}));
+        // Areas: beyond the corner (0, 10), 4 * 20 and 10 * 12 units.
+        QVERIFY(says(text("nln", {{-10, 14}, {10, 2}}), {"top = \u22122,000, left = \u22123,000"}));
+    }
+    void whatIsRejectedLeavesNothing()
+    {
+        for (const auto& algorithm : clipping::algorithms()) {
+            const auto line = inspected(algorithm.key.data(), {{-8, 5}, {5, 18.5}});
+            const QStringList texts = stepTexts(line);
+            QVERIFY(!line.visible);
+            QVERIFY2(texts[texts.size() - 2].endsWith("leaves nothing"), algorithm.key.data());
         }
     }
     /// A line that differs is explained by who errs on it, as long as somebody looks.
@@ -103,7 +153,7 @@ private slots:
         QVERIFY(!session.differences.found().list.empty());
         const auto line = app::inspect(session, session.differences.found().list[0].source);
         QVERIFY(line.clipper.exhibit);
-        QVERIFY(app::stepTexts(line).front().contains("not recorded"));
+        QVERIFY(stepTexts(line).front().contains("not recorded"));
         QVERIFY(app::verdictText(line).startsWith("MD with Step 2 as printed: "));
     }
     void costInWords()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/usual_algorithm.h"
+#include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
@@ -153,6 +154,33 @@ private slots:
         auto* panel = t.window->findChild<LinePanel*>();
         QTRY_VERIFY(!panel->steps().isEmpty());
         QVERIFY2(panel->steps().contains("Visible"), qPrintable(panel->steps()));
+    }
+    void theRulersHaveTheOriginOfTheFields() // and not the page's corner
+    {
+        const auto rulerOf = [](const app::Point& corner) {
+            TestWindow t;
+            app::Sheet sheet;
+            sheet.page.min = corner;
+            sheet.window = {{25, 25}, {75, 75}};
+            t.window->session().load({sheet, {}});
+            t.show();
+            t.window->canvas().fitWindow();
+            return t.window->findChild<Ruler*>()->grab().toImage();
+        };
+        QCOMPARE(rulerOf({-33, -17}), rulerOf({0, 0}));
+    }
+    void theStepsAreInTheUnitOfTheTable()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines()); // in millimetres, from 0 to 100
+        t.show();
+        app::Display display = t.window->session().display();
+        display.unit = app::Unit::Cm;
+        t.window->session().setDisplay(display);
+        t.window->session().inspect(0);
+        auto* panel = t.window->findChild<LinePanel*>();
+        QTRY_VERIFY2(panel->steps().contains("Visible: (0.0000; 5.0000) to (10.0000; 5.0000)"),
+                     qPrintable(panel->steps()));
     }
     void layersAreUndoable()
     {
