@@ -128,6 +128,7 @@ void Panes::close(std::size_t pane)
     choices_.erase(choices_.begin() + std::ptrdiff_t(pane));
     if (active_ > pane || active_ == size())
         --active_;
+    all_ = all_ && size() > most;
 }
 
 std::vector<std::size_t> Panes::shown(std::size_t room) const

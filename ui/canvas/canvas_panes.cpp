@@ -70,6 +70,8 @@ void Canvas::addPane()
     widget.surface().widget().installEventFilter(this);
     widget.surface().widget().setCursor(parts.controller.cursor());
     const auto change = [this, place = parts.widgets.size() - 1](auto edit) {
+        if (place >= parts_->shown.size())
+            return; // a menu outlived its pane
         app::Panes panes = parts_->panes;
         edit(panes, parts_->shown[place]);
         setPanes(panes);

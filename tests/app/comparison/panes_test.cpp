@@ -107,6 +107,17 @@ private slots:
         panes.close(0);
         QCOMPARE(words(panes), "[KWC']");
     }
+    void fewOfAllAreNoLongerAll()
+    {
+        Panes panes(app::exactClipper());
+        panes.showAll();
+        while (panes.size() > Panes::most) {
+            QVERIFY(panes.showsAll());
+            panes.close(panes.size() - 1);
+        }
+        QVERIFY(!panes.showsAll());
+        QVERIFY(panes.text().startsWith("4 "));
+    }
     void withLittleRoomTheActiveOneIsShown()
     {
         Panes panes(row("md"));
