@@ -66,7 +66,8 @@ void takeScene(const Given& given, ExperimentOptions& options)
     if (scene.startsWith(file) && scene.size() > file.size())
         return takeDrawing(scene.mid(file.size()), options);
     const auto rows = testScenes();
-    options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows))];
+    // The last is none of the rows: with a path it was a drawing's.
+    options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];
 }
 
 void takeField(const Given& given, ExperimentOptions& options)

@@ -42,6 +42,8 @@ Comparison comparisonOf(const Given& given)
                           clipperOf(given, QStringLiteral("with"), exactClipper())};
     if (const auto ulps = given.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
+    if (comparison.a == comparison.b)
+        throw WrongUsage{Commands::tr("-a and -b are the same: choose two that are not.")};
     return comparison;
 }
 
@@ -97,6 +99,19 @@ Table tableOf(const Comparison& comparison, const Scene& scene, const Difference
     return table;
 }
 
+/// What is true of all of them as one row, without the lines that differ.
+Table summed(Table table)
+{
+    table.names.clear();
+    table.rows = {{}};
+    for (const auto& [name, value] : table.facts) {
+        table.names << name;
+        table.rows.front() << value;
+    }
+    table.facts.clear();
+    return table;
+}
+
 void compare(const Given& given)
 {
     const Comparison comparison = comparisonOf(given);
@@ -107,10 +122,14 @@ void compare(const Given& given)
                                        scene.segments(), scene.segments().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
-    if (!given.has(QStringLiteral("summary"))) {
-        const Table table = tableOf(comparison, scene, found, summary);
+    // A person who wants the sum, or where there is no difference, gets the sentence alone.
+    const bool forPerson = output.format.key == QStringLiteral("text");
+    const bool whole = !given.has(QStringLiteral("summary"));
+    Table table = tableOf(comparison, scene, found, summary);
+    if (!whole)
+        table = summed(std::move(table));
+    if (!forPerson || (whole && !found.list.empty()))
         writeTables(output, {&table, 1});
-    }
     if (!given.has(QStringLiteral("quiet")))
         say(summary);
     if (!found.list.empty())
@@ -133,7 +152,7 @@ Command compareCommand()
                       "apart (what the contracts of both allow).")},
     };
     const std::vector<Option> last{
-        {{"summary"}, {}, Commands::tr("Do not list the lines that differ.")},
+        {{"summary"}, {}, Commands::tr("Do not list the lines that differ, only sum them up.")},
         {{"q", "quiet"}, {}, Commands::tr("Do not say how many lines differ.")}};
     for (const auto& more : {windowOptions(), tableOptions(), readingOptions(), last})
         options.insert(options.end(), more.begin(), more.end());

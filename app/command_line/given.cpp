@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/given.h"
 
+#include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
 #include "app/formats/number.h"
 
+#include <QRegularExpression>
+
 #include <array>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -18,6 +22,37 @@ std::vector<Option> optionsOf(const Command& command)
 
 std::string trimmed(const QString& text) { return text.trimmed().toStdString(); }
 
+QString dashed(const QString& name)
+{
+    return (name.size() > 1 ? QStringLiteral("--") : QStringLiteral("-")) + name;
+}
+
+/// Why the parser refuses what was given.
+QString refusalOf(const QCommandLineParser& parser, const Command& command)
+{
+    const QStringList unknown = parser.unknownOptionNames();
+    if (unknown.isEmpty())
+        return parser.errorText().replace(QRegularExpression(QStringLiteral("'([^']*)'")),
+                                          QStringLiteral("“\\1”"));
+    QStringList names;
+    for (const Option& option : optionsOf(command))
+        names << option.names.last();
+    return Commands::tr("There is no option “%1”. The nearest is “%2”.")
+        .arg(dashed(unknown.front()), dashed(nearestTo(unknown.front().toLower(), names)));
+}
+
+std::optional<quint64> wholeNumber(const QString& text)
+{
+    bool isNumber = false;
+    if (const quint64 number = text.toULongLong(&isNumber); isNumber)
+        return number;
+    constexpr double most = 9007199254740992;       // 2^53: up to there a double holds each
+    const auto number = parseNumber(trimmed(text)); // 1e6
+    if (!number || *number < 0 || *number > most || *number != std::floor(*number))
+        return std::nullopt;
+    return quint64(*number);
+}
+
 } // namespace
 
 Given::Given(const Command& command, const QStringList& arguments)
@@ -28,7 +63,7 @@ Given::Given(const Command& command, const QStringList& arguments)
         parser_.addOption(row);
     }
     if (!parser_.parse(QStringList(QString()) + arguments))
-        throw WrongUsage{parser_.errorText()};
+        throw WrongUsage{refusalOf(parser_, command)};
     if (helpWanted())
         return;
     if (operands().size() < command.operands)
@@ -55,9 +90,8 @@ std::optional<quint64> Given::count(const QString& option, quint64 least, quint6
     const auto given = text(option);
     if (!given)
         return std::nullopt;
-    bool isNumber = false;
-    const quint64 number = given->toULongLong(&isNumber);
-    if (!isNumber || number < least || number > most)
+    const auto number = wholeNumber(*given);
+    if (!number || *number < least || *number > most)
         refuse(option, Commands::tr("a whole number from %1 to %2").arg(least).arg(most));
     return number;
 }

@@ -33,6 +33,7 @@ private slots:
         const auto run = clearcut({"compare", file(), "-a", "md", "-b", "lb", "-w", "0,0,300,300"});
         QCOMPARE(run.code, 0);
         QCOMPARE(run.err, "They agree on all 3 lines here.\n");
+        QCOMPARE(run.out, "");
     }
 
     void endsThatAreApartByUlps()
@@ -63,10 +64,24 @@ private slots:
         QCOMPARE(quiet.err, "");
     }
 
+    void theSumIsDataToo()
+    {
+        const auto run = clearcut({"compare", file(), "-w", "0,0,300,300", "-a", "kwc:published",
+                                   "--summary", "-f", "csv"});
+        QCOMPARE(run.code, 3);
+        QCOMPARE(run.out, "a,b,ulps_allowed,window,lines,differing\n"
+                          "kodituwakku-wijeweera-chamikara:published,exact,24.5,"
+                          "\"0,0,300,300\",3,1\n");
+        const auto json = clearcut({"compare", file(), "-w", "0,0,300,300", "-a", "kwc:published",
+                                    "--summary", "-f", "json"});
+        QVERIFY2(json.out.contains("\"differing\": 1"), json.out.constData());
+    }
+
     void wrongUsage()
     {
         for (const QStringList& wrong :
              {QStringList{"compare", file()}, QStringList{"compare", file(), "-a", "nobody"},
+              QStringList{"compare", file(), "-a", "kwc", "-b", "kwc"},
               QStringList{"compare", file(), "-a", "exact:published"},
               QStringList{"compare", file(), "-a", "md", "--ulps", "-1"},
               QStringList{"compare", file(), "-a", "md", "-w", "9,9,0,0"}}) {

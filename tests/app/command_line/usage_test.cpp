@@ -74,8 +74,9 @@ private slots:
         row({"clip"}, "Something is missing: clip INPUT -o OUTPUT");
         row({"clip", "A"}, "Say where to write");
         row(clip + QStringList{"B"}, "“B” is one argument too many");
-        row(clip + QStringList{"--nonsense"}, "Unknown option 'nonsense'");
-        row(clip + QStringList{"-w"}, "Missing value after '-w'");
+        row(clip + QStringList{"--nonsense"},
+            "There is no option “--nonsense”. The nearest is “--");
+        row(clip + QStringList{"-w"}, "Missing value after “-w”");
         row(clip + QStringList{"-w", "1,2,3"}, "--window 1,2,3: give four lengths");
         row(clip + QStringList{"-w", "1,2,3,nan"}, "give four lengths");
         row(clip + QStringList{"-w", "1,2,3,4ell"}, "give four lengths");
@@ -104,11 +105,15 @@ private slots:
         row({"algorithms", "x"}, "“x” is one argument too many");
         row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
+        row({"bench", "--lines", "1.5"}, "--lines 1.5: give a whole number from 1 to");
+        row({"bench", "--lines", "1e99"}, "--lines 1e99: give a whole number from 1 to");
+        row({"bench", "--qick"}, "There is no option “--qick”. The nearest is “--quick”.");
+        row({"bench", "--scene", "foo"}, " or file:PATH.");
+        row({"bench", "--scene", "file:"}, " or file:PATH.");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
         row({"bench", "-a", "md,,cs"}, "There is no algorithm “”");
         row({"bench", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--scene", "moon"}, "--scene moon: give paper or inside or");
-        row({"bench", "--scene", "file:"}, "--scene file:: give paper or");
         row({"bench", "--space", "0,0,5cm,5"}, "--space 0,0,5cm,5: give four numbers without");
         row({"bench", "--window=-960,-75,100,75"}, "the space must be larger on all four sides");
         row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
@@ -343,6 +348,11 @@ private slots:
         const int visible = field(lines[1], "visible").toInt();
         QVERIFY(visible > 3000 && visible < 3500); // 16.4 %
         QCOMPARE(field(lines[1], "lines"), "20000");
+        QCOMPARE(field(clearcut({"bench", "-n", "2e4", "-r", "1", "-f", "csv", "-a", "md"})
+                           .out.split('\n')
+                           .value(1),
+                       "lines"),
+                 "20000");
         QCOMPARE(field(lines[1], "runs"), "2");
         QCOMPARE(field(lines[1], "seed"), "1");
         const auto checksum = [&](const QStringList& arguments) {
