@@ -130,7 +130,7 @@ QString leftOutText(const Choice& choice)
             names << nameOf({algorithm, clipping::Form::Corrected});
     if (!choice.subject.papers.empty() || names.isEmpty())
         return {};
-    return Experiments::tr("Without a published form, so left out: %1.").arg(listText(names));
+    return Experiments::tr("Without a published form, so left out: %1.").arg(briefListText(names));
 }
 
 Result<Plan> planOf(const Choice& choice)
@@ -153,13 +153,21 @@ Choice quick(Choice choice)
     return choice;
 }
 
-QString effortText(const Plan& plan)
+QString effortText(const Plan& plan, double pace)
 {
     std::uint64_t lines = 0;
     for (const PlannedTrial& trial : plan.trials)
         lines += trial.options.lines * trial.options.runs * trial.contestants.size();
-    return Experiments::tr("%1 lines to clip: about %2.")
-        .arg(countText(lines), durationText(roughSeconds(plan)));
+    return Experiments::tr("Run: %1 lines to clip, about %2.")
+        .arg(countText(lines), durationText(pace * roughSeconds(plan)));
+}
+
+QString quickEffortText(const Choice& choice, double pace)
+{
+    const auto plan = planOf(quick(choice));
+    return plan ? Experiments::tr("Quick run: about %1.")
+                      .arg(durationText(pace * roughSeconds(*plan.value)))
+                : QString();
 }
 
 } // namespace app

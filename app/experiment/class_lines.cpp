@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr std::uint64_t mostLooked = 4'000'000, block = 50'000;
+constexpr std::uint64_t block = 50'000;
 constexpr std::size_t fewest = 1000;
 
 /// In the order of lineClasses: scenes that are made of one class.
@@ -29,7 +29,7 @@ std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std
     for (std::size_t c = 0; c < all.size(); ++c)
         all[c].lineClass = lineClasses[c];
     const LineSource source = scene.begin(field, seed);
-    const std::uint64_t last = scene.lines == 0 ? mostLooked : scene.lines;
+    const std::uint64_t last = scene.lines == 0 ? linesLookedThrough(most) : scene.lines;
     Pace pace(follower, double((last + block - 1) / block));
     std::vector<clipping::Segment> some;
     std::uint64_t looked = 0;

@@ -4,6 +4,7 @@
 #include "app/comparison/line_class.h"
 #include "app/experiment/experiment.h"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -16,7 +17,14 @@ struct ClassLines {
     QString standIn{}; ///< key of the scene that the lines come from, if it is another one
 };
 
-/// `most` lines of each class, or as many as there are among the first four million of the scene
+/// How many lines of an endless scene are looked through for so many of each class: four million
+/// for 100,000.
+constexpr std::uint64_t linesLookedThrough(std::size_t most)
+{
+    return std::max<std::uint64_t>(400'000, 40 * std::uint64_t(most));
+}
+
+/// `most` lines of each class, or as many as there are among the first lines of the scene
 /// (all of a drawing), in the order of lineClasses. Where an endless scene has fewer than a
 /// thousand of a class, the scene of the catalogue that is made of that class stands in; for lines
 /// inside of the paper's scene that is the very same distribution. The follower is asked every

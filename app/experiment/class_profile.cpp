@@ -14,8 +14,6 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-constexpr std::size_t mostOfAClass = 100'000;
-
 std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipping::Segment> lines,
                                std::span<const Contestant> contestants, const Follower& follower)
 {
@@ -77,6 +75,11 @@ QStringList rowOf(const ClassProfile& profile, std::size_t contestant, const Con
 
 } // namespace
 
+std::size_t mostOfAClass(const ExperimentOptions& options)
+{
+    return std::size_t(std::clamp<std::uint64_t>(options.lines / 10, 1000, 100'000));
+}
+
 std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                                          std::span<const Contestant> contestants,
                                          const Follower& follower)
@@ -87,7 +90,8 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                         double((options.runs + options.warmUps) * contestants.size()));
     weights.front() = 80;
     Legs legs(follower, weights);
-    auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass, legs.next());
+    auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass(options),
+                            legs.next());
     if (!all)
         return std::nullopt;
     for (ClassLines& one : *all) {

@@ -19,8 +19,12 @@ struct ClassProfile {
     std::vector<ClassTimes> classes;
 };
 
-/// Up to 100,000 lines of each class of the scene; `runs`, `seed` and the field are the options'.
-/// Nothing if it was stopped. Progress goes from 0 to 1 over all classes.
+/// How many lines of each class are timed, if the scene has them: a tenth of the lines, 100,000 at
+/// most.
+std::size_t mostOfAClass(const ExperimentOptions& options);
+
+/// Up to mostOfAClass lines of each class of the scene; `runs`, `seed` and the field are the
+/// options'. Nothing if it was stopped. Progress goes from 0 to 1 over all classes.
 std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                                          std::span<const Contestant> contestants,
                                          const Follower& follower = {});

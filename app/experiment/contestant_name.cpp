@@ -53,6 +53,14 @@ QString listText(const QStringList& names)
         .arg(names.sliced(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
 }
 
+QString briefListText(const QStringList& names)
+{
+    constexpr qsizetype mostNamed = 7, named = 3;
+    if (names.size() <= mostNamed)
+        return listText(names);
+    return listText(names.first(named) << Experiments::tr("%1 others").arg(names.size() - named));
+}
+
 QString timeText(double nanoseconds)
 {
     return Experiments::tr("%1 ns a line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));

@@ -19,6 +19,9 @@ QString introducedName(const clipping::Algorithm& algorithm);
 /// "CS, LB and MD".
 QString listText(const QStringList& names);
 
+/// The same, but of more than seven only the first three: "Skala, NLN, CS and 17 others".
+QString briefListText(const QStringList& names);
+
 /// "22.30 ns a line".
 QString timeText(double nanoseconds);
 

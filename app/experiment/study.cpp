@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/study.h"
 
+#include "app/experiment/class_lines.h"
 #include "app/experiment/legs.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace app {
@@ -29,11 +31,28 @@ double operationsOf(const PlannedTrial& trial)
     return double(all) / double(some.size());
 }
 
+/// Pixels of a line of the scene that are visible, on the average.
+double pixelsOf(const PlannedTrial& trial)
+{
+    const Field& field = trial.options.field;
+    std::vector<clipping::Segment> some(std::min<std::uint64_t>(trial.options.lines, 2000));
+    trial.options.scene.begin(field, trial.options.seed)(some);
+    std::vector<clipping::Clipped> visible(some.size());
+    visible.resize(clipping::usesOf(clipping::exactAlgorithm(), clipping::Form::Corrected)
+                       ->clipAll(some, field.window, visible));
+    double length = 0;
+    for (const clipping::Clipped& line : visible) {
+        const auto way = line.segment.b - line.segment.a;
+        length += 1 + std::max(std::abs(way.x), std::abs(way.y)) * fitOf(field).scale;
+    }
+    return length / double(some.size());
+}
+
 /// About how many nanoseconds something takes, to share progress fairly.
 double weightOf(const PlannedTrial& trial)
 {
     const double each = double(trial.contestants.size());
-    const double make = 40, find = 20, draw = trial.options.easel ? 150 : 0;
+    const double make = 40, find = 20, draw = trial.options.easel ? 20 + 50 * pixelsOf(trial) : 0;
     return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
            * (make + operationsOf(trial) + each * (find + draw));
 }
@@ -45,8 +64,11 @@ struct ExplanationWeights {
 ExplanationWeights explanationWeights(const PlannedTrial& trial)
 {
     const double each = double(trial.contestants.size()), lines = double(trial.options.lines);
-    const double operations = operationsOf(trial);
-    return {4e5 * operations * double(trial.options.runs + trial.options.warmUps),
+    const double operations = operationsOf(trial), look = 100;
+    const std::size_t ofAClass = mostOfAClass(trial.options);
+    return {look * double(linesLookedThrough(ofAClass))
+                + double(lineClasses.size() * ofAClass) * operations
+                      * double(trial.options.runs + trial.options.warmUps),
             lines * (10 * each + 8 * operations), lines * (30 * each + operations)};
 }
 

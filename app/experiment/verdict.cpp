@@ -112,13 +112,13 @@ QString leaderSentence(const Record& record, const Measure& measure)
         return Experiments::tr("%1: %2 has the lowest median, %3, but against it each of %4 is too "
                                "close to call, with %5%6.")
             .arg(measure.name, names.front(), timeText(times[first[0]].median),
-                 listText(names.sliced(1)), rangeText(times, {first.begin() + 1, first.end()}),
+                 briefListText(names.sliced(1)), rangeText(times, {first.begin() + 1, first.end()}),
                  slowest);
     if (first.size() == times.size())
         return Experiments::tr("%1: too close to call, all of them take %2.")
             .arg(measure.name, rangeText(times, first));
     return Experiments::tr("%1: %2 are the fastest with %3, too close to call%4.")
-        .arg(measure.name, listText(names), rangeText(times, first), slowest);
+        .arg(measure.name, briefListText(names), rangeText(times, first), slowest);
 }
 
 QString proposedText(const Record& record, const Measure& measure)

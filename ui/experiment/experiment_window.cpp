@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -22,7 +23,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1180, 780), smallest(800, 560);
+constexpr QSize usual(1180, 780), smallest(640, 360), frame(8, 40);
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -105,9 +106,9 @@ void ExperimentWindow::layOut()
 {
     setObjectName(QStringLiteral("experiment"));
     setWindowTitle(tr("Reproduce the paper"));
-    setMinimumSize(smallest);
     resize(usual);
     restoreGeometry(QSettings().value("experimentGeometry").toByteArray());
+    fitScreen();
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
     middle->addWidget(left());
@@ -172,8 +173,8 @@ QWidget* ExperimentWindow::right()
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(strip_);
     column->addWidget(stack_, 1);
+    column->addWidget(strip_); // below, so that what it tells moves nothing
     return whole;
 }
 
@@ -234,8 +235,10 @@ void ExperimentWindow::run(app::Choice choice)
     if (!plan || measuring_.active())
         return showEffort();
     bar_->setValue(0);
+    results_->markOld();
     state_->setText(tr("Begins…"));
     taken_.start();
+    thought_ = app::roughSeconds(*plan.value);
     measuring_.start(std::move(*plan.value));
     showState();
 }
@@ -249,10 +252,13 @@ void ExperimentWindow::cancel()
 
 void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
 {
+    const double taken = double(taken_.elapsed()) / 1000;
+    pace_ = std::clamp(taken / thought_, 0.02, 50.0);
+    QSettings().setValue("experimentPace", pace_);
     results_->show(study);
     stack_->setCurrentWidget(results_);
-    showState();
-    state_->setText(tr("Done in %1.").arg(app::durationText(double(taken_.elapsed()) / 1000)));
+    showEffort();
+    state_->setText(tr("Done in %1.").arg(app::durationText(taken)));
 }
 
 void ExperimentWindow::showProgress(const app::Progress& progress)
@@ -267,9 +273,11 @@ void ExperimentWindow::showEffort()
 {
     const app::Choice choice = choice_->choice();
     const auto plan = app::planOf(choice);
-    effort_->setText(
-        plan ? (app::effortText(*plan.value) + u' ' + app::leftOutText(choice)).trimmed()
-             : plan.error);
+    effort_->setText(plan
+                         ? (app::effortText(*plan.value, pace_) + u' '
+                            + app::quickEffortText(choice, pace_) + u' ' + app::leftOutText(choice))
+                               .trimmed()
+                         : plan.error);
     showState();
 }
 
@@ -285,6 +293,25 @@ void ExperimentWindow::showState()
 }
 
 void ExperimentWindow::followDrawing() { choice_->followDrawing(session_.scene.segments().size()); }
+
+/// Never larger than what is free on the screen, so that the buttons can be reached.
+void ExperimentWindow::fitScreen()
+{
+    const QRect free = screen()->availableGeometry();
+    const QSize room = free.size() - frame;
+    setMinimumSize(smallest.boundedTo(room));
+    resize(size().boundedTo(room));
+    const QPoint last =
+        free.bottomRight() - QPoint(width() + frame.width(), height() + frame.height());
+    move(std::max(free.x(), std::min(x(), last.x())), std::max(free.y(), std::min(y(), last.y())));
+}
+
+void ExperimentWindow::showEvent(QShowEvent* event)
+{
+    if (!event->spontaneous())
+        fitScreen();
+    QDialog::showEvent(event);
+}
 
 void ExperimentWindow::hideEvent(QHideEvent* event)
 {

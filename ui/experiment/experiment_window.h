@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
 
@@ -37,6 +38,7 @@ public:
     const app::Study* study() const;
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -45,6 +47,7 @@ private:
     QWidget* right();
     QWidget* below();
     void layOut();
+    void fitScreen();
     void addTools();
     void run(app::Choice choice);
     void cancel();
@@ -66,6 +69,8 @@ private:
     QStackedWidget* stack_;
     Results* results_;
     QElapsedTimer taken_;
+    double thought_ = 0; ///< seconds that the run was expected to take
+    double pace_ = QSettings().value("experimentPace", 1).toDouble(); ///< taken by thought
     Measuring measuring_;
 };
 

@@ -10,6 +10,7 @@
 #include "ui/widgets/segments.h"
 
 #include <QHBoxLayout>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -44,9 +45,10 @@ TableView::Rows rowsOf(const app::Table& table)
 Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout), trial_(new QComboBox),
       reasons_(new Segments(tr("Explanation"), {tr("By class"), tr("Operations"), tr("Accuracy")})),
-      verdict_(sentences()), reason_(sentences()), tabs_(new QTabWidget), charts_(new ChartsPage),
-      reasonChart_(new ChartView), tables_(new TablesPage), why_(new TablesPage),
-      circumstances_(new TablesPage)
+      age_(new QLabel(tr("Results of the run before"))), verdict_(sentences()),
+      reason_(sentences()), tabs_(new QTabWidget), charts_(new ChartsPage),
+      summary_(new QScrollArea), reasonChart_(new ChartView), tables_(new TablesPage),
+      why_(new TablesPage), circumstances_(new TablesPage)
 {
     trial_->setAccessibleName(tr("Result"));
     trial_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -54,6 +56,16 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     row_->setSpacing(space::labelToField);
     row_->addWidget(trial_);
     row_->addStretch();
+    row_->addWidget(age_);
+    age_->setObjectName(QStringLiteral("age"));
+    age_->setFont(semiBold(age_->font()));
+    age_->hide();
+    summary_->setFrameShape(QFrame::NoFrame);
+    summary_->setWidgetResizable(true);
+    summary_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    summary_->setWidget(verdict_);
+    verdict_->setAlignment(Qt::AlignTop);
+    reserveRoom();
     addPages(tools);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -63,7 +75,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
                             space::dockMargin);
     top->setSpacing(space::labelToField);
     top->addLayout(row_);
-    top->addWidget(verdict_);
+    top->addWidget(summary_);
     column->addLayout(top);
     column->addWidget(tabs_, 1);
     connect(trial_, &QComboBox::currentIndexChanged, this, &Results::showTrial);
@@ -102,6 +114,9 @@ void Results::addPages(const QList<QWidget*>& tools)
 void Results::show(std::shared_ptr<const app::Study> study)
 {
     study_ = std::move(study);
+    age_->hide();
+    verdict_->setEnabled(true);
+    summary_->verticalScrollBar()->setValue(0);
     const QSignalBlocker quiet(trial_);
     trial_->clear();
     for (const app::Trial& trial : study_->trials)
@@ -179,6 +194,26 @@ void Results::showReasons()
     reasonChart_->setVisible(chart != charts.end());
     if (chart != charts.end())
         reasonChart_->setChart(std::move(*chart));
+}
+
+void Results::markOld()
+{
+    age_->show();
+    verdict_->setEnabled(false);
+}
+
+/// As high whatever the summary says, so that the tabs stay where they are; the rest scrolls.
+void Results::reserveRoom()
+{
+    constexpr int least = 2, most = 7;
+    const int line = verdict_->fontMetrics().lineSpacing();
+    summary_->setFixedHeight(std::clamp(height() / 4, least * line, most * line));
+}
+
+void Results::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    reserveRoom();
 }
 
 const app::Table* Results::shownTable() const

@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTabWidget>
 
 #include <memory>
@@ -29,12 +30,16 @@ public:
     explicit Results(const QList<QWidget*>& tools, QWidget* parent = nullptr);
 
     void show(std::shared_ptr<const app::Study> study);
+    void markOld(); ///< says that they are of the run before, until others are shown
     const std::shared_ptr<const app::Study>& study() const { return study_; } ///< null: none yet
 
     /// Of the tab that is in front; null: there is none.
     const app::Table* shownTable() const;
     const app::Chart* shownChart() const;
     void copyTable() const;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 signals:
     void tabChanged();
@@ -46,6 +51,7 @@ private:
     void showTrial();
     void showVerdict();
     void showReasons();
+    void reserveRoom();
     const app::Trial& trial() const;
     const app::Measure& measure() const;
 
@@ -53,7 +59,8 @@ private:
     QHBoxLayout* row_;
     QComboBox* trial_;
     Segments *measures_ = nullptr, *reasons_;
-    QLabel *verdict_, *reason_;
+    QLabel *age_, *verdict_, *reason_;
+    QScrollArea* summary_;
     QTabWidget* tabs_;
     ChartsPage* charts_;
     ChartView* reasonChart_;

@@ -154,6 +154,42 @@ private slots:
         QVERIFY(app::effortText(*plan.value).contains("4,200,000"));
     }
 
+    void drawingIsExpectedToTakeItsTime()
+    {
+        app::Choice choice{.subject = app::subjects().front()};
+        const double clipping = app::roughSeconds(*app::planOf(choice).value);
+        choice.easel = app::rasterEasel;
+        QVERIFY(app::roughSeconds(*app::planOf(choice).value) > 2 * clipping);
+        choice.algorithms = {&clipping::algorithms().front()};
+        for (const auto& one : app::subjects()) {
+            choice.subject = one;
+            choice.easel = app::rasterEasel;
+            const double with = app::roughSeconds(*app::planOf(choice).value);
+            choice.easel = nullptr;
+            QVERIFY(with >= app::roughSeconds(*app::planOf(choice).value));
+        }
+    }
+
+    void thePaceOfThisMachineCounts()
+    {
+        const auto plan = app::planOf({.subject = app::subjects().front()});
+        QVERIFY(app::effortText(*plan.value, 1) != app::effortText(*plan.value, 7));
+        QVERIFY(app::quickEffortText({.subject = app::subjects().front()}, 1)
+                    .startsWith("Quick run: about "));
+    }
+
+    void manyThatAreLeftOutAreNotAllNamed()
+    {
+        app::Choice choice = few("paper");
+        choice.algorithms.clear();
+        for (const auto& algorithm : clipping::algorithms())
+            if (!clipping::usesOf(algorithm, clipping::Form::Published))
+                choice.algorithms.push_back(&algorithm);
+        if (choice.algorithms.size() > 7)
+            QVERIFY(app::leftOutText(choice).endsWith(
+                QString("and %1 others.").arg(choice.algorithms.size() - 3)));
+    }
+
     void whatIsSlowIsExpectedToBe()
     {
         app::Choice choice = few("crossing");

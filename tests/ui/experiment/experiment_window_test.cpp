@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QScreen>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTabWidget>
@@ -421,13 +422,64 @@ private slots:
             QCOMPARE(tabs->isTabEnabled(i), tabs->tabText(i) != "&Why");
     }
 
+    void itIsNeverLargerThanTheScreen()
+    {
+        const Stage stage;
+        const QRect free = stage.window->screen()->availableGeometry();
+        stage.window->setMinimumSize(0, 0);
+        stage.window->resize(free.width() + 300, free.height() + 200);
+        stage.window->move(200, 200);
+        stage.window->close();
+        ExperimentWindow another(stage.test.window->session(), [] { return QString("x"); });
+        another.show();
+        QVERIFY(another.width() <= free.width() && another.height() <= free.height());
+        QVERIFY(another.minimumWidth() <= free.width() && another.minimumHeight() <= free.height());
+        another.resize(another.minimumSize());
+        QCoreApplication::processEvents();
+        for (const QPushButton* button : another.findChildren<QPushButton*>()) {
+            const QString text = button->text().remove('&');
+            if (text != "Run" && text != "Quick run")
+                continue;
+            QVERIFY(button->visibleRegion().boundingRect() == button->rect());
+            QVERIFY(
+                another.rect().contains(QRect(button->mapTo(&another, QPoint()), button->size())));
+        }
+    }
+
+    void oldResultsAreMarkedAndNothingJumps()
+    {
+        const Stage stage;
+        stage.runFew("table1");
+        auto* age = stage.window->findChild<QLabel*>("age");
+        const auto* tabs = stage.window->findChild<QTabWidget*>();
+        const auto place = [&] { return tabs->mapTo(stage.window, QPoint()); };
+        const QPoint before = place();
+        QVERIFY(!age->isVisible());
+        stage.answers->save = stage.test.path("out.json");
+        stage.window->findChild<QAction*>("export-0-json")->trigger();
+        QVERIFY(stage.window->findChild<MessageStrip*>()->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(place(), before);
+        stage.named<QSpinBox>("Runs")->setValue(50);
+        stage.click("Run");
+        QVERIFY(age->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(place(), before);
+        stage.click("Cancel");
+        QVERIFY(age->isVisible()); // they still are of the run before
+        stage.runFew("long");
+        QVERIFY(!age->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(place(), before);
+    }
+
     void itRemembersItsSize()
     {
         const Stage stage;
-        stage.window->resize(900, 600);
+        stage.window->resize(700, 500);
         stage.window->close();
         const ExperimentWindow another(stage.test.window->session(), [] { return QString("x"); });
-        QCOMPARE(another.size(), QSize(900, 600));
+        QCOMPARE(another.size(), QSize(700, 500));
     }
 };
 
