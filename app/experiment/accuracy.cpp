@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
-#include "app/comparison/ulps.h"
+#include "app/comparison/clipper.h"
 #include "app/experiment/pace.h"
 
 #include <QCoreApplication>
@@ -31,11 +31,14 @@ bool isInside(const Segment& s, const Window& w)
     return inside(s.a) && inside(s.b);
 }
 
-/// Adds one block. `meanUlps` holds the sum meanwhile.
-void add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
-         std::span<const Clipped> truth, const Window& window)
+/// Adds one block and says of how many lines it knows how far ends are off. `meanUlps` holds their
+/// sum meanwhile.
+std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
+                  std::span<const Clipped> truth, const Window& window)
 {
-    std::uint64_t agreed = 0;
+    const Contestant& who = to.contestant;
+    const Ends ends = endsOf(exactClipper(), {.algorithm = who.algorithm, .form = who.form});
+    std::uint64_t agreed = 0, measured = 0;
     auto next = truth.begin();
     for (const Clipped& line : found) {
         to.outside += !isInside(line.segment, window);
@@ -44,16 +47,18 @@ void add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> 
         if (next == truth.end() || next->source != line.source)
             continue;
         ++agreed;
-        const double ulps = endsApart(line.segment, next->segment, Ends::EitherWay)
-                            / ulpFor(lines[line.source], window);
+        const double ulps =
+            endsApart(line.segment, next->segment, ends) / ulpFor(lines[line.source], window);
         if (!std::isfinite(ulps))
             continue; // it counts as outside
+        ++measured;
         to.meanUlps += ulps;
         to.mostUlps = std::max(to.mostUlps, ulps);
     }
     to.visible += truth.size();
     to.lost += truth.size() - agreed;
     to.shown += found.size() - agreed;
+    return measured;
 }
 
 void clipInto(std::vector<Clipped>& out, const Contestant& contestant,
@@ -89,6 +94,7 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
     Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));
+    std::vector<std::uint64_t> measured(all.size());
     std::vector<Segment> lines;
     std::vector<Clipped> truth, found;
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
@@ -101,12 +107,12 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
             if (pace.stopped())
                 return std::nullopt;
             clipInto(found, row.contestant, lines, window);
-            add(row, lines, found, truth, window);
+            measured[std::size_t(&row - all.data())] += add(row, lines, found, truth, window);
         }
         pace.turnDone();
     }
-    for (Accuracy& row : all)
-        row.meanUlps /= double(std::max<std::uint64_t>(row.visible - row.lost, 1));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].meanUlps /= double(std::max<std::uint64_t>(measured[i], 1));
     return all;
 }
 

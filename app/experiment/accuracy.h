@@ -14,8 +14,8 @@ struct Accuracy {
     std::uint64_t shown = 0;   ///< lines that are not visible and that it keeps
     std::uint64_t outside =
         0; ///< lines that it gives an end outside the window (not a number counts)
-    /// How far ends are off, in ulps of the largest |coordinate| of line and window; ends may come
-    /// in either order. Of lines that both see.
+    /// How far ends are off, in ulps of the largest |coordinate| of line and window; ends of
+    /// published forms may come in either order. Of lines that both see and whose ends are numbers.
     double meanUlps = 0, mostUlps = 0;
 
     std::uint64_t wrong() const { return lost + shown; } ///< decisions

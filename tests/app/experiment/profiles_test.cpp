@@ -232,6 +232,26 @@ private slots:
         }
     }
 
+    void whoTurnsLinesRoundOrLosesNumbersIsOff()
+    {
+        auto odd = clipping::exactAlgorithm();
+        odd.corrected.clipAll = [](std::span<const Segment> in, const clipping::Window& window,
+                                   std::span<clipping::Clipped> out) {
+            const auto n = clipping::exactAlgorithm().corrected.clipAll(in, window, out);
+            std::swap(out[1].segment.a, out[1].segment.b);
+            out[2].segment.b.x = std::nan("");
+            return n;
+        };
+        auto options = thePapers(3);
+        options.scene =
+            app::drawingScene("three", {{{0, 0}, {1, 1}}, {{0, 0}, {2, 2}}, {{0, 0}, {3, 3}}});
+        const Contestant who{&odd, Form::Corrected};
+        const auto row = app::accuracies(options, {{who}})->front();
+        QCOMPARE(row.mostUlps, 2 * 0x1p46);       // one ulp of 100 is 2^-46
+        QCOMPARE(row.meanUlps, row.mostUlps / 2); // of two: the third has none
+        QCOMPARE(row.outside, 1u);
+    }
+
     void thePapersSceneAsInSection13()
     {
         const auto rows = *app::accuracies(thePapers(100'000), all());
