@@ -26,6 +26,8 @@ public:
             std::unique_ptr<QOpenGLContext> context);
     ~GlEasel() override { context_->makeCurrent(surface_.get()); }
 
+    /// False: what it would draw is not what it should.
+    bool works() const { return works_; }
     QString name() const override;
     bool drawsElsewhere() const override { return true; }
     void wipe() override;
@@ -33,8 +35,8 @@ public:
     std::uint64_t checksum() const override;
 
 private:
-    void makeCanvas();
-    void makeProgram();
+    bool makeCanvas();
+    bool makeProgram();
     void makeBuffer();
     std::array<float, 4> shown(const clipping::Segment& line) const
     {
@@ -47,6 +49,7 @@ private:
     QOpenGLExtraFunctions& gl_;
     EaselFit fit_;
     glm::dvec2 corner_;
+    bool works_;
 };
 
 GlEasel::GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
@@ -54,13 +57,12 @@ GlEasel::GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
     : surface_(std::move(surface)), context_(std::move(context)), gl_(*context_->extraFunctions()),
       fit_(fitOf(field)), corner_(field.space.min)
 {
-    makeCanvas();
-    makeProgram();
+    works_ = makeCanvas() && makeProgram();
     makeBuffer();
     wipe();
 }
 
-void GlEasel::makeCanvas()
+bool GlEasel::makeCanvas()
 {
     GLuint pixels = 0, frame = 0;
     gl_.glGenRenderbuffers(1, &pixels);
@@ -70,9 +72,10 @@ void GlEasel::makeCanvas()
     gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame);
     gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
     gl_.glViewport(0, 0, fit_.size.width(), fit_.size.height());
+    return gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-void GlEasel::makeProgram()
+bool GlEasel::makeProgram()
 {
     const GLuint program = gl_.glCreateProgram();
     for (auto [kind, text] : {std::pair(GL_VERTEX_SHADER, vertexShader),
@@ -82,10 +85,15 @@ void GlEasel::makeProgram()
         gl_.glCompileShader(shader);
         gl_.glAttachShader(program, shader);
     }
-    gl_.glLinkProgram(program);
+    gl_.glLinkProgram(program); // fails where a shader was not compiled
+    GLint linked = GL_FALSE;
+    gl_.glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked == GL_FALSE)
+        return false;
     gl_.glUseProgram(program);
     gl_.glUniform2f(gl_.glGetUniformLocation(program, "size"), float(fit_.size.width()),
                     float(fit_.size.height()));
+    return true;
 }
 
 void GlEasel::makeBuffer()
@@ -146,14 +154,18 @@ EaselMaker openGlEasel()
 {
     if (!platformHasGl())
         return nullptr;
-    auto surface = std::make_shared<QOffscreenSurface>(); // some platforms want it made here
+    // Some platforms want it made here and destroyed here, whoever holds the maker last.
+    std::shared_ptr<QOffscreenSurface> surface(
+        new QOffscreenSurface, [](QOffscreenSurface* last) { last->deleteLater(); });
     surface->setFormat(coreFormat());
     surface->create();
     if (!contextOn(*surface))
         return nullptr;
     return [surface](const Field& field) -> std::unique_ptr<Easel> {
         if (auto context = contextOn(*surface))
-            return std::make_unique<GlEasel>(field, surface, std::move(context));
+            if (auto easel = std::make_unique<GlEasel>(field, surface, std::move(context));
+                easel->works())
+                return easel;
         return rasterEasel(field); // says so by its name
     };
 }

@@ -30,13 +30,12 @@ QString hexadecimal(std::uint64_t checksum)
 }
 
 /// "OpenGL 4.5, llvmpipe; wall clock"
-QString easelText(const ExperimentOptions& options)
+QString easelText(const ExperimentOptions& options, const Easel& easel)
 {
-    const auto easel = options.easel(options.field);
-    const Clock clock = drawClock(options, *easel);
+    const Clock clock = drawClock(options, easel);
     return clock.name == options.clock.name
-               ? easel->name()
-               : easel->name() + QStringLiteral("; clock: ") + clock.name;
+               ? easel.name()
+               : easel.name() + QStringLiteral("; clock: ") + clock.name;
 }
 
 bool hasTies(const std::vector<Standing>& all)
@@ -65,11 +64,19 @@ QStringList rowOf(const Timing& timing, const Summary& times, const Standing& st
 std::optional<Record> recorded(const ExperimentOptions& options,
                                std::span<const Contestant> contestants, const Follower& follower)
 {
-    auto timings = experiment(options, contestants, follower);
+    ExperimentOptions asked = options;
+    QString drew; // what drew indeed, which may be another than was asked for
+    if (options.easel)
+        asked.easel = [&](const Field& field) {
+            auto easel = options.easel(field);
+            drew = easelText(options, *easel);
+            return easel;
+        };
+    auto timings = experiment(asked, contestants, follower);
     if (!timings)
         return std::nullopt;
-    return Record{options, options.easel ? easelText(options) : QString(), circumstances(),
-                  std::move(*timings)};
+    asked.easel = nullptr; // a record draws no more
+    return Record{std::move(asked), drew, circumstances(), std::move(*timings)};
 }
 
 std::vector<Summary> summaries(const Record& record, const Measure& measure)

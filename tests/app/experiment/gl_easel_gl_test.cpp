@@ -68,6 +68,20 @@ private slots:
         QVERIFY(one->checksum() != blank);
     }
 
+    void theSurfaceGoesInTheThreadThatItCameFrom()
+    {
+        auto maker = app::openGlEasel();
+        const std::unique_ptr<QThread> thread(
+            QThread::create([mine = std::exchange(maker, nullptr)]() mutable {
+                mine({})->wipe();
+                mine = nullptr; // the last that holds it
+            }));
+        thread->start();
+        QVERIFY(thread->wait());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(app::openGlEasel()({})->name().startsWith("OpenGL")); // and others go on
+    }
+
     void experimentsDrawInAThreadOfTheirOwn()
     {
         app::ExperimentOptions options;
@@ -82,6 +96,7 @@ private slots:
             std::vector<std::uint64_t> pixels;
             const std::unique_ptr<QThread> thread(QThread::create([&] {
                 const auto record = app::recorded(wanted, all);
+                QVERIFY(!record->options.easel);
                 for (const auto& timing : record->timings)
                     pixels.push_back(timing.pixels);
                 QVERIFY(record->easel.startsWith("OpenGL"));
