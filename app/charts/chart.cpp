@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -25,7 +26,12 @@ double Bar::length() const { return std::accumulate(parts.begin(), parts.end(), 
 
 Box boxOf(std::span<const double> numbers)
 {
-    std::vector<double> sorted(numbers.begin(), numbers.end());
+    std::vector<double> sorted;
+    std::ranges::copy_if(numbers, std::back_inserter(sorted),
+                         [](double x) { return std::isfinite(x); });
+    assert(!sorted.empty() && sorted.size() == numbers.size());
+    if (sorted.empty())
+        return {};
     std::ranges::sort(sorted);
     const Interval quartiles{quantile(sorted, 0.25), quantile(sorted, 0.75)};
     const double reach = 1.5 * (quartiles.high - quartiles.low);

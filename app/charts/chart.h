@@ -29,7 +29,7 @@ struct Box {
     double median;
     std::vector<double> outliers{};
 };
-Box boxOf(std::span<const double> numbers); ///< of at least one
+Box boxOf(std::span<const double> numbers); ///< of at least one, all finite
 
 /// Nothing where there is no such number.
 using Figure = std::variant<std::monostate, Bar, Box>;

@@ -87,11 +87,11 @@ void compare(ChartRow& row, const PaperTable& paper)
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
-/// In per cent of the median.
+/// In per cent of the median; of one that is 0, none.
 std::vector<double> deviations(std::vector<double> runs, double median)
 {
     for (double& run : runs)
-        run = 100 * (run / median - 1);
+        run = median > 0 ? 100 * (run / median - 1) : 0;
     return runs;
 }
 

@@ -98,6 +98,20 @@ std::optional<Explanation> explanationOf(const PlannedTrial& trial, Legs& legs)
     return Explanation{std::move(*classes), std::move(*operations), std::move(*right)};
 }
 
+bool drewNothing(const Study& study)
+{
+    return std::ranges::all_of(study.trials, [](const Trial& trial) {
+        return std::ranges::all_of(trial.record.timings,
+                                   [](const Timing& timing) { return timing.found.visible == 0; });
+    });
+}
+
+bool tellsOfDrawingAlone(const Measure& measure)
+{
+    const Timing undrawn{.contestant = {}, .generate = {1}, .clip = {1}, .draw = {0}};
+    return measure.times(undrawn).front() == 0;
+}
+
 using Facts = std::vector<std::pair<QString, QString>>;
 
 /// Those of which both say the same.
@@ -128,6 +142,8 @@ std::optional<Study> study(const Plan& plan, const Follower& follower)
             return std::nullopt;
         study.trials.push_back({trial.paper, std::move(*record)});
     }
+    if (drewNothing(study) && study.measures.size() > 1)
+        std::erase_if(study.measures, tellsOfDrawingAlone);
     if (plan.explained) {
         study.explanation = explanationOf(*plan.explained, legs);
         if (!study.explanation)

@@ -46,7 +46,8 @@ struct Study {
 /// About how long it takes on a usual machine.
 double roughSeconds(const Plan& plan);
 
-/// Nothing if it was stopped.
+/// Nothing if it was stopped. Where nothing was visible, the time of drawing alone is not told: it
+/// was none, and nothing is so many times as long.
 std::optional<Study> study(const Plan& plan, const Follower& follower = {});
 
 /// "Table 1, as published", "Near miss": to tell the trials of a study apart.

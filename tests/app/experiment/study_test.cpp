@@ -117,6 +117,35 @@ private slots:
         QVERIFY(plan.value->explained->options.lines <= 1'000'000);
     }
 
+    void whereNothingIsVisibleNoTimeOfDrawingIsTold()
+    {
+        auto choice = few("near-miss");
+        choice.easel = app::rasterEasel;
+        choice.forms = {Form::Corrected};
+        choice.explained = false;
+        const auto study = app::study(*app::planOf(choice).value);
+        QCOMPARE(study->measures.size(), 2u);
+        QCOMPARE(study->measures[0].key, "clip");
+        QCOMPARE(study->measures[1].key, "total");
+        QVERIFY(study->trials[0].record.easel.startsWith("raster"));
+    }
+
+    void whatDrewIsAskedForItsNameOnce()
+    {
+        app::ExperimentOptions options;
+        options.lines = 100;
+        options.runs = 1;
+        int made = 0;
+        options.easel = [&](const app::Field& field) {
+            ++made;
+            return app::rasterEasel(field);
+        };
+        const auto record =
+            app::recorded(options, app::contestants({{clipping::findAlgorithm("md")}}));
+        QVERIFY(record->easel.startsWith("raster"));
+        QCOMPARE(made, 1);
+    }
+
     void withoutAnEaselNothingIsToldOfDrawing()
     {
         const auto plan = app::planOf(few("near-miss"));
