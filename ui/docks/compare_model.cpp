@@ -82,12 +82,12 @@ constexpr std::array columns{
                [](const Cell& c) { return app::countText(c.row.differences.all()); },
                [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }}};
 
-QString tipOf(const app::RaceRow& row, int column)
+QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 {
     const clipping::Algorithm& algorithm = *row.contestant.algorithm;
     if (column == CompareModel::Differ && row.differences.all() > 0)
         return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactClipper(),
-                             row.differences, 0);
+                             row.differences, lines);
     const QString name = row.contestant.form == clipping::Form::Published
                              ? Compare::tr("%1, as published").arg(latin(algorithm.name))
                              : latin(algorithm.name);
@@ -153,7 +153,7 @@ QVariant CompareModel::data(const QModelIndex& index, int role) const
     case OrderRole:
         return column.order(cell);
     case Qt::ToolTipRole:
-        return tipOf(cell.row, index.column());
+        return tipOf(cell.row, index.column(), lines_);
     case Qt::AccessibleTextRole:
         return index.column() == Sparkline ? columns[Median].text(cell) : column.text(cell);
     default:
