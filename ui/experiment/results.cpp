@@ -46,8 +46,8 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout), trial_(new QComboBox),
       reasons_(new Segments(tr("Explanation"), {tr("By class"), tr("Operations"), tr("Accuracy")})),
       age_(new QLabel(tr("Results of the run before"))), verdict_(sentences()),
-      reason_(sentences()), tabs_(new QTabWidget), charts_(new ChartsPage),
-      summary_(new QScrollArea), reasonChart_(new ChartView), tables_(new TablesPage),
+      reason_(sentences()), summary_(new QScrollArea), tabs_(new QTabWidget),
+      charts_(new ChartsPage), reasonChart_(new ChartView), tables_(new TablesPage),
       why_(new TablesPage), circumstances_(new TablesPage)
 {
     trial_->setAccessibleName(tr("Result"));
