@@ -83,6 +83,7 @@ private:
     enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
     void arrangeAs(Arrangement arrangement);
     Arrangement fittingArrangement() const;
+    int lowerTabs() const;
     void shareHeight();
     void shareHeightWithWide();
     int columnWidth() const;
@@ -105,6 +106,7 @@ private:
     QList<QAction*> toolActions_;
     WindowNote* note_ = nullptr;
     Arrangement arrangement_ = Arrangement::Stacked;
+    int lowerTabs_ = 0;       ///< of those that are stacked: how many share the lowest place
     bool arranging_ = false;  ///< docks move because we move them
     bool ownLayout_ = false;  ///< the person moved them: never rearranged
     bool inspecting_ = false; ///< a line is in the inspector

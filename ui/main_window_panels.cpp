@@ -23,8 +23,10 @@ namespace ui {
 namespace {
 
 constexpr int layoutVersion = 1;
-constexpr int wide = 1200, high = 760; // below: narrow panels; tabs instead of a stack
+constexpr int wide = 1200, high = 780; // below: narrow panels; tabs instead of a stack
 constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396, widePanelWidth = 572;
+constexpr int separator = 4;   // between two panels
+constexpr int barsHeight = 90; // menus, option bar and status bar, before they are laid out
 
 } // namespace
 
@@ -54,7 +56,7 @@ void MainWindow::addPanels()
         tell({Message::Kind::Warning, sentence});
     });
     connectStart(*start);
-    connect(&session_, &app::Session::inspectedChanged, this, &MainWindow::makeRoomForLine);
+    connect(line, &LinePanel::titled, this, &MainWindow::makeRoomForLine); // it has its size now
 }
 
 void MainWindow::place(Dock& dock)
@@ -101,10 +103,41 @@ void MainWindow::makeRoomForLine()
 {
     const bool inspecting = session_.inspected().has_value();
     if (inspecting && !inspecting_ && !ownLayout_ && arrangement_ == Arrangement::Stacked) {
-        const QScopedValueRollback quiet(arranging_, true);
-        shareHeight();
+        if (lowerTabs() != lowerTabs_)
+            arrange();
+        else {
+            const QScopedValueRollback quiet(arranging_, true);
+            shareHeight();
+        }
+        if (lowerTabs_ > 0)
+            docks_[3]->raise();
     }
     inspecting_ = inspecting;
+}
+
+/// How many panels, counted from below, must share a place so that none is smaller than its
+/// content.
+int MainWindow::lowerTabs() const
+{
+    const auto needed = [](const Dock* dock) {
+        return dock->widget()->minimumSizeHint().height() + space::dockTitleHeight + separator;
+    };
+    const int room = isVisible() ? centralWidget()->height() : height() - barsHeight;
+    int above = 0;
+    for (qsizetype i = 1; i < docks_.size(); ++i)
+        above += needed(docks_[i]);
+    if (above <= room)
+        return 0;
+    int below = needed(docks_.back());
+    above -= below;
+    for (int tabs = 2; tabs < docks_.size() - 1; ++tabs) {
+        const int next = needed(docks_[docks_.size() - tabs]);
+        above -= next;
+        below = std::max(below, next);
+        if (above + below <= room || tabs + 2 == docks_.size())
+            return tabs;
+    }
+    return 0;
 }
 
 QList<QAction*> MainWindow::panelToggles() const
@@ -163,6 +196,7 @@ void MainWindow::arrangeAs(Arrangement arrangement)
 {
     const QScopedValueRollback quiet(arranging_, true);
     arrangement_ = arrangement;
+    lowerTabs_ = arrangement == Arrangement::Stacked ? lowerTabs() : 0;
     for (Dock* dock : docks_ + wide_) {
         dock->setFloating(false);
         removeDockWidget(dock);
@@ -178,7 +212,8 @@ void MainWindow::arrangeAs(Arrangement arrangement)
             last = nullptr; // those from here on stand below
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->setVisible(dock != hidden);
-        if (tabs && last)
+        const bool lower = docks_.indexOf(dock) > docks_.size() - lowerTabs_; // but the first
+        if ((tabs || lower) && last)
             tabifyDockWidget(last, dock);
         last = dock;
     }
@@ -206,6 +241,14 @@ void MainWindow::shareHeight()
         return dock->widget()->sizeHint().height() + space::dockTitleHeight;
     };
     const int algorithm = needed(docks_[1]), window = needed(docks_[2]);
+    if (lowerTabs_ > 0) {
+        Dock* const lower = docks_[docks_.size() - lowerTabs_];
+        const int above = lower == docks_[2] ? algorithm : algorithm + window;
+        const int rest = std::max(160, height() - barsHeight - above);
+        return lower == docks_[2] ? resizeDocks({docks_[1], lower}, {algorithm, rest}, Qt::Vertical)
+                                  : resizeDocks({docks_[1], docks_[2], lower},
+                                                {algorithm, window, rest}, Qt::Vertical);
+    }
     const int rest = std::max(160, height() - 120 - algorithm - window);
     const int line = session_.inspected() ? rest * 11 / 20 : 90;
     resizeDocks({docks_[1], docks_[2], docks_[3], docks_[4]},
@@ -239,7 +282,9 @@ void MainWindow::resetLayout()
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
-    if (!ownLayout_ && fittingArrangement() != arrangement_)
+    const auto fitting = fittingArrangement();
+    const bool tabsChange = fitting == Arrangement::Stacked && lowerTabs() != lowerTabs_;
+    if (!ownLayout_ && (fitting != arrangement_ || tabsChange))
         arrange();
 }
 

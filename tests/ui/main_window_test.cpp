@@ -2,6 +2,7 @@
 #include "app/commands/set_window.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/line_panel.h"
 #include "ui/widgets/option_bar.h"
 #include "ui/widgets/segments.h"
 
@@ -344,6 +345,36 @@ private slots:
         QTRY_VERIFY(layers->titleBarWidget()->height() == 0
                     || !layers->titleBarWidget()->isVisible());
         QTRY_VERIFY(inFront(t.window->findChild<QDockWidget*>("algorithm")));
+    }
+    void noPanelIsSmallerThanItsContent()
+    {
+        for (const int height : {760, 800, 900, 1200}) {
+            TestWindow t;
+            t.window->files().open(t.twoLines());
+            t.window->resize(1280, height);
+            t.show();
+            QTest::keyClick(t.window.get(), Qt::Key_F8);
+            auto* line = t.window->findChild<QDockWidget*>("line");
+            QTRY_VERIFY(t.window->findChild<LinePanel*>()->steps().contains("Visible"));
+            QTRY_VERIFY(inFront(line));
+            QCOMPARE(t.window->height(), height);
+            for (const char* key : {"algorithm", "window", "line", "layers"}) {
+                const auto* dock = t.window->findChild<QDockWidget*>(key);
+                const QWidget* body = dock->widget();
+                const auto whole = [&] {
+                    const int below = dock->y() + dock->height();
+                    return body->height() + 1 >= body->minimumSizeHint().height() // Qt keeps one
+                           && below <= t.window->centralWidget()->geometry().bottom() + 1
+                           && std::ranges::none_of(
+                               t.window->findChildren<QDockWidget*>(), [&](auto* other) {
+                                   return other != dock && inFront(other)
+                                          && other->geometry().intersects(dock->geometry());
+                               });
+                };
+                if (inFront(dock))
+                    QTRY_VERIFY2(whole(), qPrintable(QString("%1 at %2").arg(key).arg(height)));
+            }
+        }
     }
     void layoutIsKeptAndReset()
     {

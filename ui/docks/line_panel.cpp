@@ -12,6 +12,7 @@ namespace ui {
 namespace {
 
 enum Column { Name, XColumn, YColumn, RegionColumn, AfterColumn };
+constexpr int leastSteps = 4; // lines of text
 enum Row { Verdict, Header, From, To, VisibleA, VisibleB, Cost };
 
 } // namespace
@@ -35,14 +36,15 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     grid_->addWidget(verdict_, Verdict, Name, 1, 5);
     cost_->setFont(captionFont(font()));
-    cost_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    cost_->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    cost_->setMinimumHeight(2 * QFontMetrics(cost_->font()).lineSpacing()); // a wrapped one too
     cost_->setWordWrap(true);
     grid_->addWidget(cost_, Cost, XColumn, 1, 4);
     steps_->setReadOnly(true);
     steps_->setFrameShape(QFrame::NoFrame);
     steps_->setFont(captionFont(font()));
     steps_->setAccessibleName(tr("Steps"));
-    steps_->setMinimumHeight(40);
+    steps_->setMinimumHeight(leastSteps * QFontMetrics(steps_->font()).lineSpacing() + 10);
     QPalette quiet = steps_->palette();
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
@@ -90,7 +92,6 @@ void LinePanel::showLine(const app::Inspection& line)
     const app::Unit unit = session_.display().unit;
     const auto number = [&](double length) { return app::lengthNumber(length, unit, size, 1); };
     const auto& layer = session_.sheet().layers[session_.sheet().shapes[line.shape].layer];
-    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer.name));
 
     const auto point = [&](int row, const app::Point& p) {
         put(row, XColumn, number(p.x), Qt::AlignRight);
@@ -122,6 +123,7 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Cost, Name, tr("Cost"));
     cost_->setText(line.clipper.exhibit ? tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, size).join(u'\n'));
+    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer.name));
 }
 
 QLabel* LinePanel::cell(int row, int column)
