@@ -24,6 +24,7 @@ namespace ui {
 namespace {
 
 constexpr QSize usual(1180, 780), smallest(640, 360), frame(8, 40);
+constexpr double leastTelling = 1; // seconds: shorter runs mostly begin and end
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -253,8 +254,10 @@ void ExperimentWindow::cancel()
 void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
 {
     const double taken = double(taken_.elapsed()) / 1000;
-    pace_ = std::clamp(taken / thought_, 0.02, 50.0);
-    QSettings().setValue("experimentPace", pace_);
+    if (thought_ >= leastTelling) {
+        pace_ = std::clamp(taken / thought_, 0.02, 50.0);
+        QSettings().setValue("experimentPace", pace_);
+    }
     results_->show(study);
     stack_->setCurrentWidget(results_);
     showEffort();

@@ -474,6 +474,14 @@ private slots:
         QCOMPARE(place(), before);
     }
 
+    void aShortRunTellsNothingOfLongOnes()
+    {
+        const Stage stage;
+        const QVariant before = QSettings().value("experimentPace");
+        stage.runFew("table1");
+        QCOMPARE(QSettings().value("experimentPace"), before);
+    }
+
     void itRemembersItsSize()
     {
         const Stage stage;
