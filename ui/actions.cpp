@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 
+#include "app/latin.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 
@@ -37,7 +38,7 @@ namespace {
 QAction* makeAction(MainWindow& window, const ActionInfo& row)
 {
     auto* action = new QAction(row.text, &window);
-    action->setObjectName(QString::fromUtf8(row.key.data(), qsizetype(row.key.size())));
+    action->setObjectName(app::latin(row.key));
     action->setShortcuts(row.keys);
     if (!row.icon.empty())
         action->setIcon(icon(row.icon));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
+#include "app/latin.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"
@@ -101,8 +102,7 @@ void MainWindow::addTools()
     auto* group = new QActionGroup(this);
     for (const ToolInfo& tool : tools()) {
         auto* action = new QAction(icon(tool.key), tool.name, this);
-        action->setObjectName(QStringLiteral("tool-")
-                              + QString::fromUtf8(tool.key.data(), qsizetype(tool.key.size())));
+        action->setObjectName(QStringLiteral("tool-") + app::latin(tool.key));
         action->setShortcut(tool.shortcut);
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         action->setToolTip(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/status_bar.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/tools/tool.h"
@@ -14,11 +15,6 @@ namespace ui {
 namespace {
 
 constexpr int updateMilliseconds = 100; // ten times a second
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 } // namespace
 
@@ -129,15 +125,16 @@ void StatusBar::keepRoom()
         tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     QString widest;
     for (const auto& row : clipping::algorithms())
-        if (fontMetrics().horizontalAdvance(latin(row.abbreviation))
+        if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
             > fontMetrics().horizontalAdvance(widest))
-            widest = latin(row.abbreviation);
+            widest = app::latin(row.abbreviation);
     const auto& display = session_.display();
     const bool published = display.usedForm() == clipping::Form::Published;
     const QString mark = tr(", published");
     algorithm_->setWidest(published ? widest + mark : widest);
-    algorithm_->setText(latin(display.algorithm->abbreviation) + (published ? mark : QString()));
-    algorithm_->setToolTip(latin(display.algorithm->name));
+    algorithm_->setText(app::latin(display.algorithm->abbreviation)
+                        + (published ? mark : QString()));
+    algorithm_->setToolTip(app::latin(display.algorithm->name));
     renderer_->setWidest(QStringLiteral("OpenGL"));
     renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
     renderer_->setToolTip(canvas_.backendReason());

@@ -9,18 +9,6 @@
 #include <numeric>
 
 namespace app {
-namespace {
-
-/// The number at a share of the way through sorted ones, between two where it falls between.
-double quantile(std::span<const double> sorted, double share)
-{
-    const double place = share * double(sorted.size() - 1);
-    const auto below = std::size_t(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], place - double(below));
-}
-
-} // namespace
 
 double Bar::length() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
 

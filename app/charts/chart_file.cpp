@@ -6,6 +6,7 @@
 #include "app/charts/words.h"
 #include "app/formats/replace_file.h"
 #include "app/formats/write_all.h"
+#include "app/latin.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -99,7 +100,7 @@ QString keysText()
 {
     QStringList keys;
     for (const ChartFormat& format : chartFormats())
-        keys << u'.' + QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
+        keys << u'.' + latin(format.key);
     return keys.join(QStringLiteral(", "));
 }
 

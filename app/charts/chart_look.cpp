@@ -11,7 +11,7 @@ ChartLook chartLook(Ground ground)
     font.setPixelSize(13);
     return ground == Ground::Light
                ? ChartLook{ground, 0xFFFFFF, 0x1B1E23, 0x565D67, 0xD0D4DA, font}
-               : ChartLook{ground, 0x2B2D32, 0xE7E9EC, 0xA6ACB6, 0x4A4E57, font};
+               : ChartLook{ground, 0x2B2D32, 0xE7E9EC, 0xA6ACB6, 0x3A3D44, font};
 }
 
 } // namespace app

@@ -240,8 +240,8 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Char
     painter.restore();
 }
 
-std::optional<ChartHit> hitAt(const QPointF& point, const QRectF& area, const Chart& chart,
-                              const ChartLook& look)
+std::optional<std::size_t> rowAt(const QPointF& point, const QRectF& area, const Chart& chart,
+                                 const ChartLook& look)
 {
     const ChartLayout layout = layoutOf(chart, area, look);
     const auto row = std::ranges::find_if(layout.rows, [&](const QRectF& r) {
@@ -249,16 +249,7 @@ std::optional<ChartHit> hitAt(const QPointF& point, const QRectF& area, const Ch
     });
     if (row == layout.rows.end() || point.x() < area.left() || point.x() > area.right())
         return std::nullopt;
-    ChartHit hit{std::size_t(row - layout.rows.begin()), {}, {}};
-    for (std::size_t p = 0; p < layout.panels.size(); ++p)
-        if (const QRectF& panel = layout.panels[p];
-            panel.left() <= point.x() && point.x() <= panel.right()) {
-            const Interval& range = layout.axes[p].range;
-            hit.panel = p;
-            hit.value =
-                std::lerp(range.low, range.high, (point.x() - panel.left()) / panel.width());
-        }
-    return hit;
+    return std::size_t(row - layout.rows.begin());
 }
 
 } // namespace app

@@ -16,14 +16,8 @@ namespace app {
 /// (chart_layout.h) it goes beyond the area's bottom.
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const ChartLook& look);
 
-/// What is under a point of a chart that was painted into that area.
-struct ChartHit {
-    std::size_t row;
-    std::optional<std::size_t> panel; ///< none beside them
-    std::optional<double> value;      ///< of the axis there
-    friend bool operator==(const ChartHit&, const ChartHit&) = default;
-};
-std::optional<ChartHit> hitAt(const QPointF& point, const QRectF& area, const Chart& chart,
-                              const ChartLook& look);
+/// The row under a point of a chart that was painted into that area.
+std::optional<std::size_t> rowAt(const QPointF& point, const QRectF& area, const Chart& chart,
+                                 const ChartLook& look);
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/record_chart.h"
 #include "app/charts/words.h"
+#include "app/experiment/paper_tables.h"
 #include "app/view/numbers.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ Chart chartOf(const PaperTable& paper)
                              [&](std::size_t i) { return paper.columns[i].printedAverage; });
     Chart chart{
         .key = paper.key + QStringLiteral("-paper"),
-        .title = Charts::tr("The paper's %1").arg(nameOf(paper)),
+        .title = Charts::tr("The paper's %1").arg(numberOf(paper)),
         .subtitle = Charts::tr("%1 lines generated, clipped and drawn").arg(countText(paper.lines)),
         .legend = {{LegendBar{0, clipping::Form::Published}, Charts::tr("the paper's averages")}},
         .panels = {{{}, Charts::tr("seconds")}},

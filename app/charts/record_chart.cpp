@@ -138,7 +138,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         chart.columns << Charts::tr("paper");
         chart.legend.push_back(
             {LegendMark{}, Charts::tr("hollow: the paper, %1, total time of %2 lines")
-                               .arg(nameOf(*paper), countText(paper->lines))});
+                               .arg(numberOf(*paper), countText(paper->lines))});
         if (const QString other = otherWorkText(*paper, record.options, measure); !other.isEmpty())
             chart.notes << other;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/words.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ ChartRow rowFor(const Contestant& contestant)
     const bool published = contestant.form == clipping::Form::Published;
     return {.algorithm = contestant.algorithm,
             .form = contestant.form,
-            .name = QString::fromUtf8(name.data(), qsizetype(name.size())),
+            .name = latin(name),
             .note = published ? Charts::tr("as published") : QString(),
             .figures = {}};
 }
@@ -21,7 +22,7 @@ ChartRow rowFor(const Contestant& contestant)
 QString fullName(const Contestant& contestant)
 {
     const std::string_view name = contestant.algorithm->name;
-    const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
+    const QString text = latin(name);
     return contestant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
                                                         : text;
 }
@@ -48,8 +49,6 @@ QString sceneText(const ExperimentOptions& options)
 {
     return Charts::tr("Scene “%1”, %2 lines").arg(options.scene.name, countText(options.lines));
 }
-
-QString nameOf(const PaperTable& paper) { return Charts::tr("Table %1").arg(paper.key.back()); }
 
 std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order)
 {

@@ -25,8 +25,6 @@ Chart withSharedNote(Chart chart);
 
 /// "Scene “Long”, 1,000,000 lines".
 QString sceneText(const ExperimentOptions& options);
-/// "Table 1".
-QString nameOf(const PaperTable& paper);
 
 /// A tie a group that is too close to call, where row r shows thing order[r].
 std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order);

@@ -32,14 +32,8 @@ std::vector<clipping::Form> paperForms(const Given& given)
 std::vector<PlannedTrial> paperTrials(const Given& given, const ExperimentOptions& options)
 {
     const bool ownLines = given.has(QStringLiteral("lines")) || given.has(QStringLiteral("quick"));
-    std::vector<PlannedTrial> trials;
-    for (const PaperTable& paper : papersGiven(given))
-        for (const clipping::Form form : paperForms(given)) {
-            trials.push_back({paper, options, contestants(paper, form)});
-            if (!ownLines)
-                trials.back().options.lines = paper.lines;
-        }
-    return trials;
+    return app::paperTrials(papersGiven(given), paperForms(given), options,
+                            ownLines ? std::optional(options.lines) : std::nullopt);
 }
 
 PlannedTrial sceneTrial(const Given& given, const ExperimentOptions& options)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/clipper.h"
 
+#include "app/latin.h"
+
 #include <QCoreApplication>
 
 namespace app {
@@ -9,11 +11,6 @@ using clipping::Clipped;
 using clipping::Form;
 using clipping::Segment;
 using clipping::Window;
-
-static QString text(std::string_view latin)
-{
-    return QString::fromUtf8(latin.data(), qsizetype(latin.size()));
-}
 
 std::vector<Clipper> clippers()
 {
@@ -34,7 +31,7 @@ QString nameOf(const Clipper& clipper)
     if (clipper.exhibit)
         return clipper.exhibit->name;
     const clipping::Algorithm& row = *clipper.algorithm;
-    const QString name = text(clipper == exactClipper() ? row.key : row.abbreviation);
+    const QString name = latin(clipper == exactClipper() ? row.key : row.abbreviation);
     return clipper.form == Form::Corrected
                ? name
                : QCoreApplication::translate("Clipper", "%1 as published").arg(name);
@@ -44,8 +41,8 @@ QString titleOf(const Clipper& clipper)
 {
     if (clipper.exhibit)
         return clipper.exhibit->name;
-    const QString both = text(clipper.algorithm->abbreviation) + QStringLiteral("  ")
-                         + text(clipper.algorithm->name);
+    const QString both = latin(clipper.algorithm->abbreviation) + QStringLiteral("  ")
+                         + latin(clipper.algorithm->name);
     return clipper.form == Form::Corrected
                ? both
                : QCoreApplication::translate("Clipper", "%1, as published").arg(both);
@@ -57,7 +54,7 @@ QString keyOf(const Clipper& clipper)
 {
     if (clipper.exhibit)
         return clipper.exhibit->key;
-    const QString key = text(clipper.algorithm->key);
+    const QString key = latin(clipper.algorithm->key);
     return clipper.form == Form::Corrected ? key : key + publishedSuffix;
 }
 

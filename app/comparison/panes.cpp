@@ -19,21 +19,11 @@ Clipper rowOf(std::string_view key, clipping::Form form = clipping::Form::Correc
 /// The one whose published form loses visible lines of usual drawings: near-vertical ones.
 Clipper exhibit() { return rowOf("kwc", published); }
 
-QString wordOf(const Clipper& choice)
+/// What findClipper finds, but exhibits.
+std::optional<Clipper> choiceOf(const QString& key)
 {
-    const auto key = choice.algorithm->key;
-    return QString::fromUtf8(key.data(), qsizetype(key.size()))
-           + (choice.form == published ? QStringLiteral(":published") : QString());
-}
-
-std::optional<Clipper> choiceOf(const QString& word)
-{
-    const QByteArray key = word.section(u':', 0, 0).toUtf8();
-    const auto* row = clipping::findAlgorithm({key.data(), std::size_t(key.size())});
-    const auto form = word.endsWith(u":published") ? published : clipping::Form::Corrected;
-    if (!row || !clipping::usesOf(*row, form))
-        return std::nullopt;
-    return Clipper{row, form};
+    const auto found = findClipper(key);
+    return found && !found->exhibit ? found : std::nullopt;
 }
 
 } // namespace
@@ -148,7 +138,7 @@ QString Panes::text() const
     QStringList words{all_ ? QStringLiteral("all") : QString::number(size()),
                       QString::number(active_)};
     for (const Clipper& choice : now.remembered_)
-        words << wordOf(choice);
+        words << keyOf(choice);
     return words.join(u' ');
 }
 

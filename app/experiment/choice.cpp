@@ -46,13 +46,7 @@ std::vector<PlannedTrial> trialsOf(const Choice& choice)
     const ExperimentOptions options = optionsOf(choice);
     if (choice.subject.papers.empty())
         return {{std::nullopt, options, contestantsOf(choice)}};
-    std::vector<PlannedTrial> trials;
-    for (const PaperTable& paper : choice.subject.papers)
-        for (const clipping::Form form : choice.forms) {
-            trials.push_back({paper, options, contestants(paper, form)});
-            trials.back().options.lines = choice.lines.value_or(paper.lines);
-        }
-    return trials;
+    return paperTrials(choice.subject.papers, choice.forms, options, choice.lines);
 }
 
 std::vector<Measure> measuresOf(const Choice& choice)

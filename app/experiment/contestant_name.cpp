@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/contestant_name.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -17,7 +18,7 @@ struct Experiments {
 QString abbreviation(const Contestant& contestant)
 {
     const auto text = contestant.algorithm->abbreviation;
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+    return latin(text);
 }
 
 } // namespace
@@ -38,7 +39,7 @@ QString nameAmong(std::span<const Contestant> all, std::size_t i)
 
 QString introducedName(const clipping::Algorithm& algorithm)
 {
-    const auto name = QString::fromUtf8(algorithm.name.data(), qsizetype(algorithm.name.size()));
+    const auto name = latin(algorithm.name);
     return algorithm.name == algorithm.abbreviation
                ? name
                : Experiments::tr("%1 (%2)").arg(

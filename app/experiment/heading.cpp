@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <array>
 #include <map>
 
 namespace app {
@@ -110,7 +111,8 @@ std::map<QString, Heading> explanationHeadings()
 
 Heading headingOf(const QString& name)
 {
-    for (const auto& headings : {timeHeadings(), againstHeadings(), explanationHeadings()})
+    static const std::array all{timeHeadings(), againstHeadings(), explanationHeadings()};
+    for (const auto& headings : all)
         if (const auto found = headings.find(name); found != headings.end())
             return found->second;
     return {name, {}};

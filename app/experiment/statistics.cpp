@@ -11,15 +11,6 @@
 namespace app {
 namespace {
 
-// Between the sorted numbers, as spreadsheets do it.
-double quantile(std::span<const double> sorted, double share)
-{
-    const double position = share * double(sorted.size() - 1);
-    const auto below = std::size_t(position);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - double(below));
-}
-
 double meanOf(std::span<const double> numbers)
 {
     return std::accumulate(numbers.begin(), numbers.end(), 0.0) / double(numbers.size());
@@ -57,6 +48,14 @@ Interval binomialInterval(std::span<const double> sorted)
 }
 
 } // namespace
+
+double quantile(std::span<const double> sorted, double share)
+{
+    const double position = share * double(sorted.size() - 1);
+    const auto below = std::size_t(position);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], position - double(below));
+}
 
 Summary summaryOf(std::span<const double> numbers)
 {

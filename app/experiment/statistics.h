@@ -13,6 +13,10 @@ struct Interval {
     bool overlaps(const Interval& other) const { return low <= other.high && other.low <= high; }
 };
 
+/// The number at a share (0 to 1) of the way through sorted ones, of which there is one at least;
+/// between two where it falls between, as spreadsheets do it.
+double quantile(std::span<const double> sorted, double share);
+
 /// What many measurements of one thing say.
 struct Summary {
     double median = 0;

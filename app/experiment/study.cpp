@@ -126,6 +126,20 @@ Facts shared(const Facts& facts, const Facts& others)
 
 } // namespace
 
+std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
+                                      std::span<const clipping::Form> forms,
+                                      const ExperimentOptions& options,
+                                      std::optional<std::uint64_t> lines)
+{
+    std::vector<PlannedTrial> trials;
+    for (const PaperTable& paper : papers)
+        for (const clipping::Form form : forms) {
+            trials.push_back({paper, options, contestants(paper, form)});
+            trials.back().options.lines = lines.value_or(paper.lines);
+        }
+    return trials;
+}
+
 double roughSeconds(const Plan& plan)
 {
     const auto weights = weightsOf(plan);

@@ -16,6 +16,12 @@ struct PlannedTrial {
     std::vector<Contestant> contestants;
 };
 
+/// A trial for each of these tables and forms; without `lines`, as many as each table has.
+std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
+                                      std::span<const clipping::Form> forms,
+                                      const ExperimentOptions& options,
+                                      std::optional<std::uint64_t> lines);
+
 /// What explains times: what a line of each class costs, the arithmetic, and the truth of results.
 struct Explanation {
     ClassProfile classes;

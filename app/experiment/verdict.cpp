@@ -3,6 +3,7 @@
 
 #include "app/experiment/contestant_name.h"
 #include "app/experiment/paper_tables.h"
+#include "app/latin.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -32,8 +33,7 @@ QString shortName(const Record& record, std::size_t i)
 /// "Nicholl-Lee-Nicholl (NLN)".
 QString longName(const Record& record, std::size_t i)
 {
-    const auto latin = record.timings[i].contestant.algorithm->name;
-    const QString name = QString::fromUtf8(latin.data(), qsizetype(latin.size()));
+    const QString name = latin(record.timings[i].contestant.algorithm->name);
     const QString brief = shortName(record, i);
     return brief.startsWith(name) ? brief : Experiments::tr("%1 (%2)").arg(name, brief);
 }

@@ -5,6 +5,7 @@
 #include "app/charts/study_charts.h"
 #include "app/formats/replace_file.h"
 #include "app/formats/write_all.h"
+#include "app/latin.h"
 #include "app/report/study_report.h"
 
 #include <QCoreApplication>
@@ -99,9 +100,8 @@ std::vector<StudyFile> studyFiles()
                                 return writeTables(format, study, path);
                             }});
     for (const ChartFormat& format : chartFormats())
-        rows.push_back({StudyFile::Group::Charts, format.name,
-                        QString::fromUtf8(format.key.data(), qsizetype(format.key.size())),
-                        chartPaths, writeCharts});
+        rows.push_back(
+            {StudyFile::Group::Charts, format.name, latin(format.key), chartPaths, writeCharts});
     for (const ReportFormat& format : reportFormats())
         rows.push_back({StudyFile::Group::Report, format.name, format.key,
                         [](const Study&, const QString& path) { return QStringList{path}; },

@@ -74,25 +74,24 @@ struct Mark {
     std::string_view abbreviation;
     QRgb light, dark;
     QPainterPath path;
-    LinePattern line;
 };
 
 const Mark& markOf(const clipping::Algorithm& algorithm)
 {
     constexpr double half = std::numbers::pi;
     static const std::array marks{
-        Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0), {}},
-        Mark{"CS", 0x091C86, 0x8194FF, disc(), {{6, 2}}},
-        Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4), {{2, 2}}},
-        Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0), {{8, 2, 2, 2}}},
-        Mark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0), {{4, 2}}},
-        Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half), {{10, 3}}},
-        Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0), {{4, 2, 1, 2}}},
-        Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6), {{}, 1.5}},
-        Mark{"SPY", 0x8348FA, 0x865EE6, cross(45), {{1, 2}}},
-        Mark{"SB", 0x545ABA, 0xC684B5, arch(), {{8, 2, 1, 2, 1, 2}}},
-        Mark{"MS", 0x7C3908, 0x968A38, bar(), {{12, 2}}},
-        Mark{"", 0x1B1E23, 0xE7E9EC, disc(), {}}, // a row that nobody gave a mark yet
+        Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
+        Mark{"CS", 0x091C86, 0x8194FF, disc()},
+        Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
+        Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
+        Mark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0)},
+        Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
+        Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
+        Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
+        Mark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
+        Mark{"SB", 0x545ABA, 0xC684B5, arch()},
+        Mark{"MS", 0x7C3908, 0x968A38, bar()},
+        Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row that nobody gave a mark yet
     };
     const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
     return found == marks.end() ? marks.back() : *found;
@@ -107,8 +106,6 @@ QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground)
 }
 
 QPainterPath markerPath(const clipping::Algorithm& algorithm) { return markOf(algorithm).path; }
-
-LinePattern linePattern(const clipping::Algorithm& algorithm) { return markOf(algorithm).line; }
 
 void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
                  clipping::Form form, Ground ground)

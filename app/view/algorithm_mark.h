@@ -27,11 +27,4 @@ void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm
 void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
                  clipping::Form form, const QColor& colour);
 
-/// How its lines look in charts of curves, so that nobody needs the colour.
-struct LinePattern {
-    QList<qreal> dashes; ///< dash, gap ... in widths; empty: solid
-    double width = 1;    ///< times the usual
-};
-LinePattern linePattern(const clipping::Algorithm& algorithm);
-
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/pane_heading.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 #include "app/view/pane_grid.h"
 #include "ui/look_icon.h"
@@ -19,11 +20,6 @@ constexpr int updateMilliseconds = 100; // ten times a second
 constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
 constexpr int widthForClose = 260; // in narrower ones the menu can close it
 constexpr int leastName = 48;      // a name shorter than this says nothing
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 QIcon markerIcon(const app::Clipper& choice, const QPalette& palette)
 {
@@ -74,7 +70,7 @@ PaneHeading::~PaneHeading()
 void PaneHeading::show(const Pane& pane)
 {
     pane_ = pane;
-    const QString name = latin(pane.choice.algorithm->name);
+    const QString name = app::latin(pane.choice.algorithm->name);
     setAccessibleName(
         pane.choice.form == clipping::Form::Published ? tr("%1 as published").arg(name) : name);
     setToolTip(accessibleName());
@@ -118,9 +114,9 @@ PaneHeading::Places PaneHeading::places() const
     p.marker = left(markerSize + gap);
     const QFontMetrics bold(semiBold(font()));
     const auto& algorithm = *pane_->choice.algorithm;
-    p.abbreviation = left(bold.horizontalAdvance(latin(algorithm.abbreviation)) + gap);
+    p.abbreviation = left(bold.horizontalAdvance(app::latin(algorithm.abbreviation)) + gap);
     int room = p.time.left() - gap - button - p.abbreviation.right();
-    const int name = fontMetrics().horizontalAdvance(latin(algorithm.name)) + gap;
+    const int name = fontMetrics().horizontalAdvance(app::latin(algorithm.name)) + gap;
     const int formWidth = QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + gap;
     const bool form = pane_->choice.form == clipping::Form::Published && formWidth <= room;
     room -= form ? formWidth : 0;
@@ -170,8 +166,8 @@ void PaneHeading::paintEvent(QPaintEvent*)
             place, Qt::AlignLeft | Qt::AlignVCenter,
             QFontMetrics(font).elidedText(words, Qt::ElideRight, place.width() - gap + 1));
     };
-    text(p.abbreviation, semiBold(font()), look.text, latin(choice.algorithm->abbreviation));
-    text(p.name, font(), look.text, latin(choice.algorithm->name));
+    text(p.abbreviation, semiBold(font()), look.text, app::latin(choice.algorithm->abbreviation));
+    text(p.name, font(), look.text, app::latin(choice.algorithm->name));
     text(p.form, captionFont(font()), look.muted, formText());
     painter.setFont(font());
     painter.setPen(look.text);
@@ -227,7 +223,7 @@ void PaneHeading::fill(QMenu& menu)
 
 void PaneHeading::addChoice(QMenu& menu, const app::Clipper& choice)
 {
-    auto* action = menu.addAction(markerIcon(choice, palette()), latin(choice.algorithm->name),
+    auto* action = menu.addAction(markerIcon(choice, palette()), app::latin(choice.algorithm->name),
                                   this, [this, choice] { emit chosen(choice); });
     action->setCheckable(true);
     action->setChecked(pane_->choice == choice);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/ruler.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 #include "app/view/ruler.h"
 
@@ -117,8 +118,7 @@ void RulerCorner::paintEvent(QPaintEvent*)
     painter.setFont(rulerFont(*this));
     painter.setPen(look.muted);
     const auto suffix = app::infoOf(controller_.session().display().unit).suffix;
-    painter.drawText(rect(), Qt::AlignCenter,
-                     QString::fromUtf8(suffix.data(), qsizetype(suffix.size())));
+    painter.drawText(rect(), Qt::AlignCenter, app::latin(suffix));
     if (!focused_)
         return;
     painter.setPen(QPen(look.selection, 2));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/pages.h"
 
+#include "app/latin.h"
 #include "ui/actions.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
@@ -18,11 +19,6 @@ namespace ui {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Pages", text); }
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
-
 QTextBrowser* openPage(MainWindow& window, const QString& title)
 {
     auto* dialog = new QDialog(&window);
@@ -70,15 +66,15 @@ void addShortcuts(QString& rows, const QMenu& menu)
 
 void showAlgorithmPage(const clipping::Algorithm& algorithm, MainWindow& window)
 {
-    auto* page = openPage(window, latin(algorithm.name));
-    QFile file(QStringLiteral(":/algorithms/%1.md").arg(latin(algorithm.key)));
+    auto* page = openPage(window, app::latin(algorithm.name));
+    QFile file(QStringLiteral(":/algorithms/%1.md").arg(app::latin(algorithm.key)));
     if (file.open(QIODevice::ReadOnly))
         page->setMarkdown(QString::fromUtf8(file.readAll()));
     else
         page->setMarkdown(QStringLiteral("# %1 (%2)\n\n%3")
-                              .arg(latin(algorithm.name))
+                              .arg(app::latin(algorithm.name))
                               .arg(algorithm.year)
-                              .arg(latin(algorithm.idea)));
+                              .arg(app::latin(algorithm.idea)));
 }
 
 void showShortcuts(MainWindow& window)

@@ -2,6 +2,7 @@
 #include "ui/dialogs/questions.h"
 
 #include "app/formats/loss_text.h"
+#include "app/latin.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -15,10 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Questions", text); }
 
-QString ending(const app::Format& format)
-{
-    return QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
-}
+QString ending(const app::Format& format) { return app::latin(format.key); }
 
 QString filter(const app::Format& format)
 {

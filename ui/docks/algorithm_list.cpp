@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_list.h"
 
+#include "app/latin.h"
 #include "ui/algorithm_digit.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
@@ -10,11 +11,6 @@
 namespace ui {
 
 namespace {
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 class RowPainter : public QStyledItemDelegate {
 public:
@@ -54,9 +50,9 @@ public:
         app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), row, form,
                          groundOf(option.palette));
         x += 20;
-        text(x, abbreviation, look.text, semiBold(option.font), latin(row.abbreviation));
+        text(x, abbreviation, look.text, semiBold(option.font), app::latin(row.abbreviation));
         x += abbreviation;
-        text(x, r.right() - year - 8 - x, look.text, option.font, latin(row.name));
+        text(x, r.right() - year - 8 - x, look.text, option.font, app::latin(row.name));
         text(r.right() - year, year + 1, look.muted, captionFont(option.font),
              QString::number(row.year), Qt::AlignRight);
     }
@@ -93,14 +89,14 @@ QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
     const auto& row = clipping::algorithms()[std::size_t(index.row())];
     switch (role) {
     case Qt::DisplayRole:
-        return latin(row.name);
+        return app::latin(row.name);
     case Qt::ToolTipRole:
         return QStringLiteral("%1 (%2)\n%3")
-            .arg(latin(row.name))
+            .arg(app::latin(row.name))
             .arg(row.year)
-            .arg(latin(row.idea));
+            .arg(app::latin(row.idea));
     case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2").arg(latin(row.abbreviation), latin(row.name));
+        return QStringLiteral("%1, %2").arg(app::latin(row.abbreviation), app::latin(row.name));
     default:
         return {};
     }

@@ -2,6 +2,7 @@
 #include "ui/docks/compare_cells.h"
 
 #include "app/charts/sparkline.h"
+#include "app/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
@@ -46,8 +47,7 @@ void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& opti
     app::paintMarker(painter, QRectF(r.left(), r.center().y() - 5.5, markerSize, markerSize),
                      *algorithm, form, groundOf(option.palette));
     const QFont bold = semiBold(option.font);
-    const auto name = QString::fromUtf8(algorithm->abbreviation.data(),
-                                        qsizetype(algorithm->abbreviation.size()));
+    const auto name = app::latin(algorithm->abbreviation);
     QRect text = r.adjusted(markerRoom, 0, 0, 0);
     painter.setFont(bold);
     painter.setPen(look.text);

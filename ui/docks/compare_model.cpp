@@ -3,6 +3,7 @@
 
 #include "app/comparison/race_text.h"
 #include "app/experiment/contestant_name.h"
+#include "app/latin.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
 
@@ -13,11 +14,6 @@
 namespace ui {
 
 namespace {
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 struct Compare {
     Q_DECLARE_TR_FUNCTIONS(Compare)
@@ -89,10 +85,10 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
         return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactClipper(),
                              row.differences, lines);
     const QString name = row.contestant.form == clipping::Form::Published
-                             ? Compare::tr("%1, as published").arg(latin(algorithm.name))
-                             : latin(algorithm.name);
+                             ? Compare::tr("%1, as published").arg(app::latin(algorithm.name))
+                             : app::latin(algorithm.name);
     QString tip = Compare::tr("%1 (%2)\n%3")
-                      .arg(name, QString::number(algorithm.year), latin(algorithm.idea));
+                      .arg(name, QString::number(algorithm.year), app::latin(algorithm.idea));
     if (&algorithm == &clipping::exactAlgorithm())
         tip += u'\n'
                + Compare::tr("Here it clips line by line as the others do. In the editor's own "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/dock.h"
 
+#include "app/latin.h"
 #include "ui/docks/dock_title.h"
 
 namespace ui {
@@ -8,7 +9,7 @@ namespace ui {
 Dock::Dock(std::string_view key, const QString& title, QWidget* body, QWidget* parent)
     : QDockWidget(title, parent), title_(new DockTitle(*this)), noTitle_(new QWidget(this))
 {
-    setObjectName(QString::fromUtf8(key.data(), qsizetype(key.size())));
+    setObjectName(app::latin(key));
     setAccessibleName(title);
     setWidget(body);
     body->setAutoFillBackground(true);

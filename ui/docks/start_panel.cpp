@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/start_panel.h"
 
+#include "app/latin.h"
 #include "app/view/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
@@ -63,7 +64,7 @@ QString readableFormats()
     QStringList names;
     for (const app::Format& format : app::formats())
         if (format.read)
-            names << QString::fromUtf8(format.key.data(), qsizetype(format.key.size())).toUpper();
+            names << app::latin(format.key).toUpper();
     return names.join(QStringLiteral(", "));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/choice_panel.h"
 
+#include "app/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/segments.h"
 
@@ -8,6 +9,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <limits>
 
 namespace ui {
@@ -17,11 +19,6 @@ namespace {
 constexpr std::uint64_t fewestTimed = 100'000; // a small drawing again and again
 
 enum Forms { Published, Corrected, Both };
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 QSpinBox* numberField(const QString& name, int least, int most)
 {
@@ -136,9 +133,9 @@ QWidget* ChoicePanel::algorithmBoxes()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     for (const auto& algorithm : clipping::algorithms()) {
-        auto* box = new QCheckBox(latin(algorithm.abbreviation));
-        box->setToolTip(latin(algorithm.name));
-        box->setAccessibleName(latin(algorithm.name));
+        auto* box = new QCheckBox(app::latin(algorithm.abbreviation));
+        box->setToolTip(app::latin(algorithm.name));
+        box->setAccessibleName(app::latin(algorithm.name));
         const int i = int(algorithms_.size());
         grid->addWidget(box, i / columns, i % columns);
         connect(box, &QCheckBox::clicked, this, [this, box, i] {
@@ -156,6 +153,7 @@ void ChoicePanel::followDrawing(std::size_t lines)
 {
     auto* rows = qobject_cast<QStandardItemModel*>(subject_->model());
     rows->item(subject_->count() - 1)->setEnabled(lines > 0);
+    taken_.reset();
     if (ofDrawing() && lines == 0)
         subject_->setCurrentIndex(0);
     else if (ofDrawing())
@@ -165,22 +163,24 @@ void ChoicePanel::followDrawing(std::size_t lines)
 /// What is chosen, with its number of lines; the paper brings its own algorithms.
 void ChoicePanel::showSubject()
 {
-    const auto subject = choice().subject;
+    const app::Subject& subject = this->subject();
     const bool tables = subject.papers.size() > 1;
     const auto own = std::max(subject.options.lines, fewestTimed);
     meaning_->setText(subject.meaning);
     const QSignalBlocker quiet(lines_);
+    const bool typed = ofDrawing_ && ofDrawing() && lines_->value() != usualLines_;
+    ofDrawing_ = ofDrawing();
+    usualLines_ = tables ? 0 : int(subject.papers.empty() ? own : subject.papers.front().lines);
     lines_->setMinimum(tables ? 0 : 1);
-    lines_->setValue(tables                   ? 0
-                     : subject.papers.empty() ? int(own)
-                                              : int(subject.papers.front().lines));
+    if (!typed)
+        lines_->setValue(usualLines_);
     showAlgorithms();
     emit changed();
 }
 
 void ChoicePanel::showAlgorithms()
 {
-    const auto papers = choice().subject.papers;
+    const auto& papers = subject().papers;
     for (std::size_t i = 0; i < own_.size(); ++i) {
         const auto* algorithm = &clipping::algorithms()[i];
         const bool paper =
@@ -192,14 +192,21 @@ void ChoicePanel::showAlgorithms()
     }
 }
 
+const app::Subject& ChoicePanel::subject() const
+{
+    if (ofDrawing() && !taken_)
+        taken_ = drawing_();
+    if (ofDrawing() && taken_)
+        return *taken_;
+    const auto found =
+        std::ranges::find(subjects_, subject_->currentData().toString(), &app::Subject::key);
+    return found == subjects_.end() ? subjects_.front() : *found;
+}
+
 app::Choice ChoicePanel::choice() const
 {
     app::Choice choice;
-    for (const app::Subject& subject : subjects_)
-        if (subject.key == subject_->currentData())
-            choice.subject = subject;
-    if (ofDrawing())
-        choice.subject = drawing_().value_or(subjects_.front());
+    choice.subject = subject();
     if (lines_->value() > 0)
         choice.lines = lines_->value();
     choice.runs = std::size_t(runs_->value());

@@ -20,7 +20,7 @@ class ChoicePanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// The lines of the drawing as it is now, asked for when they are needed.
+    /// The lines of the drawing as it is now: copied once after each change, and only if chosen.
     using Drawing = std::function<std::optional<app::Subject>()>;
     explicit ChoicePanel(Drawing drawing, QWidget* parent = nullptr);
 
@@ -38,10 +38,14 @@ private:
     void showSubject();
     void showAlgorithms();
     bool ofDrawing() const;
+    const app::Subject& subject() const;
 
     std::vector<app::Subject> subjects_;
     Drawing drawing_;
-    app::EaselMaker easel_ = app::bestEasel(); ///< asked in this thread, used in another
+    mutable std::optional<app::Subject> taken_; ///< of the drawing, since its last change
+    bool ofDrawing_ = false;                    ///< what is shown is that
+    int usualLines_ = 0;                        ///< of the subject, before anybody typed
+    app::EaselMaker easel_ = app::bestEasel();  ///< asked in this thread, used in another
     QComboBox* subject_;
     QLabel* meaning_;
     QSpinBox *lines_, *runs_, *seed_;

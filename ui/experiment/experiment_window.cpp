@@ -99,7 +99,6 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
     connect(&measuring_, &Measuring::progressed, this, &ExperimentWindow::showProgress);
     connect(&measuring_, &Measuring::finished, this, &ExperimentWindow::finish);
     connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
-    followDrawing();
     showEffort();
 }
 
@@ -295,7 +294,12 @@ void ExperimentWindow::showState()
     cancel_->setVisible(active);
 }
 
-void ExperimentWindow::followDrawing() { choice_->followDrawing(session_.scene.segments().size()); }
+/// Nobody sees what a hidden window says: it asks when it is shown.
+void ExperimentWindow::followDrawing()
+{
+    if (isVisible())
+        choice_->followDrawing(session_.scene.segments().size());
+}
 
 /// Never larger than what is free on the screen, so that the buttons can be reached.
 void ExperimentWindow::fitScreen()
@@ -314,6 +318,7 @@ void ExperimentWindow::showEvent(QShowEvent* event)
     if (!event->spontaneous())
         fitScreen();
     QDialog::showEvent(event);
+    choice_->followDrawing(session_.scene.segments().size());
 }
 
 void ExperimentWindow::hideEvent(QHideEvent* event)

@@ -2,6 +2,7 @@
 #include "ui/experiment/exports.h"
 
 #include "app/charts/study_charts.h"
+#include "app/latin.h"
 #include "ui/dialogs/in_background.h"
 
 #include <QFileInfo>
@@ -16,11 +17,6 @@ namespace ui {
 namespace {
 
 using Written = app::Result<QStringList>;
-
-QString latin(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// What a row makes of a study, and of how many files.
 QString entryText(const app::StudyFile& row, const app::Study& study)
@@ -76,7 +72,7 @@ void Exports::addShown(QMenu& menu, const Current& current)
             add(tr("This table as %1…").arg(format.name), format.ending, &Shown::table,
                 [this, format](const app::Table& table) { writeTable(table, format); });
     for (const app::ChartFormat& format : app::chartFormats())
-        add(tr("This chart as %1…").arg(format.name), latin(format.key), &Shown::chart,
+        add(tr("This chart as %1…").arg(format.name), app::latin(format.key), &Shown::chart,
             [this, format](const app::Chart& chart) { writeChart(chart, format); });
 }
 
@@ -118,7 +114,7 @@ void Exports::writeTable(const app::Table& table, const app::TableFormat& format
 
 void Exports::writeChart(const app::Chart& chart, const app::ChartFormat& format)
 {
-    const QString ending = latin(format.key);
+    const QString ending = app::latin(format.key);
     const QString path = remembered(
         questions_->fileToWrite(tr("Export"), proposal(chart.key, ending), format.name, ending));
     if (path.isEmpty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
+#include "app/latin.h"
 #include "app/view/picking.h"
 #include "ui/actions.h"
 #include "ui/algorithm_digit.h"
@@ -28,11 +29,9 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
     for (const clipping::Algorithm& row : clipping::algorithms()) {
-        auto* action = menu.addAction(
-            QString::fromUtf8(row.name.data(), qsizetype(row.name.size())), &window,
-            [&window, &row] {
-                change(window, [&](app::Display& display) { display.algorithm = &row; });
-            });
+        auto* action = menu.addAction(app::latin(row.name), &window, [&window, &row] {
+            change(window, [&](app::Display& display) { display.algorithm = &row; });
+        });
         action->setCheckable(true);
         group->addAction(action);
         if (const QString digit = digitOf(row); !digit.isEmpty()) {

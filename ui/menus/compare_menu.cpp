@@ -47,18 +47,22 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     window.raisePanel("line");
 }
 
-/// In the list of the panel, which opens if need be.
+/// Opens the panel if need be, and brings it to the front.
+void showDifferences(MainWindow& window)
+{
+    if (window.differencePanel().visibleRegion().isEmpty())
+        window.togglePanel("difference");
+}
+
 void goToDifference(MainWindow& window, int rows)
 {
-    if (!window.showsPanel("difference"))
-        window.togglePanel("difference");
+    showDifferences(window);
     window.differencePanel().go(rows);
 }
 
 void showMisprint(MainWindow& window)
 {
-    if (!window.showsPanel("difference"))
-        window.togglePanel("difference");
+    showDifferences(window);
     const app::Exhibit& misprint = app::exhibits().front();
     window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
                                      app::exactClipper());

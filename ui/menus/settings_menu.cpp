@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/latin.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
 #include "ui/widgets/unit_box.h"
@@ -18,9 +19,8 @@ void addUnits(MainWindow& window, QMenu& menu)
     auto* group = new QActionGroup(&menu);
     for (const app::Unit unit : shownUnits()) {
         const auto suffix = app::infoOf(unit).suffix;
-        auto* action = menu.addAction(
-            QStringLiteral("&") + QString::fromUtf8(suffix.data(), qsizetype(suffix.size())),
-            &window, [&window, unit] {
+        auto* action =
+            menu.addAction(QStringLiteral("&") + app::latin(suffix), &window, [&window, unit] {
                 app::Display display = window.session().display();
                 display.unit = unit;
                 window.session().setDisplay(display);

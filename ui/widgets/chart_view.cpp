@@ -84,8 +84,8 @@ bool ChartView::event(QEvent* event)
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    if (const auto hit = hitAt(help->pos(), area(), chart_, chartLookOf(*this)))
-        QToolTip::showText(help->globalPos(), chart_.rows[hit->row].detail, this);
+    if (const auto row = rowAt(help->pos(), area(), chart_, chartLookOf(*this)))
+        QToolTip::showText(help->globalPos(), chart_.rows[*row].detail, this);
     else
         QToolTip::hideText();
     return true;
@@ -110,8 +110,7 @@ void ChartView::paintEvent(QPaintEvent*)
 
 void ChartView::mouseMoveEvent(QMouseEvent* event)
 {
-    const auto hit = hitAt(event->position(), area(), chart_, chartLookOf(*this));
-    light(hit ? std::optional(hit->row) : std::nullopt);
+    light(rowAt(event->position(), area(), chart_, chartLookOf(*this)));
 }
 
 void ChartView::leaveEvent(QEvent*) { light(std::nullopt); }

@@ -4,6 +4,7 @@
 #include "app/experiment/heading.h"
 #include "app/experiment/paper_runs.h"
 #include "app/experiment/record.h"
+#include "app/latin.h"
 #include "app/view/numbers.h"
 #include "clipping/algorithm.h"
 
@@ -57,7 +58,7 @@ QVariant TableModel::contestant(const QModelIndex& index) const
         return {};
     const auto form = table_.names.indexOf(QStringLiteral("form"));
     const auto published = app::wordOf(clipping::Form::Published);
-    return QStringList{QString::fromUtf8(algorithm->key.data(), qsizetype(algorithm->key.size())),
+    return QStringList{app::latin(algorithm->key),
                        form >= 0 ? table_.rows[std::size_t(index.row())][form]
                        : table_.key.contains(published) ? published // all of one form
                                                         : QString()};
@@ -74,8 +75,7 @@ QString TableModel::shown(const QModelIndex& index) const
     const QString& text = field(index);
     if (table_.names[index.column()] == u"algorithm")
         if (const auto* algorithm = clipping::findAlgorithm(text.toStdString()))
-            return QString::fromUtf8(algorithm->abbreviation.data(),
-                                     qsizetype(algorithm->abbreviation.size()));
+            return app::latin(algorithm->abbreviation);
     return numeric_[std::size_t(index.column())] && !text.isEmpty() ? numberInWords(text) : text;
 }
 
@@ -90,7 +90,7 @@ QVariant TableModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
         if (const auto* algorithm =
                 contestant(index).isValid() ? app::paperAlgorithm(field(index)) : nullptr)
-            return QString::fromUtf8(algorithm->name.data(), qsizetype(algorithm->name.size()));
+            return app::latin(algorithm->name);
         return {};
     case SortRole:
         return numeric && !field(index).isEmpty() ? QVariant(field(index).toDouble())

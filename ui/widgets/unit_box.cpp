@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/unit_box.h"
 
+#include "app/latin.h"
 #include "ui/look.h"
 
 namespace ui {
@@ -17,7 +18,7 @@ UnitBox::UnitBox(app::Session& session, QWidget* parent) : QComboBox(parent)
     setFixedHeight(space::fieldHeight);
     for (const app::Unit unit : shownUnits()) {
         const auto suffix = app::infoOf(unit).suffix;
-        addItem(QString::fromUtf8(suffix.data(), qsizetype(suffix.size())), int(unit));
+        addItem(app::latin(suffix), int(unit));
     }
     const auto follow = [this, &session] {
         setCurrentIndex(findData(int(session.display().unit)));

@@ -328,7 +328,7 @@ private slots:
                     }
             }
     }
-    void pointsFindTheirRowAndValue()
+    void pointsFindTheirRow()
     {
         const Chart chart = chartOf(sample::seven(), clip(), paperTables().front());
         const ChartLook look = chartLook(Ground::Light);
@@ -336,15 +336,12 @@ private slots:
         const ChartLayout layout = layoutOf(chart, area, look);
         for (std::size_t r = 0; r < chart.rows.size(); ++r) {
             const double y = layout.rows[r].center().y(), end = lengthOf(chart.rows[r]);
-            const auto hit = hitAt({layout.x(0, end), y}, area, chart, look);
-            QVERIFY(hit && hit->row == r && hit->panel == std::size_t(0));
-            QVERIFY(std::abs(*hit->value - end) < 1e-9);
-            const auto name = hitAt({area.left() + 5, y}, area, chart, look);
-            QVERIFY(name && name->row == r && !name->panel);
+            QCOMPARE(rowAt({layout.x(0, end), y}, area, chart, look), r);
+            QCOMPARE(rowAt({area.left() + 5, y}, area, chart, look), r);
         }
-        QVERIFY(!hitAt({area.left() - 1, 200}, area, chart, look));
-        QVERIFY(!hitAt(area.topLeft(), area, chart, look));
-        QVERIFY(!hitAt({100, layout.rows.back().bottom() + 1}, area, chart, look));
+        QVERIFY(!rowAt({area.left() - 1, 200}, area, chart, look));
+        QVERIFY(!rowAt(area.topLeft(), area, chart, look));
+        QVERIFY(!rowAt({100, layout.rows.back().bottom() + 1}, area, chart, look));
     }
     void everythingCanBeRead()
     {

@@ -62,8 +62,6 @@ private slots:
             for (std::size_t b = a + 1; b < all.size(); ++b) {
                 const QByteArray pair = QByteArray(all[a].key.data()) + ' ' + all[b].key.data();
                 QVERIFY2(figureOf(all[a]) != figureOf(all[b]), pair);
-                const LinePattern one = linePattern(all[a]), other = linePattern(all[b]);
-                QVERIFY2(one.dashes != other.dashes || one.width != other.width, pair);
             }
     }
     void hollowMarkersHaveTheSameOutline()

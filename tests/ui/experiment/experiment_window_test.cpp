@@ -284,6 +284,25 @@ private slots:
             QCOMPARE(timing.found.visible, 1000u); // its window is the page
     }
 
+    void whatWasTypedStaysWhenTheDrawingChanges()
+    {
+        const Stage stage;
+        stage.choose("drawing");
+        auto* lines = stage.named<QSpinBox>("Lines");
+        lines->setValue(1234);
+        app::Drawing& drawing = stage.test.window->session().drawing;
+        drawing.setWindow({{1, 2}, {30, 40}});
+        QCOMPARE(lines->value(), 1234);
+        stage.choose("long");
+        stage.choose("drawing");
+        QCOMPARE(lines->value(), 100'000);
+        stage.window->hide(); // what it does not hear of, it asks for when it comes back
+        stage.test.window->files().startNew();
+        QVERIFY(stage.named<QComboBox>("What is measured")->currentData().toString() == "drawing");
+        stage.window->show();
+        QCOMPARE(stage.named<QComboBox>("What is measured")->currentData().toString(), "all");
+    }
+
     void exportsAreWhatIsShown()
     {
         const Stage stage;
