@@ -4,6 +4,7 @@
 #include "clipping/geometry.h"
 
 #include <compare>
+#include <concepts>
 
 namespace clipping {
 
@@ -74,7 +75,11 @@ constexpr double plain(Counted<T> x)
 {
     return static_cast<double>(x.value());
 }
-constexpr double plain(unsigned x) { return x; }
+template <std::integral T>
+constexpr double plain(T x)
+{
+    return static_cast<double>(x);
+}
 
 /// The same coordinates, to be counted from here on.
 template <class T, glm::length_t N>

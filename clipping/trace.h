@@ -4,21 +4,34 @@
 #include "clipping/counted.h"
 
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace clipping {
 
+/// What a value is: Bits an outcode or a pattern of corners, Whole a number that counts or numbers.
+enum class ValueKind : std::uint8_t { Number, Whole, Bits, Truth };
+
+/// How a value is to be read, by the type that the algorithm keeps it in.
+template <class T>
+inline constexpr ValueKind kindOf = std::is_same_v<T, bool>       ? ValueKind::Truth
+                                    : std::is_same_v<T, unsigned> ? ValueKind::Bits
+                                    : std::is_integral_v<T>       ? ValueKind::Whole
+                                                                  : ValueKind::Number;
+
 /// A value worth showing beside a step: an outcode, the t of an intersection, a slope.
 struct NamedValue {
-    std::string_view name; ///< as in the pseudo-code: "t", "outcode of a"
-    double value;          ///< in the drawing's units, or a bare number
+    std::string_view name;              ///< as in the pseudo-code: "t", "code1"
+    double value;                       ///< in the drawing's units, or a bare number
+    ValueKind kind = ValueKind::Number; ///< how it is to be read
 };
 
 /// One moment in the run of an algorithm.
 template <glm::length_t N>
 struct BasicStep {
-    std::string_view what; ///< "outcodes", "reject", "cut", ...
+    std::string_view what; ///< "accept", "reject", "give up"; "cut ..."; of a test on `line`
+                           ///< whether it held: "yes", "no"; or what is found: "outcodes", "t", ...
     int line; ///< of the algorithm's pseudo-code (resources/algorithms/KEY.md), from 1; 0 for what
               ///< it does not have, as it is in the plane
     BasicSegment<double, N> segment; ///< what is left
@@ -66,12 +79,13 @@ public:
                     const BasicSegment<Counted<Number>, N>& segment, Edge edge,
                     const Named<T>&... values)
     {
-        trace_.steps.push_back({what,
-                                line,
-                                inDouble(plain(segment)),
-                                edge,
-                                {NamedValue{values.name, plain(values.value)}...},
-                                operations});
+        trace_.steps.push_back(
+            {what,
+             line,
+             inDouble(plain(segment)),
+             edge,
+             {NamedValue{values.name, plain(values.value), kindOf<T>}...},
+             operations});
     }
     /// The run was stopped.
     void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }

@@ -22,14 +22,15 @@ MenuInfo viewMenu();
 MenuInfo drawMenu();
 MenuInfo clipMenu();
 MenuInfo compareMenu();
+MenuInfo learnMenu();
 MenuInfo settingsMenu();
 MenuInfo helpMenu();
 
 // THE CATALOGUE. To add a command: add its row in the file of its menu.
 std::span<const MenuInfo> menus()
 {
-    static const std::array all{fileMenu(), editMenu(),    viewMenu(),     drawMenu(),
-                                clipMenu(), compareMenu(), settingsMenu(), helpMenu()};
+    static const std::array all{fileMenu(),    editMenu(),  viewMenu(),     drawMenu(), clipMenu(),
+                                compareMenu(), learnMenu(), settingsMenu(), helpMenu()};
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include "app/document/cut.h"
 #include "app/document/scene.h"
 #include "app/formats/format.h"
+#include "app/teaching/microscope.h"
 
 #include <QUndoStack>
 
@@ -49,6 +50,7 @@ public:
     QUndoStack history;
     Scene scene{drawing};
     LiveDifferences differences{drawing, scene}; ///< of two algorithms, while somebody looks
+    Microscope microscope;                       ///< one line, step by step
     Pen pen;
 
     const Sheet& sheet() const { return drawing.sheet(); }

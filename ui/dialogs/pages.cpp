@@ -2,6 +2,7 @@
 #include "ui/dialogs/pages.h"
 
 #include "app/latin.h"
+#include "app/teaching/page.h"
 #include "ui/actions.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
@@ -67,14 +68,7 @@ void addShortcuts(QString& rows, const QMenu& menu)
 void showAlgorithmPage(const clipping::Algorithm& algorithm, MainWindow& window)
 {
     auto* page = openPage(window, app::latin(algorithm.name));
-    QFile file(QStringLiteral(":/algorithms/%1.md").arg(app::latin(algorithm.key)));
-    if (file.open(QIODevice::ReadOnly))
-        page->setMarkdown(QString::fromUtf8(file.readAll()));
-    else
-        page->setMarkdown(QStringLiteral("# %1 (%2)\n\n%3")
-                              .arg(app::latin(algorithm.name))
-                              .arg(algorithm.year)
-                              .arg(app::latin(algorithm.idea)));
+    page->setMarkdown(app::pageOf(algorithm).markdown);
 }
 
 void showShortcuts(MainWindow& window)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/teaching/walk.h"
+
+#include <span>
+
+// How the steps of one algorithm are said: a file in tellers/ and a line in tellers/catalogue.cpp.
+
+namespace app {
+
+/// What a sentence can be made of.
+struct Telling {
+    const Specimen& specimen;
+    const clipping::Step& step;
+    const clipping::Step* before; ///< null: it is the first
+    clipping::Edge edge() const { return step.edge; }
+    /// "the top edge".
+    QString edgeText() const { return edgeWords(step.edge, specimen.y); }
+    /// A value that the algorithm had at hand; nothing: it has none of that name.
+    std::optional<double> value(std::string_view name) const;
+    /// The same as text of six digits.
+    QString text(std::string_view name) const;
+    /// Whether the test held; false for what is no test.
+    bool holds() const { return step.what == "yes"; }
+};
+
+/// One row: how an algorithm's steps are said.
+struct Teller {
+    std::string_view key;                        ///< of the algorithm
+    QString (*sentence)(const Telling& telling); ///< empty: the general words will do
+    std::string_view parameter{}; ///< the value that says how far along the line a cut may be
+};
+std::span<const Teller> tellers();
+
+/// What can be said of any algorithm's step.
+QString generalSentence(const Telling& telling);
+
+} // namespace app

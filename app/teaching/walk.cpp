@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/walk.h"
+
+#include "app/latin.h"
+#include "app/teaching/page.h"
+#include "app/teaching/teller.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+using clipping::Step;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("walk", text); }
+
+Mark markOf(const Step& step, const clipping::OperationCounts& before)
+{
+    struct Row {
+        std::string_view what;
+        Mark mark;
+    };
+    static constexpr std::array words{Row{"accept", Mark::Accept}, Row{"reject", Mark::Reject},
+                                      Row{"give up", Mark::GiveUp}, Row{"cut", Mark::Cut}};
+    for (const Row& row : words)
+        if (step.what.starts_with(row.what))
+            return row.mark;
+    return step.cost.divisions > before.divisions       ? Mark::Divide
+           : step.cost.comparisons > before.comparisons ? Mark::Compare
+                                                        : Mark::Look;
+}
+
+/// What is known after a step: what was, with what is new.
+std::vector<Variable> variablesAfter(const Step& step, const std::vector<Variable>& earlier)
+{
+    std::vector<Variable> variables = earlier;
+    for (Variable& variable : variables)
+        variable.before = variable.value;
+    const auto put = [&](const QString& name, double value, clipping::ValueKind kind) {
+        const auto known = std::ranges::find(variables, name, &Variable::name);
+        if (known == variables.end())
+            variables.push_back({name, value, kind});
+        else
+            known->value = value, known->kind = kind;
+    };
+    const auto& [a, b] = step.segment;
+    constexpr auto number = clipping::ValueKind::Number;
+    put(QStringLiteral("x1"), a.x, number);
+    put(QStringLiteral("y1"), a.y, number);
+    put(QStringLiteral("x2"), b.x, number);
+    put(QStringLiteral("y2"), b.y, number);
+    for (const auto& value : step.values)
+        put(latin(value.name), value.value, value.kind);
+    return variables;
+}
+
+std::optional<Point> candidateOf(const Telling& telling, const Teller* teller)
+{
+    if (!teller || teller->parameter.empty())
+        return std::nullopt;
+    const auto t = telling.value(teller->parameter);
+    if (!t || !std::isfinite(*t))
+        return std::nullopt;
+    const auto& [a, b] = telling.specimen.line;
+    return a + *t * (b - a);
+}
+
+Moment momentOf(const Telling& telling, const Teller* teller, const Moment* earlier)
+{
+    const Step& step = telling.step;
+    Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
+                  .line = step.line,
+                  .sentence = teller ? teller->sentence(telling) : QString(),
+                  .variables =
+                      variablesAfter(step, earlier ? earlier->variables : std::vector<Variable>{}),
+                  .left = step.segment,
+                  .edge = step.edge,
+                  .candidate = candidateOf(telling, teller),
+                  .cost = step.cost};
+    if (moment.sentence.isEmpty())
+        moment.sentence = generalSentence(telling);
+    if (step.what == "yes" || step.what == "no")
+        moment.answer = step.what == "yes";
+    return moment;
+}
+
+/// Why there is nothing to trace; empty: nobody knows of a reason.
+QString refusalOf(const Specimen& specimen)
+{
+    if (specimen.clipper.exhibit)
+        return tr("This is an exhibit: its steps are not recorded.");
+    const auto& [a, b] = specimen.line;
+    const auto& [min, max] = specimen.window;
+    struct Row {
+        const char* name;
+        double value;
+    };
+    for (const Row& row :
+         {Row{"x1", a.x}, Row{"y1", a.y}, Row{"x2", b.x}, Row{"y2", b.y}, Row{"xmin", min.x},
+          Row{"ymin", min.y}, Row{"xmax", max.x}, Row{"ymax", max.y}})
+        if (!std::isfinite(row.value))
+            return tr("%1 is not a finite number: nothing is clipped. Give it another value.")
+                .arg(latin(row.name));
+    if (min.x > max.x || min.y > max.y)
+        return tr("The window's minimum lies beyond its maximum: nothing is clipped. Swap them.");
+    return {};
+}
+
+} // namespace
+
+std::optional<double> Telling::value(std::string_view name) const
+{
+    const auto found = std::ranges::find(step.values, name, &clipping::NamedValue::name);
+    return found == step.values.end() ? std::nullopt : std::optional(found->value);
+}
+
+QString Telling::text(std::string_view name) const
+{
+    const auto number = value(name);
+    return number ? shortText(*number) : QString();
+}
+
+Walk walkOf(const Specimen& specimen)
+{
+    Walk walk{.code = pageOf(*specimen.clipper.algorithm).code, .refusal = refusalOf(specimen)};
+    if (specimen.clipper.exhibit)
+        walk.visible = clipped(specimen.clipper, specimen.line, specimen.window);
+    if (!walk.refusal.isEmpty())
+        return walk;
+    const auto* uses = clipping::usesOf(*specimen.clipper.algorithm, specimen.clipper.form);
+    const clipping::Trace trace = uses->trace(specimen.line, specimen.window);
+    walk.outcome = trace.outcome;
+    if (trace.outcome == clipping::Outcome::Visible)
+        walk.visible = trace.visible;
+    const auto rows = tellers();
+    const auto row = std::ranges::find(rows, specimen.clipper.algorithm->key, &Teller::key);
+    const Teller* teller = row == rows.end() ? nullptr : &*row;
+    const Step* before = nullptr;
+    for (const Step& step : trace.steps) {
+        const Moment* earlier = walk.moments.empty() ? nullptr : &walk.moments.back();
+        Moment moment = momentOf({specimen, step, before}, teller, earlier);
+        walk.moments.push_back(std::move(moment));
+        before = &step;
+    }
+    return walk;
+}
+
+} // namespace app

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/latin.h"
+#include "app/teaching/teller.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+
+// The words and numbers of a trace.
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("walk", text); }
+
+QString withMinus(QString text) { return text.replace(u'-', u'\u2212'); }
+
+} // namespace
+
+QString edgeWords(clipping::Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> up{"", "the left edge", "the right edge",
+                                                   "the bottom edge", "the top edge"};
+    auto at = std::size_t(edge);
+    if (at >= up.size())
+        return {};
+    if (y == YAxis::Down && at >= 3)
+        at = 7 - at;
+    return at == 0 ? QString() : tr(up[at]);
+}
+
+QString outcodeText(unsigned code, YAxis y)
+{
+    const unsigned high = code >> 3 & 1U, low = code >> 2 & 1U;
+    const unsigned above = y == YAxis::Up ? high : low, below = y == YAxis::Up ? low : high;
+    return QStringLiteral("%1%2%3%4").arg(above).arg(below).arg(code >> 1 & 1U).arg(code & 1U);
+}
+
+QString exactText(double value)
+{
+    return withMinus(QLocale().toString(value, 'g', QLocale::FloatingPointShortest));
+}
+
+QString shortText(double value) { return withMinus(QLocale().toString(value, 'g', 6)); }
+
+QString valueText(const Variable& variable, YAxis y)
+{
+    switch (variable.kind) {
+    case clipping::ValueKind::Bits:
+        return outcodeText(unsigned(variable.value), y);
+    case clipping::ValueKind::Truth:
+        return variable.value != 0 ? tr("yes") : tr("no");
+    default:
+        return exactText(variable.value);
+    }
+}
+
+QString generalSentence(const Telling& telling)
+{
+    const auto& step = telling.step;
+    const QString edge = telling.edgeText();
+    if (step.what == "accept")
+        return tr("What is left is inside the window: it is visible.");
+    if (step.what == "reject")
+        return edge.isEmpty() ? tr("The line cannot meet the window: nothing of it is visible.")
+                              : tr("The line lies beyond %1: nothing of it is visible.").arg(edge);
+    if (step.what == "give up")
+        return tr("It goes round and round: it is stopped here, and nothing is visible.");
+    if (step.what.starts_with("cut"))
+        return edge.isEmpty() ? tr("The line is cut.") : tr("The line is cut at %1.").arg(edge);
+    return tr("It looks at %1.").arg(latin(step.what));
+}
+
+} // namespace app

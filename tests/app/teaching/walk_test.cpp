@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/microscope.h"
+#include "app/teaching/page.h"
+
+#include <QTest>
+
+#include <bit>
+#include <random>
+
+namespace {
+
+using clipping::Outcome;
+
+bool sameBits(const clipping::Segment& p, const clipping::Segment& q)
+{
+    return std::bit_cast<std::array<std::uint64_t, 4>>(p)
+           == std::bit_cast<std::array<std::uint64_t, 4>>(q);
+}
+
+QByteArray told(const app::Specimen& specimen)
+{
+    const auto& [a, b] = specimen.line;
+    return QStringLiteral("%1: %2 %3 %4 %5")
+        .arg(app::keyOf(specimen.clipper))
+        .arg(a.x, 0, 'g', 17)
+        .arg(a.y, 0, 'g', 17)
+        .arg(b.x, 0, 'g', 17)
+        .arg(b.y, 0, 'g', 17)
+        .toUtf8();
+}
+
+constexpr clipping::Window window{{-100, -75}, {100, 75}};
+
+} // namespace
+
+class WalkTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void endsWithWhatClipGives() // 10,000 random lines, every form of every row
+    {
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> anywhere(-250, 250);
+        std::uniform_int_distribution<int> onGrid(-3, 3);
+        for (int i = 0; i < 10'000; ++i) {
+            // A third of them has ends on the edges' lines, or is axis-parallel, or a point.
+            const auto point = [&] {
+                return i % 3 ? app::Point(anywhere(random), anywhere(random))
+                             : app::Point(50 * onGrid(random), 37.5 * onGrid(random));
+            };
+            const clipping::Segment line{point(), point()};
+            for (const app::Clipper& clipper : app::clippers()) {
+                if (clipper.exhibit)
+                    continue;
+                const app::Specimen specimen{clipper, line, window, app::YAxis::Up, {}};
+                const app::Walk walk = app::walkOf(specimen);
+                const auto piece = app::clipped(clipper, line, window);
+                QVERIFY2(walk.visible.has_value() == piece.has_value(), told(specimen));
+                QVERIFY2(!piece || sameBits(*piece, *walk.visible), told(specimen));
+                QVERIFY2(!walk.moments.empty(), told(specimen));
+                const app::Moment& last = walk.moments.back();
+                const app::Mark mark = piece                                ? app::Mark::Accept
+                                       : walk.outcome == Outcome::DidNotEnd ? app::Mark::GiveUp
+                                                                            : app::Mark::Reject;
+                QVERIFY2(last.mark == mark, told(specimen));
+                QVERIFY2(!piece || sameBits(*piece, last.left)
+                             || sameBits({piece->b, piece->a}, last.left), // from right to left
+                         told(specimen));
+            }
+        }
+    }
+    void everyStepHasItsLineAndSentence()
+    {
+        std::mt19937_64 random(6);
+        std::uniform_real_distribution<double> anywhere(-250, 250);
+        for (int i = 0; i < 300; ++i)
+            for (const app::Clipper& clipper : app::clippers()) {
+                if (clipper.exhibit)
+                    continue;
+                const app::Specimen specimen{
+                    clipper,
+                    {{anywhere(random), anywhere(random)}, {anywhere(random), anywhere(random)}},
+                    window,
+                    i % 2 ? app::YAxis::Up : app::YAxis::Down,
+                    {}};
+                const app::Walk walk = app::walkOf(specimen);
+                clipping::OperationCounts before;
+                for (const app::Moment& moment : walk.moments) {
+                    QVERIFY2(moment.line >= 1 && moment.line <= walk.code.size(), told(specimen));
+                    QVERIFY2(!moment.sentence.isEmpty(), told(specimen));
+                    QVERIFY(moment.variables.size() >= 4);
+                    QVERIFY(moment.cost.comparisons >= before.comparisons);
+                    before = moment.cost;
+                }
+            }
+    }
+    void refusesWithASentence()
+    {
+        const app::Clipper exact = app::exactClipper();
+        const auto refusal = [&](const clipping::Segment& line, const clipping::Window& w) {
+            return app::walkOf({exact, line, w, app::YAxis::Up, {}}).refusal;
+        };
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(refusal({{0, 0}, {nan, 1}}, window).startsWith(QStringLiteral("x2")));
+        QVERIFY(!refusal({{0, 0}, {1, 1}}, {{1, 1}, {0, 0}}).isEmpty());
+        QVERIFY(refusal({{0, 0}, {1, 1}}, {{1, 1}, {1, 1}}).isEmpty()); // a point is a window
+    }
+    void edgesAreNamedAsTheyAreSeen()
+    {
+        QCOMPARE(app::edgeWords(clipping::Edge::Top, app::YAxis::Up), "the top edge");
+        QCOMPARE(app::edgeWords(clipping::Edge::Top, app::YAxis::Down), "the bottom edge");
+        QCOMPARE(app::edgeWords(clipping::Edge::Left, app::YAxis::Down), "the left edge");
+        QCOMPARE(app::outcodeText(0b1001, app::YAxis::Up), "1001");
+        QCOMPARE(app::outcodeText(0b1001, app::YAxis::Down), "0101");
+    }
+    void theMicroscopeStepsBackToTheSameState()
+    {
+        app::Microscope microscope;
+        microscope.open(
+            {app::exactClipper(), {{-160, -30}, {70, 130}}, window, app::YAxis::Up, {}});
+        const std::size_t count = microscope.walk().moments.size();
+        QVERIFY(count > 1);
+        microscope.goTo(count + 5);
+        QVERIFY(microscope.atEnd());
+        const QString last = microscope.moment()->sentence;
+        microscope.goTo(0);
+        microscope.previous();
+        QCOMPARE(microscope.step(), 0U);
+        microscope.goTo(count - 1);
+        QCOMPARE(microscope.moment()->sentence, last);
+    }
+    void pagesHavePseudoCode()
+    {
+        for (const auto& row : clipping::algorithms())
+            QVERIFY2(app::pageOf(row).code.size() > 5, row.key.data());
+        QCOMPARE(app::pseudoCode(QStringLiteral("```\nx\n```\n```\n 1  if a\n 2    b\n10  c\n```")),
+                 (QStringList{"if a", "  b"}));
+    }
+};
+
+QTEST_APPLESS_MAIN(WalkTest)
+#include "walk_test.moc"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/specimen.h"
+#include "ui/actions.h"
+#include "ui/main_window.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("LearnMenu", text); }
+
+void toggleMicroscope(MainWindow& window)
+{
+    app::Session& session = window.session();
+    if (session.microscope.isOpen())
+        session.microscope.close();
+    else
+        session.microscope.open(app::firstSpecimen(session));
+}
+
+} // namespace
+
+MenuInfo learnMenu()
+{
+    return {tr("&Learn"),
+            {
+                {"microscope",
+                 tr("Clip &microscope"),
+                 {QKeySequence("F2")},
+                 Reach::Window,
+                 "microscope",
+                 toggleMicroscope,
+                 nullptr,
+                 [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
+            }};
+}
+
+} // namespace ui
