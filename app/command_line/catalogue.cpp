@@ -16,6 +16,7 @@ namespace app {
 Command clipCommand();
 Command compareCommand();
 Command convertCommand();
+Command costmapCommand();
 Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
@@ -23,8 +24,8 @@ Command infoCommand();
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(), convertCommand(),    compareCommand(),
-            infoCommand(), algorithmsCommand(), benchCommand()};
+    return {clipCommand(),    convertCommand(),    compareCommand(), infoCommand(),
+            costmapCommand(), algorithmsCommand(), benchCommand()};
 }
 
 namespace {

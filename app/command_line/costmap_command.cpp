@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/given.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+#include "app/cost_map/files.h"
+#include "app/experiment/paper_scene.h"
+#include "app/formats/number.h"
+#include "app/latin.h"
+
+#include <QFileInfo>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr double most = 1e150; // differences of such numbers, and their products, are finite
+constexpr int mostSide = 4096;
+
+/// Numbers between separators, as many as wanted.
+std::optional<std::vector<double>> numbersOf(const QString& text, QChar separator, qsizetype wanted)
+{
+    std::vector<double> numbers;
+    const QStringList parts = text.split(separator);
+    for (const QString& part : parts)
+        if (const auto number = parseNumber(part.trimmed().toStdString());
+            number && std::abs(*number) <= most)
+            numbers.push_back(*number);
+    if (parts.size() != wanted || qsizetype(numbers.size()) != wanted)
+        return std::nullopt;
+    return numbers;
+}
+
+std::optional<clipping::Window> rectangleOf(const Given& given, const QString& option)
+{
+    const auto text = given.text(option);
+    if (!text)
+        return std::nullopt;
+    const auto n = numbersOf(*text, u',', 4);
+    if (!n || (*n)[0] > (*n)[2] || (*n)[1] > (*n)[3])
+        throw WrongUsage{Commands::tr("--%1 %2: give four numbers XMIN,YMIN,XMAX,YMAX such as "
+                                      "-100,-75,100,75, the lesser ones first.")
+                             .arg(option, *text)};
+    return clipping::Window{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+}
+
+std::optional<Point> pointOf(const Given& given, const QString& option)
+{
+    const auto text = given.text(option);
+    if (!text)
+        return std::nullopt;
+    const auto n = numbersOf(*text, u',', 2);
+    if (!n)
+        throw WrongUsage{
+            Commands::tr("--%1 %2: give two numbers X,Y such as -150,20.").arg(option, *text)};
+    return Point((*n)[0], (*n)[1]);
+}
+
+void setSize(CostPlan& plan, const QString& text)
+{
+    const auto n = numbersOf(text, u'x', 2);
+    const auto fits = [](double side) {
+        return side >= 1 && side <= mostSide && side == std::floor(side);
+    };
+    if (!n || !fits((*n)[0]) || !fits((*n)[1]))
+        throw WrongUsage{Commands::tr("--size %1: give two whole numbers from 1 to %2, such as "
+                                      "240x180.")
+                             .arg(text)
+                             .arg(mostSide)};
+    plan.columns = int((*n)[0]);
+    plan.rows = int((*n)[1]);
+}
+
+/// Who is shown, or that all are asked.
+void setAlgorithms(CostPlan& plan, const Given& given)
+{
+    const bool cheapest = given.has(QStringLiteral("cheapest"));
+    const auto key = given.text(QStringLiteral("algorithm"));
+    if (cheapest == key.has_value())
+        throw WrongUsage{Commands::tr("Give either -a ALGORITHM, whose cost is shown, or "
+                                      "--cheapest.")};
+    const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
+    plan.contestants =
+        costContestants(published ? clipping::Form::Published : clipping::Form::Corrected);
+    plan.shown.reset();
+    if (!key)
+        return;
+    plan.shown = findClipper(*key);
+    if (!plan.shown)
+        throw WrongUsage{Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of "
+                                      "“clearcut algorithms”, with :published where there is such "
+                                      "a form.")
+                             .arg(*key)};
+    if (!canMeasure(*plan.shown, *plan.measure))
+        throw WrongUsage{Commands::tr("The arithmetic of “%1” is not counted; ask for --measure "
+                                      "time.")
+                             .arg(*key)};
+}
+
+const CostMeasure& measureOf(const Given& given)
+{
+    QStringList keys;
+    for (const CostMeasure& measure : costMeasures())
+        keys << latin(measure.key);
+    return costMeasures()[given.choice(QStringLiteral("measure"), keys)];
+}
+
+CostPlan planOf(const Given& given)
+{
+    CostPlan plan =
+        usualCostPlan(rectangleOf(given, QStringLiteral("window")).value_or(paperWindow));
+    plan.measure = &measureOf(given);
+    setAlgorithms(plan, given);
+    const auto from = pointOf(given, QStringLiteral("from")),
+               to = pointOf(given, QStringLiteral("to"));
+    if (from && to)
+        throw WrongUsage{Commands::tr("Fix one end: give either --from or --to.")};
+    plan.fixed = to ? *to : from.value_or(plan.fixed);
+    plan.end = to ? FixedEnd::End2 : FixedEnd::End1;
+    plan.area = rectangleOf(given, QStringLiteral("area")).value_or(plan.area);
+    if (plan.area.min.x == plan.area.max.x || plan.area.min.y == plan.area.max.y)
+        throw WrongUsage{Commands::tr("The area is empty: its XMIN,YMIN must be less than its "
+                                      "XMAX,YMAX.")};
+    if (const auto size = given.text(QStringLiteral("size")))
+        setSize(plan, *size);
+    return plan;
+}
+
+void printCostMap(const Given& given)
+{
+    const auto path = given.text(QStringLiteral("output"));
+    if (!path)
+        throw WrongUsage{Commands::tr("Say with -o where to write: FILE.png, FILE.csv, or - for a "
+                                      "CSV table on standard output.")};
+    const bool toOutput = *path == QStringLiteral("-");
+    if (!toOutput && !findCostMapFormat(QFileInfo(*path).suffix()))
+        throw WrongUsage{Commands::tr("-o %1: a cost map is written as .png or .csv; give the file "
+                                      "one of these endings.")
+                             .arg(*path)};
+    const bool dark = given.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
+    const CostMap map = costMap(planOf(given));
+    if (toOutput) {
+        const Table table = costTable(map);
+        for (const TableFormat& format : tableFormats())
+            if (format.key == QStringLiteral("csv"))
+                print(format.text({&table, 1}));
+        return;
+    }
+    if (const auto error =
+            writeCostMap(map, *path, costMapLook(dark ? Ground::Dark : Ground::Light)))
+        throw Failure{*error};
+}
+
+} // namespace
+
+Command costmapCommand()
+{
+    QStringList measures;
+    for (const CostMeasure& measure : costMeasures())
+        measures << latin(measure.key);
+    std::vector<Option> options{
+        {{"a", "algorithm"},
+         "ALGORITHM",
+         Commands::tr("Key or abbreviation of what is shown; KEY:published is the form that its "
+                      "authors printed.")},
+        {{"cheapest"}, {}, Commands::tr("Show which algorithm is cheapest instead; ties as ties.")},
+        {{"form"},
+         "corrected|published",
+         Commands::tr("With --cheapest: which forms take part (corrected).")},
+        {{"from"},
+         "X,Y",
+         Commands::tr("End 1 of every line; End 2 sweeps the area (left of the window).")},
+        {{"to"}, "X,Y", Commands::tr("End 2 of every line instead; End 1 sweeps the area.")},
+        {{"w", "window"},
+         "XMIN,YMIN,XMAX,YMAX",
+         Commands::tr("The clip window (-100,-75,100,75, as in the paper).")},
+        {{"area"},
+         "XMIN,YMIN,XMAX,YMAX",
+         Commands::tr("Which part of the plane (three windows wide and high).")},
+        {{"size"}, "COLUMNSxROWS", Commands::tr("How many cells (240x180).")},
+        {{"measure"},
+         measures.join(u'|'),
+         Commands::tr("What is counted for each line, or its time, which is noisy (operations).")},
+        {{"o", "output"},
+         "FILE",
+         Commands::tr("A picture with legend and caption (.png) or a row a cell (.csv); - is "
+                      "standard output, as CSV.")},
+        {{"theme"}, "light|dark", Commands::tr("The ground of the picture (light).")},
+    };
+    return {"costmap",
+            "-a ALGORITHM | --cheapest -o FILE [OPTIONS]",
+            Commands::tr("Shows as a map what a line costs that has one end at a fixed point, for "
+                         "every place of its other end."),
+            std::move(options),
+            {"clearcut costmap -a md --from -150,20 -o md.png",
+             "clearcut costmap --cheapest --measure divisions --size 480x360 -o cheapest.png",
+             "clearcut costmap -a nln:published -w 0,0,2,2 --from -1,1 -o - > nln.csv"},
+            0,
+            printCostMap,
+            true};
+}
+
+} // namespace app

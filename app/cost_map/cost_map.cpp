@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cost_map/cost_map.h"
+
+#include "app/experiment/clock.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace app {
+
+using clipping::Segment;
+using clipping::Window;
+
+namespace {
+
+constexpr std::size_t timedLines = 64, timedRounds = 5;
+constexpr double noise = 1.1; // times that are apart by less are the same
+
+/// Of one round, after which everything is in the caches.
+double roundOf(const Clipper& clipper, std::span<const Segment> lines, const Window& window,
+               std::span<clipping::Clipped> out, const Clock& clock)
+{
+    const double before = clock.nanoseconds();
+    clipAll(clipper, lines, window, out);
+    return (clock.nanoseconds() - before) / double(lines.size());
+}
+
+double nanosecondsOf(const Clipper& clipper, const Segment& line, const Window& window)
+{
+    static const Clock clock = processorClock();
+    std::array<Segment, timedLines> lines;
+    lines.fill(line);
+    std::array<clipping::Clipped, timedLines> out;
+    std::array<double, timedRounds> rounds{};
+    roundOf(clipper, lines, window, out, clock);
+    for (double& round : rounds)
+        round = roundOf(clipper, lines, window, out, clock);
+    std::ranges::nth_element(rounds, rounds.begin() + timedRounds / 2);
+    return rounds[timedRounds / 2];
+}
+
+} // namespace
+
+Point CostPlan::middleOf(int column, int row) const
+{
+    const Point share((column + 0.5) / columns, (row + 0.5) / rows);
+    return area.min + (area.max - area.min) * share;
+}
+
+Segment CostPlan::lineTo(const Point& there) const
+{
+    return end == FixedEnd::End1 ? Segment{fixed, there} : Segment{there, fixed};
+}
+
+std::vector<Clipper> costContestants(clipping::Form form)
+{
+    std::vector<Clipper> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        if (clipping::usesOf(algorithm, form))
+            all.push_back({&algorithm, form});
+    return all;
+}
+
+bool canMeasure(const Clipper& clipper, const CostMeasure& measure)
+{
+    return measure.isTime() || !clipper.exhibit;
+}
+
+Window areaAround(const Window& window)
+{
+    const Point size = window.max - window.min;
+    const double some = std::max(
+        {size.x, size.y, std::abs(window.max.x) * 1e-6, std::abs(window.max.y) * 1e-6, 1e-300});
+    const Point around(size.x > 0 ? size.x : some, size.y > 0 ? size.y : some);
+    return {window.min - around, window.max + around};
+}
+
+CostPlan usualCostPlan(const Window& window)
+{
+    const Window area = areaAround(window);
+    const Point from = area.min + (area.max - area.min) * Point(1. / 6, 0.4);
+    return {.shown = Clipper{clipping::findAlgorithm("MD")},
+            .contestants = costContestants(clipping::Form::Corrected),
+            .measure = &costMeasures().front(),
+            .fixed = from,
+            .window = window,
+            .area = area,
+            .columns = 240,
+            .rows = 180};
+}
+
+double costOf(const Clipper& clipper, const CostMeasure& measure, const Segment& line,
+              const Window& window)
+{
+    assert(canMeasure(clipper, measure));
+    if (measure.isTime())
+        return nanosecondsOf(clipper, line, window);
+    const auto* uses = clipping::usesOf(*clipper.algorithm, clipper.form);
+    return double(measure.of(uses->count({&line, 1}, window)));
+}
+
+Cheapest cheapestOf(const CostPlan& plan, const Segment& line)
+{
+    std::array<double, 32> costs{};
+    assert(plan.contestants.size() <= costs.size());
+    Cheapest best{0, std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
+        costs[i] = costOf(plan.contestants[i], *plan.measure, line, plan.window);
+        best.cost = std::min(best.cost, costs[i]);
+    }
+    const double most = plan.measure->isTime() ? best.cost * noise : best.cost;
+    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+        if (costs[i] <= most)
+            best.which |= 1u << i;
+    return best;
+}
+
+CostMap extended(CostMap so, std::size_t cells)
+{
+    const CostPlan& plan = so.plan;
+    const std::size_t first = so.values.size(), end = std::min(first + cells, plan.cells());
+    so.values.reserve(plan.cells());
+    for (std::size_t cell = first; cell < end; ++cell) {
+        const auto columns = std::size_t(plan.columns);
+        const Segment line = plan.lineTo(plan.middleOf(int(cell % columns), int(cell / columns)));
+        if (plan.shown) {
+            so.values.push_back(float(costOf(*plan.shown, *plan.measure, line, plan.window)));
+            continue;
+        }
+        const Cheapest best = cheapestOf(plan, line);
+        so.values.push_back(float(best.cost));
+        so.cheapest.push_back(best.which);
+    }
+    return so;
+}
+
+CostMap costMap(CostPlan plan)
+{
+    const std::size_t all = plan.cells();
+    return extended({std::move(plan)}, all);
+}
+
+} // namespace app

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cost_map/regions.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+/// What makes cells alike, and how far each is from another kind.
+class Field {
+public:
+    explicit Field(const CostMap& map) : map_(map), columns_(map.plan.columns), rows_(map.plan.rows)
+    {
+        reach_.resize(map.plan.cells());
+        for (int row = 0; row < rows_; ++row)
+            for (int column = 0; column < columns_; ++column)
+                reach_[map.at(column, row)] =
+                    reachFrom(column, row, {{{-1, 0}, {-1, -1}, {0, -1}, {1, -1}}});
+        for (int row = rows_ - 1; row >= 0; --row)
+            for (int column = columns_ - 1; column >= 0; --column) {
+                int& here = reach_[map.at(column, row)];
+                here = std::min(here, reachFrom(column, row, {{{1, 0}, {1, 1}, {0, 1}, {-1, 1}}}));
+            }
+    }
+
+    bool alike(std::size_t one, std::size_t other) const
+    {
+        return map_.cheapest.empty() ? map_.values[one] == map_.values[other]
+                                     : map_.cheapest[one] == map_.cheapest[other];
+    }
+    bool has(int column, int row) const
+    {
+        return column >= 0 && row >= 0 && column < columns_ && row < rows_;
+    }
+    int reach(std::size_t cell) const { return reach_[cell]; }
+
+private:
+    using Step = std::array<int, 2>;
+    /// One more than the least of the neighbours'; 0 beside another kind or the map's edge.
+    int reachFrom(int column, int row, const std::array<Step, 4>& steps) const
+    {
+        const std::size_t here = map_.at(column, row);
+        int least = std::numeric_limits<int>::max() - 1;
+        for (const auto& [right, down] : steps) {
+            if (!has(column + right, row + down))
+                return 0;
+            const std::size_t there = map_.at(column + right, row + down);
+            least = std::min(least, alike(here, there) ? reach_[there] : -1);
+        }
+        return least + 1;
+    }
+
+    const CostMap& map_;
+    int columns_, rows_;
+    std::vector<int> reach_;
+};
+
+/// Of a region's cells. Of those that are deepest within, the one nearest to the middle of them.
+CostRegion summary(const std::vector<std::size_t>& cells, const CostMap& map, const Field& field)
+{
+    CostRegion region{.cells = cells.size()};
+    for (const std::size_t cell : cells)
+        region.reach = std::max(region.reach, field.reach(cell));
+    const auto at = [&](std::size_t cell) {
+        return Point(int(cell) % map.plan.columns, int(cell) / map.plan.columns);
+    };
+    Point sum(0), best(-1);
+    double count = 0;
+    for (const std::size_t cell : cells)
+        if (field.reach(cell) == region.reach)
+            sum += at(cell), ++count;
+    const Point middle = sum / count;
+    for (const std::size_t cell : cells)
+        if (field.reach(cell) == region.reach
+            && (best.x < 0 || glm::distance(at(cell), middle) < glm::distance(best, middle)))
+            best = at(cell);
+    region.column = int(best.x);
+    region.row = int(best.y);
+    return region;
+}
+
+/// Everything that hangs together with a cell.
+CostRegion regionFrom(std::size_t first, const CostMap& map, const Field& field,
+                      std::vector<bool>& seen)
+{
+    std::vector<std::size_t> all{first}; // those that were looked around in, then the others
+    seen[first] = true;
+    for (std::size_t next = 0; next < all.size(); ++next) {
+        const std::size_t cell = all[next];
+        const int column = int(cell) % map.plan.columns, row = int(cell) / map.plan.columns;
+        for (const auto& [right, down] :
+             std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+            if (!field.has(column + right, row + down))
+                continue;
+            const std::size_t there = map.at(column + right, row + down);
+            if (!seen[there] && field.alike(cell, there)) {
+                seen[there] = true;
+                all.push_back(there);
+            }
+        }
+    }
+    return summary(all, map, field);
+}
+
+} // namespace
+
+std::vector<CostRegion> regionsOf(const CostMap& map)
+{
+    assert(map.complete());
+    const Field field(map);
+    std::vector<bool> seen(map.plan.cells());
+    std::vector<CostRegion> regions;
+    for (std::size_t cell = 0; cell < seen.size(); ++cell)
+        if (!seen[cell])
+            regions.push_back(regionFrom(cell, map, field, seen));
+    return regions;
+}
+
+} // namespace app

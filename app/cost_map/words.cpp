@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cost_map/words.h"
+
+#include "app/view/numbers.h"
+
+#include <QLocale>
+
+namespace app {
+
+namespace {
+
+/// Without the measure's word, which was said already.
+QString bareCost(const CostMeasure& measure, double cost)
+{
+    return measure.isTime() ? costText(measure, cost) : countText(std::size_t(cost));
+}
+
+QString endName(FixedEnd end)
+{
+    return end == FixedEnd::End1 ? CostMaps::tr("End 1") : CostMaps::tr("End 2");
+}
+
+FixedEnd other(FixedEnd end) { return end == FixedEnd::End1 ? FixedEnd::End2 : FixedEnd::End1; }
+
+QString coordinatesText(const Point& point)
+{
+    const auto number = [](double x) { return QLocale().toString(x, 'g', 6).replace(u'-', u'−'); };
+    return CostMaps::tr("%1; %2", "coordinates").arg(number(point.x), number(point.y));
+}
+
+} // namespace
+
+QString namesOf(const CostPlan& plan, std::uint32_t cheapest)
+{
+    QStringList names;
+    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+        if (cheapest >> i & 1)
+            names << nameOf(plan.contestants[i]);
+    return names.join(QStringLiteral(" = "));
+}
+
+QString titleOf(const CostPlan& plan)
+{
+    const QString moving = endName(other(plan.end)), measure = plan.measure->name;
+    return plan.shown ? CostMaps::tr("%1: %2 by where %3 lies")
+                            .arg(nameOf(*plan.shown), measure.toLower(), moving)
+                      : CostMaps::tr("Which is cheapest: %1 by where %2 lies")
+                            .arg(measure.toLower(), moving);
+}
+
+QString costWords(const CostPlan& plan, const Point& end)
+{
+    const clipping::Segment line = plan.lineTo(end);
+    const Cheapest best = cheapestOf(plan, line);
+    const QString winner = CostMaps::tr("%1 %2", "algorithm and its cost")
+                               .arg(namesOf(plan, best.which), bareCost(*plan.measure, best.cost));
+    if (plan.shown)
+        return CostMaps::tr("%1 here; cheapest: %2")
+            .arg(costText(*plan.measure, costOf(*plan.shown, *plan.measure, line, plan.window)),
+                 winner);
+    return CostMaps::tr("Cheapest here: %1").arg(winner);
+}
+
+QStringList notesOf(const CostPlan& plan)
+{
+    QStringList notes{CostMaps::tr("%1 is fixed at %2; the clip window is (%3) to (%4).")
+                          .arg(endName(plan.end), coordinatesText(plan.fixed),
+                               coordinatesText(plan.window.min), coordinatesText(plan.window.max))};
+    if (plan.measure->isTime())
+        notes << CostMaps::tr("Processor time of the median of 5 rounds, 64 times the same line "
+                              "each: noisy, and less than among other lines, as the processor "
+                              "foresees its branches. Within 10 % is a tie.");
+    else if (plan.measure == &costMeasures().front())
+        notes << CostMaps::tr("Operations: comparisons, additions and subtractions, "
+                              "multiplications, divisions.");
+    return notes;
+}
+
+} // namespace app
