@@ -5,7 +5,7 @@
 #include "app/document/cut.h"
 #include "app/document/scene.h"
 #include "app/formats/format.h"
-#include "app/teaching/microscope.h"
+#include "app/lessons/course.h"
 
 #include <QUndoStack>
 
@@ -21,9 +21,9 @@ struct Display {
     clipping::Form form = clipping::Form::Corrected;
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
-    Unit unit = Unit::Mm;      ///< of rulers, labels and fields; a drawing that is opened brings its own
-    bool regions = false;      ///< the nine outcodes over the drawing
-    bool asPrinted = false;    ///< dark theme: the true page and inks
+    Unit unit = Unit::Mm; ///< of rulers, labels and fields; a drawing that is opened brings its own
+    bool regions = false; ///< the nine outcodes over the drawing
+    bool asPrinted = false; ///< dark theme: the true page and inks
 
     /// The form that clips: an algorithm without a published one is corrected in any case.
     clipping::Form usedForm() const
@@ -51,6 +51,7 @@ public:
     Scene scene{drawing};
     LiveDifferences differences{drawing, scene}; ///< of two algorithms, while somebody looks
     Microscope microscope;                       ///< one line, step by step
+    Course course{microscope};                   ///< a lesson, if one is being read
     Pen pen;
 
     const Sheet& sheet() const { return drawing.sheet(); }
@@ -70,9 +71,9 @@ public:
 
     /// Opens a drawing: clears history, selection, file name and losses first.
     void load(Imported imported, const QString& path = {});
-    QString path() const { return path_; }         ///< empty: never saved
+    QString path() const { return path_; } ///< empty: never saved
     const std::vector<Loss>& losses() const { return losses_; }
-    bool mustSaveAs() const;                       ///< no path, or the import lost something
+    bool mustSaveAs() const; ///< no path, or the import lost something
     /// Saves to `path` (or where it came from) and remembers it; nothing, or the error.
     std::optional<QString> save(const QString& path);
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/lesson.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("lesson", text); }
+
+/// "-160,-30": two numbers with a comma.
+std::optional<Point> pointOf(const QString& word)
+{
+    const QStringList parts = word.split(u',');
+    if (parts.size() != 2)
+        return std::nullopt;
+    bool x = false, y = false;
+    const Point point(parts[0].toDouble(&x), parts[1].toDouble(&y));
+    return x && y ? std::optional(point) : std::nullopt;
+}
+
+/// "look KEY line X,Y X,Y window X,Y X,Y"
+std::optional<Specimen> specimenOf(const QStringList& words)
+{
+    if (words.size() != 8 || words[2] != QStringLiteral("line")
+        || words[5] != QStringLiteral("window"))
+        return std::nullopt;
+    const auto clipper = findClipper(words[1]);
+    const auto a = pointOf(words[3]), b = pointOf(words[4]);
+    const auto min = pointOf(words[6]), max = pointOf(words[7]);
+    if (!clipper || !a || !b || !min || !max)
+        return std::nullopt;
+    return Specimen{*clipper, {*a, *b}, {*min, *max}, YAxis::Up, {}};
+}
+
+/// What is being read of a lesson.
+struct Reading {
+    Lesson lesson;
+    LessonPage page;
+    bool looked = false; ///< some page has said what to look at
+
+    /// Takes one line in; false: it is wrong.
+    bool take(const QString& line)
+    {
+        if (line.startsWith(QStringLiteral(":: ")))
+            return obey(line.mid(3).split(u' ', Qt::SkipEmptyParts));
+        if (line == QStringLiteral("---"))
+            return endPage();
+        if (lesson.title.isEmpty() && line.startsWith(QStringLiteral("# ")))
+            lesson.title = line.mid(2);
+        else if (lesson.summary.isEmpty() && line.startsWith(QStringLiteral("> ")))
+            lesson.summary = line.mid(2);
+        else
+            page.text += line + u'\n';
+        return true;
+    }
+    bool obey(const QStringList& words)
+    {
+        const QString what = words.value(0);
+        if (what == QStringLiteral("look")) {
+            const auto specimen = specimenOf(words);
+            if (specimen)
+                page.specimen = *specimen;
+            looked = looked || specimen;
+            return specimen.has_value();
+        }
+        if (what == QStringLiteral("step") && words.size() == 2)
+            page.step = words[1];
+        else if (what == QStringLiteral("ask") && words.size() >= 2)
+            page.question = Asking{words[1], words.mid(2)};
+        else
+            return false;
+        return true;
+    }
+    bool endPage()
+    {
+        page.text = page.text.trimmed();
+        if (page.text.isEmpty() || !looked)
+            return false;
+        page.specimen.origin = lesson.title;
+        lesson.pages.push_back(page);
+        page = {.text = {}, .specimen = page.specimen}; // one goes on looking at the same
+        return true;
+    }
+};
+
+constexpr std::array keys{"why-clip",           "outcodes",    "parameters",
+                          "avoiding-divisions", "method-2019", "rounding"};
+
+} // namespace
+
+Result<Lesson> readLesson(const QString& key, const QString& text)
+{
+    Reading reading{.lesson = {.key = key, .title = {}, .summary = {}, .pages = {}}, .page = {}};
+    int number = 0;
+    for (const QString& line : text.split(u'\n')) {
+        ++number;
+        if (!line.startsWith(QStringLiteral("<!--")) && !reading.take(line))
+            return Result<Lesson>::failure(
+                tr("line %1: “%2” is not understood. Nothing was read.").arg(number).arg(line));
+    }
+    if (!reading.endPage() || reading.lesson.title.isEmpty())
+        return Result<Lesson>::failure(
+            tr("line %1: the last page has no text, or no page says what to look at.").arg(number));
+    return Result<Lesson>::of(reading.lesson);
+}
+
+// THE CATALOGUE. To add a lesson: its file in resources/lessons/ and its key here.
+const std::vector<Lesson>& lessons()
+{
+    static const std::vector<Lesson> all = [] {
+        std::vector<Lesson> read;
+        for (const char* key : keys) {
+            const QString name = QString::fromLatin1(key);
+            QFile file(QStringLiteral(":/lessons/%1.md").arg(name));
+            if (file.open(QIODevice::ReadOnly))
+                if (auto lesson = readLesson(name, QString::fromUtf8(file.readAll())))
+                    read.push_back(*lesson.value);
+        }
+        return read;
+    }();
+    return all;
+}
+
+std::size_t wantedStep(const LessonPage& page, const Walk& walk)
+{
+    struct Row {
+        const char* word;
+        Mark mark;
+    };
+    static constexpr std::array marks{Row{"compare", Mark::Compare}, Row{"divide", Mark::Divide},
+                                      Row{"cut", Mark::Cut},         Row{"accept", Mark::Accept},
+                                      Row{"reject", Mark::Reject},   Row{"look", Mark::Look}};
+    const std::size_t count = walk.moments.size();
+    if (count == 0 || page.step.isEmpty() || page.step == QStringLiteral("first"))
+        return 0;
+    if (page.step == QStringLiteral("last"))
+        return count - 1;
+    // "cut", or "cut-2" for the second
+    const QStringList parts = page.step.split(u'-');
+    int which = parts.size() > 1 ? parts[1].toInt() : 1;
+    for (const Row& row : marks)
+        if (parts[0] == QLatin1StringView(row.word)) {
+            for (std::size_t i = 0; i < count; ++i)
+                if (walk.moments[i].mark == row.mark && --which == 0)
+                    return i;
+            return count - 1;
+        }
+    const auto number = std::size_t(std::max(page.step.toInt(), 1));
+    return std::min(number, count) - 1;
+}
+
+} // namespace app

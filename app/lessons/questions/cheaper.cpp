@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/question.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
+
+struct Operation {
+    const char* word; ///< as lessons write it
+    const char* name;
+    std::uint64_t clipping::OperationCounts::*count;
+};
+constexpr std::array operations{
+    Operation{"divisions", "divisions", &clipping::OperationCounts::divisions},
+    Operation{"multiplications", "multiplications", &clipping::OperationCounts::multiplications},
+    Operation{"comparisons", "comparisons", &clipping::OperationCounts::comparisons},
+    Operation{"additions", "additions", &clipping::OperationCounts::additions}};
+
+/// "ask cheaper divisions cs nln": which of two needs fewer of them for this line.
+std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
+                            const QStringList& words)
+{
+    if (words.size() != 3)
+        return std::nullopt;
+    const auto operation = std::ranges::find_if(
+        operations, [&](const Operation& o) { return words[0] == QLatin1StringView(o.word); });
+    const auto one = findClipper(words[1]), other = findClipper(words[2]);
+    if (operation == operations.end() || !one || !other || one->exhibit || other->exhibit)
+        return std::nullopt;
+    const auto count = [&](const Clipper& clipper) {
+        return clipping::usesOf(*clipper.algorithm, clipper.form)
+                   ->count({&specimen.line, 1}, specimen.window)
+               .*(operation->count);
+    };
+    const auto ofOne = count(*one), ofOther = count(*other);
+    const QString what = tr(operation->name);
+    return Question{tr("Which of the two needs fewer %1 for this line?").arg(what),
+                    {nameOf(*one), nameOf(*other), tr("Both need the same")},
+                    ofOne < ofOther   ? 0
+                    : ofOther < ofOne ? 1
+                                      : 2,
+                    tr("Number of %5: %1 %2, %3 %4.")
+                        .arg(nameOf(*one))
+                        .arg(ofOne)
+                        .arg(nameOf(*other))
+                        .arg(ofOther)
+                        .arg(what)};
+}
+
+} // namespace
+
+extern const QuestionKind cheaperQuestion;
+const QuestionKind cheaperQuestion{"cheaper", ask};
+
+} // namespace app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/question.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
+
+/// What happens next, in words: of the steps that do more than look and compare.
+struct Event {
+    Mark mark;
+    const char* words;
+};
+constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
+                            Event{Mark::Accept, "It accepts what is left"},
+                            Event{Mark::Reject, "It rejects the line"},
+                            Event{Mark::Divide, "It divides, to find where the line may be cut"}};
+
+/// "ask next": what the algorithm does next, comparisons aside.
+std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step, const QStringList&)
+{
+    for (std::size_t i = step + 1; i < walk.moments.size(); ++i) {
+        const Moment& moment = walk.moments[i];
+        const auto event = std::ranges::find(events, moment.mark, &Event::mark);
+        if (event == events.end())
+            continue;
+        QStringList choices;
+        for (const Event& other : events)
+            choices << tr(other.words);
+        return Question{tr("What does it do next, comparisons aside?"), choices,
+                        int(event - events.begin()),
+                        tr("Step %1: %2").arg(i + 1).arg(moment.sentence)};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+extern const QuestionKind nextQuestion;
+const QuestionKind nextQuestion{"next", ask};
+
+} // namespace app

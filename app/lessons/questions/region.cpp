@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/question.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
+
+/// "beyond the top edge and the left edge"; "inside the window".
+QString whereabouts(unsigned code, YAxis y)
+{
+    QStringList beyond;
+    for (const clipping::Edge edge :
+         {clipping::Edge::Top, clipping::Edge::Bottom, clipping::Edge::Right, clipping::Edge::Left})
+        if (code >> (unsigned(edge) - 1) & 1U)
+            beyond << edgeWords(edge, y);
+    return beyond.isEmpty() ? tr("inside the window")
+                            : tr("beyond %1").arg(beyond.join(tr(" and ")));
+}
+
+/// "ask region 2": which outcode End 2 has. The wrong ones turn left and right, or above and below.
+std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
+                            const QStringList& words)
+{
+    if (words.size() != 1 || (words[0] != u'1' && words[0] != u'2'))
+        return std::nullopt;
+    const Point& end = words[0] == u'1' ? specimen.line.a : specimen.line.b;
+    const unsigned code = clipping::outcodeOf(end, specimen.window);
+    QStringList choices{outcodeText(code, specimen.y)};
+    for (const unsigned other : {(code & 3U) << 2 | code >> 2, code ^ (code & 3U ? 3U : 1U),
+                                 code ^ (code & 12U ? 12U : 8U), 0U, 1U, 8U, 5U})
+        if (const QString text = outcodeText(other, specimen.y);
+            (other & 3U) != 3 && (other & 12U) != 12 && !choices.contains(text)
+            && choices.size() < 4)
+            choices << text;
+    return shuffled(
+        {tr("Which outcode (above, below, right, left) has End %1?").arg(words[0]), choices, 0,
+         tr("End %1 lies %2: %3.")
+             .arg(words[0], whereabouts(code, specimen.y), outcodeText(code, specimen.y))});
+}
+
+} // namespace
+
+extern const QuestionKind regionQuestion;
+const QuestionKind regionQuestion{"region", ask};
+
+} // namespace app
