@@ -11,6 +11,7 @@
 namespace ui {
 
 class AlgorithmPanel;
+class CostMapPanel;
 class DifferencePanel;
 class Dock;
 class Files;
@@ -37,6 +38,7 @@ public:
     Files& files() { return *files_; }
     AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
     DifferencePanel& differencePanel() { return *differencePanel_; }
+    CostMapPanel& costMapPanel() { return *costMapPanel_; }
     StatusBar& status() { return *status_; }
 
     /// The first sample on the canvas, its window ready to drag, and the start panel in front.
@@ -99,6 +101,7 @@ private:
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;
     DifferencePanel* differencePanel_ = nullptr;
+    CostMapPanel* costMapPanel_ = nullptr;
     std::unique_ptr<Files> files_;
     QList<Dock*> docks_;    ///< Start first, then as they are stacked
     QList<Dock*> wide_;     ///< to compare: above the others, in a wider column

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/looking.h"
 #include "ui/docks/compare_panel.h"
+#include "ui/docks/cost_map_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/dock.h"
 #include "ui/look.h"
@@ -20,7 +21,9 @@ void MainWindow::addWide()
     auto* compare = new ComparePanel(session_);
     auto* dock = new Dock("compare", tr("Compare"), compare);
     differencePanel_ = new DifferencePanel(session_);
-    wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_)};
+    costMapPanel_ = new CostMapPanel(session_.sheet().window);
+    wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_),
+             new Dock("cost-map", tr("Cost map"), costMapPanel_)};
     connect(differencePanel_, &DifferencePanel::placeWanted, this,
             [this](const clipping::Window& place) {
                 canvas_->go(app::lookingAt(canvas_->view(), place, canvas_->window()));
@@ -28,6 +31,11 @@ void MainWindow::addWide()
     connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
     connect(canvas_, &Canvas::frameShown, compare,
             [this, compare] { compare->frameShown(canvas_->window()); });
+    connect(canvas_, &Canvas::frameShown, costMapPanel_,
+            [this] { costMapPanel_->setWindow(canvas_->window()); });
+    connect(costMapPanel_, &CostMapPanel::told, this, [this](const QString& sentence) {
+        tell({Message::Kind::Done, sentence});
+    });
     for (Dock* wide : wide_) {
         wide->hide();
         connect(

@@ -105,7 +105,8 @@ Table costTable(const CostMap& map)
 
 QImage costPicture(const CostMap& map, const CostMapLook& look)
 {
-    const QString title = titleOf(map.plan), notes = notesOf(map.plan).join(u' ');
+    const QString title = titleOf(map.plan),
+                  notes = placesOf(map.plan) + u' ' + noteOf(*map.plan.measure);
     QFont bold = look.chart.font;
     bold.setWeight(QFont::DemiBold);
     const double inner = width - 2 * margin;

@@ -61,19 +61,23 @@ QString costWords(const CostPlan& plan, const Point& end)
     return CostMaps::tr("Cheapest here: %1").arg(winner);
 }
 
-QStringList notesOf(const CostPlan& plan)
+QString placesOf(const CostPlan& plan)
 {
-    QStringList notes{CostMaps::tr("%1 is fixed at %2; the clip window is (%3) to (%4).")
-                          .arg(endName(plan.end), coordinatesText(plan.fixed),
-                               coordinatesText(plan.window.min), coordinatesText(plan.window.max))};
-    if (plan.measure->isTime())
-        notes << CostMaps::tr("Processor time of the median of 5 rounds, 64 times the same line "
-                              "each: noisy, and less than among other lines, as the processor "
-                              "foresees its branches. Within 10 % is a tie.");
-    else if (plan.measure == &costMeasures().front())
-        notes << CostMaps::tr("Operations: comparisons, additions and subtractions, "
-                              "multiplications, divisions.");
-    return notes;
+    return CostMaps::tr("%1 is fixed at %2; the clip window is (%3) to (%4).")
+        .arg(endName(plan.end), coordinatesText(plan.fixed), coordinatesText(plan.window.min),
+             coordinatesText(plan.window.max));
+}
+
+QString noteOf(const CostMeasure& measure)
+{
+    if (measure.isTime())
+        return CostMaps::tr("Processor time of the median of 5 rounds, 64 times the same line "
+                            "each: noisy, and less than among other lines, as the processor "
+                            "foresees its branches. Within 10 % is a tie.");
+    if (&measure == &costMeasures().front())
+        return CostMaps::tr("Operations: comparisons, additions and subtractions, "
+                            "multiplications, divisions.");
+    return {};
 }
 
 } // namespace app

@@ -22,7 +22,10 @@ QString titleOf(const CostPlan& plan);
 /// cheapest here, MD 32 the dearest".
 QString costWords(const CostPlan& plan, const Point& end);
 
-/// What has to be known to read it: which end is where, what is counted or timed. Sentences.
-QStringList notesOf(const CostPlan& plan);
+/// Where the fixed end and the clip window are, in user units: a sentence.
+QString placesOf(const CostPlan& plan);
+
+/// What is counted, or how it is timed: sentences. Empty where the measure's name says it.
+QString noteOf(const CostMeasure& measure);
 
 } // namespace app

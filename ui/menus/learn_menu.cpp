@@ -34,6 +34,14 @@ MenuInfo learnMenu()
                  toggleMicroscope,
                  nullptr,
                  [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
+                {"cost-map",
+                 tr("&Cost map"),
+                 {QKeySequence("Shift+F2")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.togglePanel("cost-map"); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.showsPanel("cost-map"); }},
             }};
 }
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cost_map/words.h"
+#include "ui/docks/cost_map_panel.h"
+
+#include <QSignalSpy>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+constexpr clipping::Window window{{0, 0}, {40, 30}};
+
+struct Stage {
+    Stage()
+    {
+        applyTheme(*qApp, Theme::Light);
+        panel.resize(572, 560);
+        const auto boxes = panel.findChildren<QComboBox*>();
+        algorithm = boxes[0];
+        measure = boxes[1];
+    }
+    void show()
+    {
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTRY_VERIFY(panel.live().upToDate());
+    }
+    QPoint pixelOf(const app::Point& point)
+    {
+        return app::onMap(*panel.live().asked(), view().place(), point).toPoint();
+    }
+    CostMapView& view() { return panel.view(); }
+
+    CostMapPanel panel{window};
+    QComboBox *algorithm, *measure;
+};
+
+} // namespace
+
+class CostMapPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingIsComputedWhileItIsHidden()
+    {
+        Stage stage;
+        QVERIFY(!stage.panel.live().asked());
+        stage.panel.setWindow({{0, 0}, {1, 1}});
+        stage.algorithm->setCurrentIndex(0);
+        QVERIFY(!stage.panel.live().asked() && !stage.panel.live().map());
+        stage.show();
+        QVERIFY(stage.panel.live().map());
+        stage.panel.hide();
+        QVERIFY(!stage.panel.live().asked() && !stage.panel.live().map());
+    }
+
+    void theFixedEndFollowsTheHand()
+    {
+        Stage stage;
+        stage.show();
+        const QPoint from = stage.pixelOf(stage.panel.live().asked()->fixed);
+        const QPoint to = stage.pixelOf({20, 15});
+        QTest::mousePress(&stage.view(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(&stage.view(), to);
+        const app::CostMap* coarse = stage.panel.live().map();
+        QVERIFY(coarse && coarse->complete()); // while dragging there is a map for each place
+        QCOMPARE(coarse->plan.fixed, stage.panel.live().asked()->fixed);
+        QTest::mouseRelease(&stage.view(), Qt::LeftButton, {}, to);
+        const app::Point fixed = stage.panel.live().asked()->fixed;
+        QVERIFY(std::abs(fixed.x - 20) < 0.5 && std::abs(fixed.y - 15) < 0.5);
+        QTRY_VERIFY(stage.panel.live().upToDate());
+        QCOMPARE(stage.panel.live().map()->values,
+                 app::costMap(*stage.panel.live().asked()).values);
+    }
+
+    void arrowKeysMoveIt()
+    {
+        Stage stage;
+        stage.show();
+        stage.view().setFocus();
+        const app::Point before = stage.panel.live().asked()->fixed;
+        QTest::keyClick(&stage.view(), Qt::Key_Right);
+        const double step = stage.panel.live().asked()->fixed.x - before.x;
+        QVERIFY(step > 0);
+        QTest::keyClick(&stage.view(), Qt::Key_Up, Qt::ShiftModifier);
+        const double far = before.y - stage.panel.live().asked()->fixed.y;
+        QVERIFY(far > 5 * step);
+        for (int i = 0; i < 30; ++i)
+            QTest::keyClick(&stage.view(), Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(stage.panel.live().asked()->fixed.x, stage.panel.live().asked()->area.min.x);
+    }
+
+    void thePointerIsToldTheValue()
+    {
+        Stage stage;
+        stage.show();
+        const QPoint pixel = stage.pixelOf({20, 15});
+        QTest::mouseMove(&stage.view(), pixel);
+        const app::Point point =
+            app::onPlane(*stage.panel.live().asked(), stage.view().place(), pixel);
+        QCOMPARE(stage.panel.words(), app::costWords(*stage.panel.live().asked(), point));
+        QVERIFY(stage.panel.words().startsWith("24 operations here; cheapest: "));
+    }
+
+    void everyChoiceShowsAMap()
+    {
+        Stage stage;
+        stage.show();
+        for (int row = 0; row < stage.algorithm->count(); ++row)
+            for (int measure = 0; measure < stage.measure->count() - 1; ++measure) {
+                stage.measure->setCurrentIndex(measure);
+                stage.algorithm->setCurrentIndex(row);
+                QVERIFY(stage.panel.live().asked()->measure
+                        == &app::costMeasures()[std::size_t(measure)]);
+                QVERIFY(stage.panel.live().map());
+            }
+    }
+
+    void exhibitsHaveTimesAlone()
+    {
+        Stage stage;
+        stage.panel.setWindow(window);
+        const int exhibit = stage.algorithm->count() - 1;
+        QVERIFY(!(stage.algorithm->model()->flags(stage.algorithm->model()->index(exhibit, 0))
+                  & Qt::ItemIsEnabled));
+        stage.measure->setCurrentIndex(stage.measure->count() - 1);
+        stage.algorithm->setCurrentIndex(exhibit);
+        QCOMPARE(stage.algorithm->currentIndex(), exhibit);
+        stage.measure->setCurrentIndex(0); // which it has not
+        QCOMPARE(stage.algorithm->currentIndex(), 0);
+    }
+
+    void itIsExported()
+    {
+        TestWindow test;
+        test.show();
+        CostMapPanel& panel = test.window->costMapPanel();
+        auto prepared = std::make_unique<PreparedAnswers>(panel);
+        prepared->save = test.path("map.csv");
+        panel.setQuestions(std::move(prepared));
+        test.action("cost-map")->trigger();
+        QVERIFY(test.window->showsPanel("cost-map"));
+        panel.findChild<QAction*>("export-cost-map-csv")->trigger();
+        QFile file(test.path("map.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readLine().startsWith("x,y,operations,"));
+        QVERIFY(!panel.exportTo(test.path("map.png")));
+        QVERIFY(!QImage(test.path("map.png")).isNull());
+        QVERIFY(panel.exportTo("/nowhere/at/all.png"));
+        test.action("cost-map")->trigger();
+        QVERIFY(!panel.live().asked());
+    }
+
+    void itFollowsTheWindowOfTheDrawing()
+    {
+        TestWindow test;
+        test.show();
+        QTest::keyClick(test.window.get(), Qt::Key_F2, Qt::ShiftModifier);
+        CostMapPanel& panel = test.window->costMapPanel();
+        QTRY_VERIFY(panel.live().asked());
+        test.window->files().open(test.twoLines());
+        QTRY_COMPARE(panel.live().asked()->window, test.window->session().sheet().window);
+    }
+};
+
+QTEST_MAIN(CostMapPanelTest)
+#include "cost_map_panel_test.moc"

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/cost_map_panel.h"
+
+#include "app/cost_map/files.h"
+#include "app/cost_map/words.h"
+#include "app/latin.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/segments.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QMenu>
+#include <QPainter>
+#include <QStandardItemModel>
+#include <QToolButton>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr int markerSize = 12;
+constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Published};
+
+/// The rows of the chooser after those of the cheapest.
+std::vector<app::Clipper> shownRows() { return app::clippers(); }
+
+QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
+{
+    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
+                     clipper.form, groundOf(palette));
+    return picture;
+}
+
+QLabel* quiet(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+} // namespace
+
+CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
+    : QWidget(parent), plan_(app::usualCostPlan(window)), algorithm_(new QComboBox),
+      measure_(new QComboBox), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
+      view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
+      questions_(std::make_unique<Questions>(*this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::dockMargin, 6, space::dockMargin, 8);
+    column->setSpacing(6);
+    addChoosers();
+    addMap();
+    connect(&live_, &app::LiveCostMap::changed, this, &CostMapPanel::follow);
+    paintMarkers();
+    choose();
+}
+
+void CostMapPanel::addChoosers()
+{
+    fillAlgorithms();
+    for (const app::CostMeasure& measure : app::costMeasures())
+        measure_->addItem(measure.name);
+    measure_->setAccessibleName(tr("Measure"));
+    auto* exports = new QToolButton;
+    exports->setObjectName(QStringLiteral("export-cost-map"));
+    exports->setIcon(icon("export"));
+    exports->setToolTip(tr("Export the map"));
+    exports->setAccessibleName(exports->toolTip());
+    exports->setAutoRaise(true);
+    exports->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(exports);
+    for (const app::CostMapFormat& format : app::costMapFormats()) {
+        const QString key = app::latin(format.key);
+        auto* action = menu->addAction(tr("%1…").arg(format.name));
+        action->setObjectName(QStringLiteral("export-cost-map-") + key);
+        connect(action, &QAction::triggered, this, [this, key] { exportAs(key); });
+    }
+    exports->setMenu(menu);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    grid->addWidget(quiet(tr("Show")), 0, 0);
+    grid->addWidget(algorithm_, 0, 1, 1, 2);
+    grid->addWidget(exports, 0, 3);
+    grid->addWidget(quiet(tr("Measure")), 1, 0);
+    grid->addWidget(measure_, 1, 1);
+    auto* fixed = new QHBoxLayout;
+    fixed->setSpacing(space::labelToField);
+    fixed->addWidget(quiet(tr("Fixed")));
+    fixed->addWidget(end_);
+    grid->addLayout(fixed, 1, 2, 1, 2, Qt::AlignRight);
+    grid->setColumnStretch(1, 1);
+    static_cast<QVBoxLayout*>(layout())->addLayout(grid);
+    connect(algorithm_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
+    connect(measure_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
+    connect(end_, &Segments::picked, this, &CostMapPanel::choose);
+}
+
+void CostMapPanel::fillAlgorithms()
+{
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    algorithm_->setMinimumContentsLength(12);
+    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
+    algorithm_->setMaxVisibleItems(30);
+    algorithm_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    algorithm_->addItems(
+        {tr("Which is cheapest, corrected"), tr("Which is cheapest, as published")});
+    const auto rows = shownRows();
+    for (const app::Clipper& clipper : rows) {
+        algorithm_->addItem(app::titleOf(clipper));
+        if (clipper == *plan_.shown)
+            algorithm_->setCurrentIndex(algorithm_->count() - 1);
+    }
+}
+
+void CostMapPanel::paintMarkers()
+{
+    const auto rows = shownRows();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        algorithm_->setItemIcon(int(i + cheapestForms.size()),
+                                marker(rows[i], palette(), devicePixelRatioF()));
+}
+
+void CostMapPanel::addMap()
+{
+    words_->setAccessibleName(tr("Under the pointer"));
+    words_->setFont(semiBold(font()));
+    words_->setWordWrap(true);
+    notes_->setWordWrap(true);
+    notes_->setFont(captionFont(font()));
+    notes_->setForegroundRole(QPalette::PlaceholderText);
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addWidget(words_);
+    column->addWidget(view_, 1);
+    column->addWidget(notes_);
+    connect(view_, &CostMapView::fixedEndMoved, this, [this](const app::Point& to) {
+        plan_.fixed = to;
+        ask();
+        point(std::nullopt);
+    });
+    connect(view_, &CostMapView::dropped, this, [this] { view_->update(); });
+    connect(view_, &CostMapView::resized, this, &CostMapPanel::ask);
+    connect(view_, &CostMapView::pointed, this, &CostMapPanel::point);
+}
+
+/// What cannot be measured so is not offered.
+void CostMapPanel::choose()
+{
+    const auto rows = shownRows();
+    plan_.measure = &app::costMeasures()[std::size_t(measure_->currentIndex())];
+    auto* items = qobject_cast<QStandardItemModel*>(algorithm_->model());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        items->item(int(i + cheapestForms.size()))
+            ->setEnabled(app::canMeasure(rows[i], *plan_.measure));
+    auto index = std::size_t(algorithm_->currentIndex());
+    if (!items->item(int(index))->isEnabled()) {
+        const QSignalBlocker quietly(algorithm_);
+        algorithm_->setCurrentIndex(0);
+        index = 0;
+    }
+    const bool cheapest = index < cheapestForms.size();
+    plan_.contestants =
+        app::costContestants(cheapest ? cheapestForms[index] : clipping::Form::Corrected);
+    plan_.shown.reset();
+    if (!cheapest)
+        plan_.shown = rows[index - cheapestForms.size()];
+    plan_.end = end_->chosen() == 1 ? app::FixedEnd::End2 : app::FixedEnd::End1;
+    ask();
+    point(std::nullopt);
+}
+
+void CostMapPanel::setWindow(const clipping::Window& window)
+{
+    if (window == plan_.window)
+        return;
+    const app::Point share = (plan_.fixed - plan_.area.min) / (plan_.area.max - plan_.area.min);
+    plan_.window = window;
+    plan_.area = app::areaAround(window);
+    plan_.fixed = plan_.area.min + (plan_.area.max - plan_.area.min) * share;
+    ask();
+    point(std::nullopt);
+}
+
+void CostMapPanel::ask()
+{
+    const QSize cells = view_->cells(plan_);
+    plan_.columns = cells.width();
+    plan_.rows = cells.height();
+    if (isVisible())
+        live_.ask(plan_);
+    follow();
+}
+
+void CostMapPanel::follow() { view_->show(plan_, live_.map()); }
+
+void CostMapPanel::point(const std::optional<app::Point>& at)
+{
+    notes_->setText(app::noteOf(*plan_.measure));
+    notes_->setVisible(!notes_->text().isEmpty());
+    if (at && isVisible())
+        words_->setText(app::costWords(plan_, *at));
+    else
+        words_->setText(tr("Drag the fixed end, the dot, or move it with the arrow keys."));
+}
+
+std::optional<QString> CostMapPanel::exportTo(const QString& path)
+{
+    live_.finish();
+    const app::CostMap map =
+        live_.map() && live_.upToDate() && live_.asked() ? *live_.map() : app::costMap(plan_);
+    return app::writeCostMap(map, path, app::costMapLook(groundOf(palette())));
+}
+
+void CostMapPanel::setQuestions(std::unique_ptr<Questions> questions)
+{
+    questions_ = std::move(questions);
+}
+
+void CostMapPanel::exportAs(const QString& key)
+{
+    const auto* format = app::findCostMapFormat(key);
+    const QString path = questions_->fileToWrite(
+        tr("Export the cost map"), QStringLiteral("cost-map.") + key, format->name, key);
+    if (path.isEmpty())
+        return;
+    const auto error = exportTo(path);
+    emit told(error.value_or(tr("Written: %1").arg(path)));
+}
+
+void CostMapPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    ask();
+    point(std::nullopt);
+}
+
+void CostMapPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    live_.ask(std::nullopt);
+}
+
+void CostMapPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintMarkers();
+}
+
+} // namespace ui
