@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/figure_labels.h"
+
+#include "app/teaching/label_places.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+using clipping::Edge;
+using Tone = FigureLabel::Tone;
+
+constexpr std::array edges{Edge::Left, Edge::Right, Edge::Bottom, Edge::Top};
+
+QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
+
+QSizeF sizeOf(const FigureLabel& label, const FigureFrame& frame)
+{
+    const QFontMetricsF head(headFont(frame, label.tone)), detail(detailFont(frame));
+    const double width =
+        std::max(head.horizontalAdvance(label.head), detail.horizontalAdvance(label.detail));
+    const double height = head.height() + (label.detail.isEmpty() ? 0 : detail.height());
+    return QRectF(0, 0, std::ceil(width), std::ceil(height))
+        .marginsAdded(paddingOf(frame, label.tone))
+        .size();
+}
+
+QRectF boxOf(const FigureMark& mark, const FigureFrame& frame)
+{
+    const double r = radiusOf(mark, frame) + frame.unit();
+    return {mark.place.x() - r, mark.place.y() - r, 2 * r, 2 * r};
+}
+
+/// What labels keep clear of before there are any: marks, those of later steps too, so that labels
+/// stay where they are; the line; the lines of the edges.
+LabelObstacles obstaclesOf(const Specimen& specimen, const Walk& walk, const StepScene& scene,
+                           const FigureFrame& frame)
+{
+    const double m = 6 * frame.unit();
+    LabelObstacles obstacles{frame.picture().adjusted(m, m, -m, -m), {}, {}, {}};
+    if (!frame.reserved.isEmpty())
+        obstacles.boxes.push_back(frame.reserved);
+    for (const FigureMark& mark : figureMarks(specimen, scene, frame))
+        obstacles.boxes.push_back(boxOf(mark, frame));
+    if (!walk.moments.empty())
+        for (const FigureMark& mark :
+             figureMarks(specimen, stepScene(specimen, walk, walk.moments.size() - 1), frame))
+            obstacles.boxes.push_back(boxOf(mark, frame));
+    std::vector<clipping::Segment> lines{specimen.line, scene.left};
+    lines.insert(lines.end(), scene.discarded.begin(), scene.discarded.end());
+    lines.insert(lines.end(), scene.discardedNow.begin(), scene.discardedNow.end());
+    for (const auto& line : lines)
+        if (const auto part = frame.part(line))
+            obstacles.lines.push_back(*part);
+    for (const Edge edge : edges)
+        if (const auto line = edgeLine(edge, specimen, frame))
+            obstacles.avoided.push_back(*line);
+    return obstacles;
+}
+
+/// Puts a label at the best place, if there is one, and keeps others away from it.
+bool place(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const QRectF> places,
+           LabelObstacles& obstacles)
+{
+    const auto box = freePlace(places, obstacles);
+    if (!box)
+        return false;
+    label.box = *box;
+    obstacles.boxes.push_back(*box);
+    labels.push_back(std::move(label));
+    return true;
+}
+
+void labelMark(std::vector<FigureLabel>& labels, const FigureMark& mark, LabelObstacles& obstacles,
+               const FigureFrame& frame)
+{
+    const bool boxed = mark.shape == FigureMark::Shape::Cut && mark.tone == FigureMark::Tone::Lit;
+    FigureLabel label{boxed ? Tone::Lit : Tone::Plain, mark.head, mark.detail, {}, {}};
+    const QSizeF size = sizeOf(label, frame);
+    const double radius = radiusOf(mark, frame);
+    if (!place(labels, label, placesAround(mark.place, radius, size), obstacles)
+        && !place(labels, label, placesWithin(obstacles.inside, mark.place, size), obstacles))
+        return;
+    FigureLabel& placed = labels.back();
+    const QPointF nearest(std::clamp(mark.place.x(), placed.box.left(), placed.box.right()),
+                          std::clamp(mark.place.y(), placed.box.top(), placed.box.bottom()));
+    if (QLineF(nearest, mark.place).length() > 3.2 * radius)
+        placed.leader = mark.place;
+}
+
+/// Beside the ends of an edge's line: at the right and at the bottom first.
+std::vector<QRectF> placesAlong(const QLineF& line, const QSizeF& label, double unit, bool before)
+{
+    const double gap = 2 * unit, inset = 7 * unit; // off the line, and off the border
+    std::vector<QRectF> places;
+    const bool upright = std::abs(line.dx()) < std::abs(line.dy());
+    const double length = line.length() - (upright ? label.height() : label.width());
+    const QPointF origin(std::min(line.x1(), line.x2()), std::min(line.y1(), line.y2()));
+    const double first = before ? -gap - (upright ? label.width() : label.height()) : gap;
+    const double second = before ? gap : -gap - (upright ? label.width() : label.height());
+    for (const double along : {1.0, 0.0, 0.9, 0.1, 0.8, 0.2, 0.7, 0.3, 0.6, 0.4, 0.5})
+        for (const double off : {first, second}) {
+            const double at = inset + along * (length - 2 * inset);
+            places.emplace_back(origin + (upright ? QPointF(off, at) : QPointF(at, off)), label);
+        }
+    return places;
+}
+
+const char* nameOf(Edge edge)
+{
+    static constexpr std::array names{"", "xmin", "xmax", "ymin", "ymax"};
+    return names[std::size_t(edge)];
+}
+
+void labelEdges(std::vector<FigureLabel>& labels, const Specimen& specimen, const StepScene& scene,
+                LabelObstacles& obstacles, const FigureFrame& frame)
+{
+    for (const Edge edge : edges) {
+        const auto line = edgeLine(edge, specimen, frame);
+        if (!line)
+            continue;
+        const double level = clipping::levelOf(edge, specimen.window);
+        const Tone tone = scene.edge == edge ? Tone::LitEdge : Tone::Edge;
+        FigureLabel label{
+            tone,
+            QStringLiteral("%1 = %2").arg(QLatin1StringView(nameOf(edge)), shortText(level)),
+            {},
+            {},
+            {}};
+        const bool before =
+            edge == Edge::Left || edge == (frame.y == YAxis::Up ? Edge::Top : Edge::Bottom);
+        place(labels, label, placesAlong(*line, sizeOf(label, frame), frame.unit(), before),
+              obstacles);
+    }
+}
+
+/// In a corner of the window, else outside at one.
+void labelWindow(std::vector<FigureLabel>& labels, const Specimen& specimen,
+                 LabelObstacles& obstacles, const FigureFrame& frame)
+{
+    const QRectF box = windowBox(specimen, frame);
+    const double gap = 3 * frame.unit();
+    FigureLabel label{Tone::Window, tr("Clip window"), {}, {}, {}};
+    const QSizeF size = sizeOf(label, frame);
+    std::vector<QRectF> places;
+    const double left = box.left() + gap, right = box.right() - gap - size.width();
+    const double top = box.top() + gap, bottom = box.bottom() - gap - size.height();
+    if (right >= left && bottom >= top)
+        for (const QPointF& corner : {QPointF(left, bottom), QPointF(right, bottom),
+                                      QPointF(left, top), QPointF(right, top)})
+            places.emplace_back(corner, size);
+    for (const double y : {box.bottom() + gap, box.top() - gap - size.height()})
+        for (const double x : {left, right, box.right() + gap, box.left() - gap - size.width()})
+            places.emplace_back(QPointF(x, y), size);
+    place(labels, label, places, obstacles);
+}
+
+} // namespace
+
+QFont headFont(const FigureFrame& frame, Tone tone)
+{
+    QFont font = frame.font;
+    if (tone == Tone::Edge)
+        return detailFont(frame);
+    font.setWeight(QFont::DemiBold);
+    if (tone != Tone::Plain && tone != Tone::Lit)
+        font.setPixelSize(detailFont(frame).pixelSize());
+    return font;
+}
+
+QFont detailFont(const FigureFrame& frame)
+{
+    QFont font = frame.font;
+    font.setPixelSize(std::max(1, qRound(font.pixelSize() * 0.92)));
+    return font;
+}
+
+QMarginsF paddingOf(const FigureFrame& frame, Tone tone)
+{
+    const double u = frame.unit();
+    return tone == Tone::Lit ? QMarginsF(9, 5, 9, 5) * u : QMarginsF(3, 1, 3, 1) * u;
+}
+
+std::optional<QLineF> edgeLine(Edge edge, const Specimen& specimen, const FigureFrame& frame)
+{
+    const glm::length_t across = clipping::axisOf(edge);
+    const double level = clipping::levelOf(edge, specimen.window);
+    clipping::Segment line{frame.seen.min, frame.seen.max};
+    line.a[across] = line.b[across] = level;
+    return frame.part(line);
+}
+
+QRectF windowBox(const Specimen& specimen, const FigureFrame& frame)
+{
+    return QRectF(frame.at(specimen.window.min), frame.at(specimen.window.max)).normalized();
+}
+
+std::vector<FigureLabel> figureLabels(const Specimen& specimen, const Walk& walk,
+                                      const StepScene& scene, const FigureFrame& frame)
+{
+    LabelObstacles obstacles = obstaclesOf(specimen, walk, scene, frame);
+    std::vector<FigureLabel> labels;
+    for (const FigureMark& mark : figureMarks(specimen, scene, frame))
+        labelMark(labels, mark, obstacles, frame);
+    labelEdges(labels, specimen, scene, obstacles, frame);
+    labelWindow(labels, specimen, obstacles, frame);
+    return labels;
+}
+
+} // namespace app

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/figure_marks.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Form = FigureMark::Shape;
+using Tone = FigureMark::Tone;
+
+QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
+
+/// The direction from one point of the drawing to another as it is seen; of no length at all:
+/// right.
+double angleOf(const Point& from, const Point& to, YAxis y)
+{
+    Point way = to / 2.0 - from / 2.0;
+    way /= std::max({std::abs(way.x), std::abs(way.y), 1e-300});
+    return QLineF(0, 0, way.x, y == YAxis::Up ? -way.y : way.y).angle();
+}
+
+/// Where a ray from the picture's middle meets a rectangle around it.
+QPointF onBorder(const QRectF& border, double angle)
+{
+    const QLineF way = QLineF::fromPolar(1, angle);
+    const double x = std::abs(way.dx()) > 0 ? border.width() / 2 / std::abs(way.dx()) : 1e9;
+    const double y = std::abs(way.dy()) > 0 ? border.height() / 2 / std::abs(way.dy()) : 1e9;
+    return border.center() + std::min(x, y) * QPointF(way.dx(), way.dy());
+}
+
+QPointF pulledInto(const QRectF& border, const QPointF& place)
+{
+    return {std::clamp(place.x(), border.left(), border.right()),
+            std::clamp(place.y(), border.top(), border.bottom())};
+}
+
+/// An end that the picture does not reach: an arrow at its border, on the line if that is seen.
+void placeFarEnd(FigureMark& mark, const Point& other, const std::optional<QPointF>& exit,
+                 const FigureFrame& frame)
+{
+    const double inset = 9 * frame.unit();
+    const QRectF border = frame.picture().adjusted(inset, inset, -inset, -inset);
+    mark.shape = Form::FarEnd;
+    mark.angle =
+        angleOf(exit ? other : frame.pointAt(frame.picture().center()), mark.point, frame.y);
+    mark.place = exit ? pulledInto(border, *exit) : onBorder(border, mark.angle);
+}
+
+/// What has become of an end: cut now, cut earlier, or still there.
+Tone toneOfEnd(const StepScene& scene, int end)
+{
+    Tone tone = scene.state == StepScene::State::Rejected ? Tone::Muted : Tone::Strong;
+    for (const CutPoint& cut : scene.cuts)
+        if (cut.end == end)
+            tone = scene.isNow(cut) ? Tone::Lit : Tone::Muted;
+    return tone;
+}
+
+void addEnds(std::vector<FigureMark>& marks, const Specimen& specimen, const StepScene& scene,
+             const FigureFrame& frame)
+{
+    const auto& [a, b] = specimen.line;
+    const auto part = frame.part(specimen.line);
+    for (const auto& [point, other, end] : {std::tuple(a, b, 1), std::tuple(b, a, 2)}) {
+        if (!std::isfinite(point.x) || !std::isfinite(point.y))
+            continue;
+        FigureMark mark{.shape = Form::End,
+                        .tone = toneOfEnd(scene, end),
+                        .point = point,
+                        .place = frame.at(point),
+                        .angle = 0,
+                        .head = tr("End %1").arg(end),
+                        .detail = pointText(point)};
+        if (a == b)
+            mark.head = tr("End 1 and End 2");
+        if (!frame.shows(point))
+            placeFarEnd(mark, other,
+                        part ? std::optional(end == 1 ? part->p1() : part->p2()) : std::nullopt,
+                        frame);
+        marks.push_back(mark);
+        if (a == b)
+            break;
+    }
+}
+
+QString detailOf(const CutPoint& cut, bool now, YAxis y)
+{
+    const QString edge = edgeWords(cut.edge, y);
+    if (now)
+        return edge.isEmpty() ? tr("new End %1").arg(cut.end)
+                              : tr("new End %1 at %2").arg(cut.end).arg(edge);
+    return edge.isEmpty() ? tr("cut in step %1").arg(cut.step + 1)
+                          : tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
+}
+
+void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
+{
+    for (const CutPoint& cut : scene.cuts) {
+        if (!frame.shows(cut.at))
+            continue;
+        const bool strong = cut.stands && scene.state != StepScene::State::Rejected;
+        marks.push_back({.shape = Form::Cut,
+                         .tone = scene.isNow(cut) ? Tone::Lit
+                                 : strong         ? Tone::Strong
+                                                  : Tone::Muted,
+                         .point = cut.at,
+                         .place = frame.at(cut.at),
+                         .angle = 0,
+                         .head = pointText(cut.at),
+                         .detail = detailOf(cut, scene.isNow(cut), frame.y)});
+    }
+}
+
+} // namespace
+
+double radiusOf(const FigureMark& mark, const FigureFrame& frame)
+{
+    const bool round = mark.shape == Form::End;
+    return frame.unit() * (round ? 5.5 : mark.tone == Tone::Lit ? 9.5 : 7.5);
+}
+
+std::vector<FigureMark> figureMarks(const Specimen& specimen, const StepScene& scene,
+                                    const FigureFrame& frame)
+{
+    std::vector<FigureMark> marks;
+    addEnds(marks, specimen, scene, frame);
+    addCuts(marks, scene, frame);
+    if (scene.candidate && frame.shows(*scene.candidate))
+        marks.push_back({.shape = Form::Candidate,
+                         .tone = Tone::Lit,
+                         .point = *scene.candidate,
+                         .place = frame.at(*scene.candidate),
+                         .angle = 0,
+                         .head = pointText(*scene.candidate),
+                         .detail = tr("cut here?")});
+    return marks;
+}
+
+QString pointText(const Point& point)
+{
+    return QStringLiteral("%1, %2").arg(shortText(point.x), shortText(point.y));
+}
+
+} // namespace app
