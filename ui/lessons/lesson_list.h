@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QScrollArea>
+
+class QAbstractButton;
+
+namespace ui {
+
+/// All lessons, each with its sentence; those that were read to their end have a tick.
+class LessonList : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit LessonList(QWidget* parent = nullptr);
+
+    QList<QAbstractButton*> buttons() const { return buttons_; }
+    void refresh(); ///< the ticks, and the font
+
+signals:
+    void chosen(int lesson);
+    void closeWanted();
+
+private:
+    QList<QAbstractButton*> buttons_;
+};
+
+/// Remembered by the lesson's key.
+bool isDone(const QString& lesson);
+void setDone(const QString& lesson);
+
+} // namespace ui

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/lesson_panel.h"
+
+#include "ui/lessons/choice_list.h"
+#include "ui/lessons/lesson_list.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QScrollBar>
+#include <QShortcut>
+#include <QTextBlock>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int usualWidth = 320, leastWidth = 240;
+constexpr double lineHeight = 140; // percent
+
+QToolButton* button(const QString& text, const QString& tip)
+{
+    auto* made = new QToolButton;
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setMinimumHeight(space::toolButton);
+    made->setFocusPolicy(Qt::StrongFocus);
+    return made;
+}
+
+/// Blocks that are not crammed.
+void loosen(QTextDocument& document)
+{
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextBlockFormat format = block.blockFormat();
+        format.setLineHeight(lineHeight, QTextBlockFormat::ProportionalHeight);
+        QTextCursor(block).setBlockFormat(format);
+    }
+}
+
+} // namespace
+
+LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
+    : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
+      place_(new QLabel), text_(new QTextBrowser), choices_(new ChoiceList),
+      back_(button(tr("Back"), tr("The page before (Page Up)"))),
+      again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
+      next_(button(tr("Next"), tr("The next page (Page Down)")))
+{
+    setObjectName(QStringLiteral("lessons"));
+    setAccessibleName(tr("Lessons"));
+    addWidget(list_);
+    addWidget(makeReader());
+    connect(list_, &LessonList::chosen, this,
+            [this](int lesson) { course_.begin(std::size_t(lesson)); });
+    connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
+    connect(choices_, &ChoiceList::chosen, &course_, &app::Course::choose);
+    connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
+    connect(back_, &QToolButton::clicked, this, [this] { turn(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { turn(1); });
+    connect(again_, &QToolButton::clicked, &course_, &app::Course::showAgain);
+    const auto key = [this](int code, int pages) {
+        auto* shortcut = new QShortcut(QKeySequence(code), this);
+        connect(shortcut, &QShortcut::activated, this, [this, pages] { turn(pages); });
+    };
+    key(Qt::Key_PageUp, -1);
+    key(Qt::Key_PageDown, 1);
+    showPage();
+}
+
+QWidget* LessonPanel::makeReader()
+{
+    auto* reader = new QWidget;
+    auto* column = new QVBoxLayout(reader);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::dockMargin);
+    column->setSpacing(space::labelToField);
+    column->addLayout(makeHead());
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->viewport()->setAutoFillBackground(false);
+    text_->document()->setDocumentMargin(0);
+    text_->setOpenLinks(false);
+    text_->setAccessibleName(tr("Text of the lesson"));
+    column->addWidget(text_, 1);
+    column->addWidget(choices_);
+    column->addLayout(makeFoot());
+    return reader;
+}
+
+QLayout* LessonPanel::makeHead()
+{
+    auto* all = new QToolButton;
+    all->setIcon(icon("list"));
+    all->setAutoRaise(true);
+    all->setToolTip(tr("All lessons"));
+    all->setAccessibleName(all->toolTip());
+    connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
+    title_->setFont(semiBold(font()));
+    title_->setWordWrap(true);
+    place_->setForegroundRole(QPalette::PlaceholderText);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(title_);
+    words->addWidget(place_);
+    auto* head = new QHBoxLayout;
+    head->addLayout(words, 1);
+    head->addWidget(all, 0, Qt::AlignTop);
+    return head;
+}
+
+QLayout* LessonPanel::makeFoot()
+{
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(space::labelToField);
+    foot->addWidget(back_);
+    foot->addWidget(again_);
+    foot->addStretch();
+    foot->addWidget(next_);
+    return foot;
+}
+
+void LessonPanel::showList()
+{
+    course_.end();
+    list_->buttons().front()->setFocus();
+}
+
+void LessonPanel::turn(int pages)
+{
+    if (!course_.lesson())
+        return;
+    if (pages < 0)
+        course_.previous();
+    else if (!course_.atLastPage())
+        course_.next();
+    else if (setDone(course_.lesson()->key); course_.lessonIndex() + 1 < app::lessons().size())
+        course_.begin(course_.lessonIndex() + 1);
+    else
+        showList();
+    if (course_.lesson()) // where Enter goes on, or answers
+        (course_.question() && !course_.answer()
+             ? static_cast<QWidget*>(choices_->buttons().front())
+             : next_)
+            ->setFocus();
+}
+
+void LessonPanel::showPage()
+{
+    setCurrentIndex(course_.lesson() ? 1 : 0);
+    list_->refresh();
+    if (!course_.lesson())
+        return;
+    title_->setText(course_.lesson()->title);
+    QString place = tr("Page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
+    if (const app::Score score = course_.score(); score.asked > 0)
+        place += QStringLiteral(" · ") + tr("%1 of %2 right").arg(score.right).arg(score.asked);
+    place_->setText(place);
+    showText();
+    choices_->ask(course_.question(), course_.answer());
+    back_->setEnabled(course_.page() > 0);
+    const bool last = course_.lessonIndex() + 1 == app::lessons().size();
+    next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
+    if (course_.answer())
+        next_->setFocus();
+}
+
+void LessonPanel::showText()
+{
+    text_->document()->setDefaultFont(font());
+    text_->setMarkdown(course_.text());
+    loosen(*text_->document());
+    text_->verticalScrollBar()->setValue(0);
+}
+
+void LessonPanel::changeEvent(QEvent* event)
+{
+    QStackedWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        showPage();
+}
+
+QSize LessonPanel::sizeHint() const { return {usualWidth, 600}; }
+QSize LessonPanel::minimumSizeHint() const { return {leastWidth, 200}; }
+
+} // namespace ui
