@@ -23,7 +23,8 @@ struct Display {
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm; ///< of rulers, labels and fields; a drawing that is opened brings its own
     bool regions = false; ///< the nine outcodes over the drawing
-    bool asPrinted = false; ///< dark theme: the true page and inks
+    bool asPrinted = false;  ///< dark theme: the true page and inks
+    bool presenting = false; ///< for a projector: strokes twice as wide, ghosts that can be seen
 
     /// The form that clips: an algorithm without a published one is corrected in any case.
     clipping::Form usedForm() const

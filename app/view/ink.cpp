@@ -27,6 +27,15 @@ Colour withLightness(const QColor& hue, float lightness, std::uint8_t alpha)
     return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue()), alpha};
 }
 
+Colour mixed(const Colour& ink, const Colour& page, double opacity)
+{
+    const auto channel = [=](std::uint8_t of, std::uint8_t with) {
+        return std::uint8_t(std::lround(opacity * of + (1 - opacity) * with));
+    };
+    return {channel(ink.red, page.red), channel(ink.green, page.green),
+            channel(ink.blue, page.blue), ink.alpha};
+}
+
 } // namespace
 
 double contrast(const Colour& a, const Colour& b)
@@ -48,6 +57,13 @@ Colour shownInk(const Colour& ink, const Colour& page)
         shown = withLightness(hue, lightness, ink.alpha);
     }
     return shown;
+}
+
+Colour ghostInk(const Colour& ink, const Colour& page, double opacity)
+{
+    while (opacity < 1 && contrast(mixed(ink, page, opacity), page) < enough)
+        opacity += 0.02;
+    return mixed(ink, page, std::min(opacity, 1.0));
 }
 
 } // namespace app

@@ -12,4 +12,8 @@ double contrast(const Colour& a, const Colour& b);
 /// lightness mirrored, the hue kept, and if need be moved on until it can be. Alpha is kept.
 Colour shownInk(const Colour& ink, const Colour& page);
 
+/// An ink that is mixed with the page, with that opacity or as much more as it takes to be seen on
+/// it (3:1); the ink itself if it cannot be. Alpha is kept.
+Colour ghostInk(const Colour& ink, const Colour& page, double opacity);
+
 } // namespace app

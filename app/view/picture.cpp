@@ -2,6 +2,7 @@
 #include "app/view/picture.h"
 
 #include "app/view/difference_marks.h"
+#include "app/view/ink.h"
 #include "app/view/plating.h"
 
 #include <algorithm>
@@ -51,6 +52,16 @@ Plate lit(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
     return plating.take();
 }
 
+// Areas stay as faint as ever, or they would drown what is kept.
+void makeGhosts(Plate& plate, const Ghosting& ghosting)
+{
+    for (Coat& coat : plate.coats)
+        if (coat.stroke)
+            coat.stroke->colour = ghostInk(coat.stroke->colour, ghosting.page, ghosting.opacity);
+        else
+            coat.fill.alpha = std::uint8_t(coat.fill.alpha * ghosting.opacity);
+}
+
 } // namespace
 
 Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
@@ -66,6 +77,8 @@ Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
     }
     if (options.removed == RemovedPart::Ghosted)
         picture.ghost = plate(sheet, scene, inside ? frame.outside : frame.inside, options);
+    if (options.ghosting)
+        makeGhosts(picture.ghost, *options.ghosting);
     picture.kept = plate(sheet, scene, inside ? frame.inside : frame.outside, options);
     return picture;
 }

@@ -61,13 +61,23 @@ struct Picture {
     Plate ghost, kept, lit, differing;
 };
 
+/// How ghosts are mixed with the page when they are not a layer.
+struct Ghosting {
+    Colour page;
+    double opacity;
+};
+
 /// What a frame is made for.
 struct PictureOptions {
     View view;
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
-    std::optional<Colour> page;        ///< make the inks visible on this page; nothing: as they are
-    double leastWidth = 0.75;          ///< logical pixels; thinner strokes are drawn so wide
+    std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
+    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
+    double strokes = 1;         ///< how many times as wide as they are strokes are drawn
+    /// For projectors: ghosts are opaque inks that can be told from this page (ink.h, ghostInk)
+    /// instead of a layer that is painted with the ghost's opacity.
+    std::optional<Ghosting> ghosting{};
     std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
     Colour light{};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`

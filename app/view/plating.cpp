@@ -71,8 +71,8 @@ void Plating::add(const Shape& shape, std::span<const clipping::Segment> whole, 
     if (!style.stroke && (filled || !style.fill))
         return;
     Ink ink{shown(style.stroke ? *style.stroke : *style.fill),
-            std::max(style.width * options_.view.zoom, options_.leastWidth), style.cap, style.join,
-            style.miterLimit};
+            std::max(style.width * options_.view.zoom, options_.leastWidth) * options_.strokes,
+            style.cap, style.join, style.miterLimit};
     beginCoat(ink);
     stroke(style, whole, number, pieces);
 }

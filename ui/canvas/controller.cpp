@@ -110,6 +110,8 @@ QColor Controller::pageColour() const
     return session_.display().asPrinted ? QColor(Qt::white) : look_.paper;
 }
 
+double Controller::ghostOpacity() const { return session_.display().presenting ? 1 : look_.ghost; }
+
 app::Frame Controller::clip(const Pane& pane) const
 {
     const app::Display& display = session_.display();
@@ -144,6 +146,10 @@ app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, doub
     if (look_.dark && !display.asPrinted)
         options.page = colour(look_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
+    if (display.presenting) {
+        options.strokes = 2;
+        options.ghosting = app::Ghosting{colour(pageColour()), look_.ghost};
+    }
     options.selection = session_.selection();
     options.light = colour(look_.selection);
     if (const app::Differences* differences = differing(pane))

@@ -69,6 +69,7 @@ public:
     /// The clip window as it is now, in the middle of a gesture too.
     clipping::Window window() const;
     QColor pageColour() const;
+    double ghostOpacity() const; ///< of the layer of ghosts
     FrameKey key(const Pane& pane) const
     {
         return {revision_, view(), window(), pane.choice, pane.revision};

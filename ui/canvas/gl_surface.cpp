@@ -59,7 +59,7 @@ protected:
         paintPaper(painter, controller_);
         if (renderer_) {
             painter.beginNativePainting();
-            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.look().ghost);
+            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.ghostOpacity());
             painter.endNativePainting();
         }
         paintOverlay(painter, controller_, pane_);

@@ -122,7 +122,7 @@ private:
             return;
         for (std::size_t i = 0; i < job->places.size(); ++i)
             pool_.start([this, job, i, band = job->places[i], width = deviceSize().width(),
-                         ratio = devicePixelRatioF(), ghost = controller_.look().ghost] {
+                         ratio = devicePixelRatioF(), ghost = controller_.ghostOpacity()] {
                 job->bands[i] = app::rasterised(job->picture, width, band, ratio, ghost);
                 if (--job->left == 0)
                     QMetaObject::invokeMethod(
@@ -133,7 +133,7 @@ private:
     QImage painted(const app::Picture& picture, app::Band band) const
     {
         return app::rasterised(picture, deviceSize().width(), band, devicePixelRatioF(),
-                               controller_.look().ghost);
+                               controller_.ghostOpacity());
     }
 
     void accept(const Job& job)

@@ -78,7 +78,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
     const bool lit = controller.tool().litGrip() == app::Grip{};
-    const double width = lit ? outlineLit : outline;
+    const double width =
+        (lit ? outlineLit : outline) * (controller.session().display().presenting ? 2 : 1);
     QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);

@@ -40,6 +40,16 @@ private slots:
                                  qPrintable(before.name() + after.name()));
                     }
     }
+    void ghostsForProjectorsCanBeSeen()
+    {
+        const app::Colour white{255, 255, 255}, black{0, 0, 0, 200}, pale{200, 220, 255};
+        const app::Colour ghost = app::ghostInk(black, white, 0.32);
+        QVERIFY(app::contrast(ghost, white) >= 3 && app::contrast(ghost, white) < 3.3);
+        QCOMPARE(ghost.alpha, std::uint8_t(200));
+        QCOMPARE(app::ghostInk(black, white, 0.9),
+                 (app::Colour{26, 26, 26, 200}));         // enough as it is
+        QCOMPARE(app::ghostInk(pale, white, 0.32), pale); // it cannot be
+    }
 };
 
 QTEST_APPLESS_MAIN(InkTest)

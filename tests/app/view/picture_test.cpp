@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/ink.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
 
@@ -73,6 +74,16 @@ private slots:
         stage.options.removed = app::RemovedPart::Shown;
         QCOMPARE(stage.image().pixelColor(80, 20), QColor(200, 0, 0));
         QCOMPARE(stage.image().pixelColor(45, 20), QColor(200, 0, 0));
+    }
+    void aProjectorGetsWiderStrokesAndGhostsThatCanBeSeen()
+    {
+        Stage stage({square({40, 10}, 20)});
+        const double width = stage.picture().kept.coats.front().stroke->width;
+        stage.options.strokes = 2;
+        stage.options.ghosting = app::Ghosting{{255, 255, 255}, 0.32};
+        const app::Picture picture = stage.picture();
+        QCOMPARE(picture.kept.coats.front().stroke->width, 2 * width);
+        QVERIFY(app::contrast(picture.ghost.coats.front().stroke->colour, {255, 255, 255}) >= 3);
     }
     void theOutsideCanBeKept()
     {
