@@ -3,7 +3,7 @@
 
 #include "app/latin.h"
 
-#include <QHash>
+#include <QCryptographicHash>
 
 #include <algorithm>
 
@@ -24,11 +24,11 @@ std::optional<Question> questionOf(const LessonPage& page, const Walk& walk, std
 Question shuffled(Question question)
 {
     const QString right = question.choices[question.right];
-    std::size_t seed = qHash(question.prompt + question.choices.join(u'|'), 2019);
-    for (qsizetype last = question.choices.size() - 1; last > 0; --last) {
-        question.choices.swapItemsAt(last, qsizetype(seed % std::size_t(last + 1)));
-        seed = seed / std::size_t(last + 1) + 97 * std::size_t(last);
-    }
+    std::ranges::sort(question.choices, {}, [&](const QString& choice) {
+        return QCryptographicHash::hash(
+            (question.prompt + question.reason + choice).toUtf8(),
+            QCryptographicHash::Md5); // qHash has another seed each time
+    });
     question.right = int(question.choices.indexOf(right));
     return question;
 }

@@ -9,6 +9,9 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QTextBlock>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -18,31 +21,33 @@ namespace {
 constexpr int usualWidth = 320, leastWidth = 240;
 constexpr double lineHeight = 140; // percent
 
-QToolButton* button(const QString& text, const QString& tip)
+QPushButton* button(const QString& text, const QString& tip)
 {
-    auto* made = new QToolButton;
-    made->setText(text);
+    auto* made = new QPushButton(text);
     made->setToolTip(tip);
     made->setMinimumHeight(space::toolButton);
-    made->setFocusPolicy(Qt::StrongFocus);
+    made->setAutoDefault(true); // Enter presses it
     return made;
 }
 
-/// Blocks that are not crammed.
-void loosen(QTextDocument& document)
+/// Markdown as a label shows it, with lines that are not crammed.
+QString richText(const QString& markdown)
 {
+    QTextDocument document;
+    document.setMarkdown(markdown);
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         format.setLineHeight(lineHeight, QTextBlockFormat::ProportionalHeight);
         QTextCursor(block).setBlockFormat(format);
     }
+    return document.toHtml();
 }
 
 } // namespace
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
-      place_(new QLabel), text_(new QTextBrowser), choices_(new ChoiceList),
+      place_(new QLabel), text_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList),
       back_(button(tr("Back"), tr("The page before (Page Up)"))),
       again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
       next_(button(tr("Next"), tr("The next page (Page Down)")))
@@ -56,9 +61,9 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
     connect(choices_, &ChoiceList::chosen, &course_, &app::Course::choose);
     connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
-    connect(back_, &QToolButton::clicked, this, [this] { turn(-1); });
-    connect(next_, &QToolButton::clicked, this, [this] { turn(1); });
-    connect(again_, &QToolButton::clicked, &course_, &app::Course::showAgain);
+    connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
+    connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
+    connect(again_, &QPushButton::clicked, &course_, &app::Course::showAgain);
     const auto key = [this](int code, int pages) {
         auto* shortcut = new QShortcut(QKeySequence(code), this);
         connect(shortcut, &QShortcut::activated, this, [this, pages] { turn(pages); });
@@ -76,13 +81,7 @@ QWidget* LessonPanel::makeReader()
                                space::dockMargin);
     column->setSpacing(space::labelToField);
     column->addLayout(makeHead());
-    text_->setFrameShape(QFrame::NoFrame);
-    text_->viewport()->setAutoFillBackground(false);
-    text_->document()->setDocumentMargin(0);
-    text_->setOpenLinks(false);
-    text_->setAccessibleName(tr("Text of the lesson"));
-    column->addWidget(text_, 1);
-    column->addWidget(choices_);
+    column->addWidget(makeBody(), 1);
     column->addLayout(makeFoot());
     return reader;
 }
@@ -106,6 +105,26 @@ QLayout* LessonPanel::makeHead()
     head->addLayout(words, 1);
     head->addWidget(all, 0, Qt::AlignTop);
     return head;
+}
+
+/// The text, and below it the question; it scrolls where there is no room.
+QWidget* LessonPanel::makeBody()
+{
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setAlignment(Qt::AlignTop);
+    auto* inner = new QWidget;
+    auto* column = new QVBoxLayout(inner);
+    column->setContentsMargins(0, 0, space::labelToField, 0); // off the scroll bar
+    column->addWidget(text_);
+    column->addWidget(choices_);
+    column->addStretch();
+    body_->setFrameShape(QFrame::NoFrame);
+    body_->setWidgetResizable(true);
+    body_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    body_->setFocusPolicy(Qt::NoFocus);
+    body_->setWidget(inner);
+    return body_;
 }
 
 QLayout* LessonPanel::makeFoot()
@@ -138,10 +157,7 @@ void LessonPanel::turn(int pages)
     else
         showList();
     if (course_.lesson()) // where Enter goes on, or answers
-        (course_.question() && !course_.answer()
-             ? static_cast<QWidget*>(choices_->buttons().front())
-             : next_)
-            ->setFocus();
+        (course_.question() && !course_.answer() ? choices_->buttons().front() : next_)->setFocus();
 }
 
 void LessonPanel::showPage()
@@ -155,21 +171,14 @@ void LessonPanel::showPage()
     if (const app::Score score = course_.score(); score.asked > 0)
         place += QStringLiteral(" · ") + tr("%1 of %2 right").arg(score.right).arg(score.asked);
     place_->setText(place);
-    showText();
+    text_->setText(richText(course_.text()));
+    body_->verticalScrollBar()->setValue(0);
     choices_->ask(course_.question(), course_.answer());
     back_->setEnabled(course_.page() > 0);
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
     if (course_.answer())
         next_->setFocus();
-}
-
-void LessonPanel::showText()
-{
-    text_->document()->setDefaultFont(font());
-    text_->setMarkdown(course_.text());
-    loosen(*text_->document());
-    text_->verticalScrollBar()->setValue(0);
 }
 
 void LessonPanel::changeEvent(QEvent* event)

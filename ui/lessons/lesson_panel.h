@@ -4,10 +4,9 @@
 #include "app/lessons/course.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QTextBrowser>
-#include <QToolButton>
 
 namespace ui {
 
@@ -36,17 +35,17 @@ protected:
 private:
     QWidget* makeReader();
     QLayout* makeHead();
+    QWidget* makeBody();
     QLayout* makeFoot();
     void showPage();
-    void showText();
     void turn(int pages);
 
     app::Course& course_;
     LessonList* list_;
-    QLabel *title_, *place_;
-    QTextBrowser* text_;
+    QLabel *title_, *place_, *text_;
+    QScrollArea* body_;
     ChoiceList* choices_;
-    QToolButton *back_, *again_, *next_;
+    QPushButton *back_, *again_, *next_;
 };
 
 } // namespace ui
