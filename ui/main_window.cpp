@@ -6,6 +6,8 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"
 #include "ui/files.h"
+#include "ui/keyboard.h"
+#include "ui/keyboard.h"
 #include "ui/look_icon.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
@@ -16,6 +18,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
@@ -194,6 +197,21 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return event->ignore();
     saveLayout();
     event->accept();
+}
+
+/// A key that nobody wanted: perhaps its place on the keyboard says more than its sign.
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    const auto key = keyAtItsPlace(*event);
+    const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
+    for (QAction* action : findChildren<QAction*>()) {
+        const bool reached =
+            action->shortcutContext() != Qt::WidgetWithChildrenShortcut || onCanvas;
+        if (key && reached && action->isEnabled()
+            && action->shortcuts().contains(QKeySequence(*key)))
+            return action->trigger();
+    }
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
