@@ -5,6 +5,7 @@
 #include "app/experiment/choice.h"
 #include "app/experiment/threads.h"
 #include "app/formats/format.h"
+#include "app/latin.h"
 
 #include <QFileInfo>
 
@@ -125,9 +126,9 @@ std::vector<Option> experimentOptions()
          Commands::tr("%1, or file:PATH for the lines of a drawing (paper).")
              .arg(keysOf(testScenes()).join(QStringLiteral(", ")))},
         {{"order"},
-         "shuffled|sorted",
-         Commands::tr("Lines as they come, or those inside, rejected, cut and missed together "
-                      "(shuffled).")},
+         "as-they-come|shuffled|sorted",
+         Commands::tr("Lines as they come, at random, or those inside, rejected, cut and missed "
+                      "together (as-they-come).")},
         {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("Where the lines are (the paper's).")},
         {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},
         {{"a", "algorithms"},
@@ -170,8 +171,10 @@ ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
     take("runs", 1, mostRuns, options.runs);
     take("warmup", 1, mostRuns, options.warmUps);
     take("seed", 0, std::numeric_limits<quint64>::max(), options.seed);
-    if (given.choice(QStringLiteral("order"), {"shuffled", "sorted"}) == 1)
-        options.order = Order::ByClass;
+    QStringList orderKeys;
+    for (const OrderName& order : orders())
+        orderKeys << latin(order.key);
+    options.order = Order(given.choice(QStringLiteral("order"), orderKeys));
     options.precision = precisionGiven(given);
     takeThreads(given, options);
     options.easel = easelGiven(given, std::ranges::any_of(wanted.measures, &Measure::draws));

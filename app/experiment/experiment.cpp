@@ -3,6 +3,7 @@
 
 #include "app/comparison/line_class.h"
 #include "app/experiment/checksum.h"
+#include "app/experiment/dice.h"
 #include "app/experiment/pace.h"
 #include "app/vector_registers.h"
 
@@ -39,7 +40,8 @@ private:
     void begin();
     void fill(const LineSource& source);
     void make(const LineSource& source, std::span<Segment> lines);
-    void order(std::span<Segment> lines) const;
+    void shuffle(std::span<Segment> lines) const;
+    void sort(std::span<Segment> lines) const;
     void tellTruth();
     void turn(Timing& timing);
     double drawn(std::span<const Clipped> lines);
@@ -115,11 +117,21 @@ void Bench::make(const LineSource& source, std::span<Segment> lines)
     for (Timing& timing : timings_)
         timing.generate.back() += took;
     if (options_.order == Order::ByClass)
-        order(lines);
+        sort(lines);
+    else if (options_.order == Order::Shuffled)
+        shuffle(lines);
+}
+
+/// The same way on every machine, and in every run.
+void Bench::shuffle(std::span<Segment> lines) const
+{
+    Dice dice(options_.seed);
+    for (std::size_t left = lines.size(); left > 1 && !pace_.stopped(); --left)
+        std::swap(lines[left - 1], lines[std::size_t(dice.between(0, double(left)))]);
 }
 
 /// As they came, class by class.
-void Bench::order(std::span<Segment> lines) const
+void Bench::sort(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;
     for (std::size_t at = 0; at < lines.size() && !pace_.stopped(); at += bit)

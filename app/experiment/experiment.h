@@ -5,15 +5,12 @@
 #include "app/experiment/clock.h"
 #include "app/experiment/easel.h"
 #include "app/experiment/findings.h"
+#include "app/experiment/order.h"
 #include "app/experiment/statistics.h"
 
 #include <stop_token>
 
 namespace app {
-
-/// The order of the lines: as they come, or those of one class (line_class.h) together, block by
-/// block, which spares the processor from guessing.
-enum class Order : std::uint8_t { AsTheyCome, ByClass };
 
 struct ExperimentOptions {
     TestScene scene = testScenes().front();

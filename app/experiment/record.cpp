@@ -3,6 +3,7 @@
 
 #include "app/experiment/circumstances.h"
 #include "app/formats/number.h"
+#include "app/latin.h"
 
 #include <QCoreApplication>
 
@@ -129,8 +130,7 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
 {
     const ExperimentOptions& options = record.options;
     auto facts = factsOf(options);
-    facts.emplace_back("order", options.order == Order::ByClass ? QStringLiteral("by class")
-                                                                : QStringLiteral("as they come"));
+    facts.emplace_back("order", latin(nameOf(options.order).words));
     facts.emplace_back("precision", wordOf(options.precision));
     facts.emplace_back("threads", QString::number(options.threads));
     facts.emplace_back("runs", QString::number(options.runs));

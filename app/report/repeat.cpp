@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/analysis.h"
+#include "app/latin.h"
 #include "app/report/study_report.h"
 
 #include <QRegularExpression>
@@ -93,8 +94,8 @@ void addScene(Words& words, const ExperimentOptions& options)
         words.add("space", rectangleText(options.field.space));
     if (drawing || options.field.window != paperWindow)
         words.add("window", rectangleText(options.field.window));
-    if (options.order == Order::ByClass)
-        words.add("order", QStringLiteral("sorted"));
+    if (options.order != Order::AsTheyCome)
+        words.add("order", latin(nameOf(options.order).key));
 }
 
 void addHow(Words& words, const Trial& trial)

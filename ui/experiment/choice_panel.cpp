@@ -48,7 +48,7 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
       lines_(numberField(tr("Lines"), 1, 1'000'000'000)),
       runs_(numberField(tr("Runs"), 1, int(app::mostRuns))),
       seed_(numberField(tr("Seed"), 0, std::numeric_limits<int>::max())),
-      order_(new Segments(tr("Order"), {tr("As they come"), tr("By class")})),
+      order_(new Segments(tr("Order"), {tr("As they come"), tr("Shuffled"), tr("By class")})),
       forms_(new Segments(tr("Forms"), {tr("Published"), tr("Corrected"), tr("Both")})),
       drawn_(new QCheckBox(tr("Draw what is visible, too"))),
       explained_(new QCheckBox(tr("Explain the times")))
@@ -57,7 +57,8 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
     seed_->setValue(1);
     seed_->setGroupSeparatorShown(false);
     lines_->setSpecialValueText(tr("as in the paper"));
-    order_->setToolTip(tr("By class: lines inside, rejected, cut and missed together, which spares "
+    order_->setToolTip(tr("As they come: in the drawing's order. By class: lines inside, rejected, "
+                          "cut and missed together, which spares "
                           "the processor from guessing."));
     forms_->setToolTip(
         tr("Published: as the authors printed it, faults included. Corrected: without them."));
@@ -211,7 +212,7 @@ app::Choice ChoicePanel::choice() const
         choice.lines = lines_->value();
     choice.runs = std::size_t(runs_->value());
     choice.seed = std::uint64_t(seed_->value());
-    choice.order = order_->chosen() == 0 ? app::Order::AsTheyCome : app::Order::ByClass;
+    choice.order = app::Order(order_->chosen());
     choice.forms.clear();
     if (forms_->chosen() != Corrected)
         choice.forms.push_back(clipping::Form::Published);
