@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/application.h"
 #include "app/command_line/command.h"
+#include "app/plug_in/child.h"
 #include "ui/editor.h"
 
 int main(int argc, char** argv)
@@ -8,6 +9,8 @@ int main(int argc, char** argv)
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
+    if (app::plug_in::isChild(arguments))
+        return app::plug_in::runChild(arguments);
     if (app::isCommandLine(arguments)) {
         const auto application = app::applicationFor(arguments, argc, argv);
         return app::runCommandLine(arguments);

@@ -20,12 +20,13 @@ Command costmapCommand();
 Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
+Command judgeCommand();
 
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
     return {clipCommand(),    convertCommand(),    compareCommand(), infoCommand(),
-            costmapCommand(), algorithmsCommand(), benchCommand()};
+            costmapCommand(), algorithmsCommand(), benchCommand(),   judgeCommand()};
 }
 
 namespace {

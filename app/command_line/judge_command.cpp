@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/progress_line.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/table.h"
+#include "app/plug_in/example_files.h"
+#include "app/plug_in/judge.h"
+
+#include <limits>
+
+namespace app {
+namespace {
+
+void writeExample(const QString& folder)
+{
+    const auto written = plug_in::writeExample(folder);
+    if (!written)
+        throw Failure{written.error};
+}
+
+plug_in::Case caseOf(const Given& given)
+{
+    using Race = plug_in::Case::Race;
+    plug_in::Case which{.library = given.operands().first()};
+    which.seed = given.count(QStringLiteral("seed"), 0, std::numeric_limits<quint64>::max())
+                     .value_or(which.seed);
+    if (given.has(QStringLiteral("strict")))
+        which.contract.strictness = plug_in::Strictness::Clearcuts;
+    which.race = given.has(QStringLiteral("no-race")) ? Race::No : Race::Yes;
+    return which;
+}
+
+plug_in::Verdict judged(const plug_in::Case& which)
+{
+    ProgressLine line;
+    return *plug_in::judge(which, {{}, [&](const Progress& progress) { line.show(progress); }});
+}
+
+void judge(const Given& given)
+{
+    if (given.has(QStringLiteral("save-example")))
+        return writeExample(given.operands().first());
+    const plug_in::Case which = caseOf(given);
+    const TableOutput output = tableOutput(given);
+    const plug_in::Verdict verdict = judged(which);
+    if (verdict.unusable)
+        throw Failure{plug_in::sentence(verdict)};
+    writeTables(output, plug_in::tablesOf(verdict));
+    if (!verdict.passed())
+        throw CheckFailed{};
+}
+
+} // namespace
+
+Command judgeCommand()
+{
+    std::vector<Option> options{
+        {{"strict"},
+         {},
+         Commands::tr("Hold it to the contract of Clearcut's own algorithms: no end outside the "
+                      "window, not by one bit.")},
+        {{"seed"}, "N", Commands::tr("Which random lines (1).")},
+        {{"no-race"}, {}, Commands::tr("Do not time it.")},
+        {{"save-example"},
+         {},
+         Commands::tr("Write the header and an example to compile into the folder LIBRARY, instead "
+                      "of judging.")}};
+    const auto more = tableOptions();
+    options.insert(options.end(), more.begin(), more.end());
+    return {"judge",
+            "LIBRARY [OPTIONS]",
+            Commands::tr("Judges your own algorithm, a shared library with one function, and times "
+                         "it beside every other; the exit code is 3 if it is wrong. A library is a "
+                         "program: it runs with your rights, in a process of its own."),
+            std::move(options),
+            {"clearcut judge --save-example .", "clearcut judge ./example.so",
+             "clearcut judge ./mine.so --strict --no-race --format json"},
+            1,
+            judge};
+}
+
+} // namespace app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/plug_in/judgement.h"
+
+#include <vector>
+
+namespace app::plug_in {
+
+/// One row of the catalogue of what a library is asked.
+struct Category {
+    QString key;           ///< in files: "corners"
+    QString name;          ///< "Corners", translated, as is what follows
+    QString meaning;       ///< one sentence
+    double visibilityUlps; ///< how far edges may move for a wrong visibility; 0: not at all
+    /// The lines depend on the seed alone; further ones for the stricter contract.
+    std::vector<Question> (*questions)(std::uint64_t seed, Strictness strictness);
+};
+
+/// In the order in which they are asked: the simple ones first, many random lines last.
+std::span<const Category> categories();
+
+} // namespace app::plug_in

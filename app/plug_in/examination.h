@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/plug_in/child_process.h"
+#include "app/plug_in/judge.h"
+
+#include <QElapsedTimer>
+
+#include <memory>
+
+namespace app::plug_in {
+
+/// The program that runs as the child.
+QString programOf(const Case& which);
+
+/// The questions, while they are asked.
+class Examination {
+public:
+    Examination(const Case& which, const Follower& follower);
+
+    /// False: it was stopped.
+    bool run();
+    /// After that.
+    Verdict take() { return std::move(verdict_); }
+
+private:
+    enum class Went : std::uint8_t { On, Over, Stopped };
+    Went open();
+    bool isTimeUp() const;
+    Went unusable(Unusable why, const QString& more);
+    Went ask(std::size_t category, std::span<const Question> questions);
+    /// How many of them were answered.
+    Went askSome(std::size_t category, std::span<const Question> questions, std::size_t& answered);
+    void hear(std::size_t category, const Question& question, const Answer& answer);
+    Went mourn(ChildProcess::News news, std::size_t category, const Question& question);
+    void add(std::size_t category, Finding finding);
+    void tell();
+    void leave();
+
+    const Case& case_;
+    const Follower& follower_;
+    Verdict verdict_;
+    std::unique_ptr<ChildProcess> child_;
+    QElapsedTimer taken_;
+    int deaths_ = 0;
+    double processorSeconds_ = 0;
+};
+
+} // namespace app::plug_in

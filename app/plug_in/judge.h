@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/plug_in/verdict.h"
+
+namespace app::plug_in {
+
+/// What is to be judged, and how.
+struct Case {
+    QString library;   ///< a path
+    QString program{}; ///< what runs as the child (child.h); empty: this program
+    std::uint64_t seed = 1;
+    Contract contract{};
+    enum class Race : std::uint8_t { Yes, No } race = Race::Yes;
+    /// Of the processor's time that the library takes, after which no further line is asked about;
+    /// on the wall it is ten times as much.
+    double seconds = 30;
+};
+
+/// Asks the library about every category and compares with `exact`, then times it beside every row.
+/// The library is loaded only into a process of its own, which may neither hang (a second of the
+/// processor's time for one line), nor take more than memoryLimit; after a crash it is started
+/// again, a few times. Takes some seconds. Nothing if it was stopped.
+std::optional<Verdict> judge(const Case& which, const Follower& follower = {});
+
+} // namespace app::plug_in

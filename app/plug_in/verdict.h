@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/plug_in/category.h"
+#include "app/plug_in/times.h"
+
+namespace app::plug_in {
+
+/// One line that a library does wrong.
+struct Finding {
+    Fault fault;
+    std::size_t category; ///< an index into categories()
+    Question question;
+    std::optional<clipping::Segment> expected;
+    std::optional<clipping::Segment> got; ///< nothing also where there was no answer
+    double ulps = 0; ///< how far the ends are off, or outside the window; 0 where neither says much
+    QString more{};  ///< of a crash: why
+};
+
+/// How one category went.
+struct CategoryCount {
+    std::size_t lines = 0, judged = 0, wrong = 0;
+    std::size_t outside = 0; ///< ends that rounding left outside the window, within the contract
+};
+
+/// Why a library could not be judged at all.
+enum class Unusable : std::uint8_t { NoFile, NotLoadable, NoFunction, OtherVersion, Broken };
+
+/// What came of it: plain data.
+struct Verdict {
+    QString path;
+    QString name; ///< what the library calls itself, or its file's name
+    Contract contract{};
+    std::optional<Unusable> unusable{};
+    QString more{}; ///< of an unusable one: what the loader said, or why it crashed
+    std::vector<CategoryCount> categories{};
+    std::vector<std::size_t> byFault = std::vector<std::size_t>(faults().size());
+    std::vector<Finding> findings{}; ///< the first ones of each category
+    double mostOff = 0;              ///< ulps, among what was right
+    double nanoseconds = 0;          ///< a line, with what asking takes
+    QString printed{};               ///< the first of what it printed
+    std::optional<Times> times{};
+    QString noTimes{}; ///< why there are none
+
+    bool passed() const { return !unusable && wrong() == 0 && judged() == lines(); }
+    std::size_t lines() const;
+    std::size_t judged() const;
+    std::size_t wrong() const;
+    std::size_t outside() const;
+    /// The fault to name first: one that ended the child, or else the most frequent one.
+    std::optional<Fault> fault() const;
+};
+
+/// What came out, in one sentence; for one that is unusable, what to do.
+QString sentence(const Verdict& verdict);
+/// What else is to be said of it, a sentence each: rounding, speed.
+QStringList remarks(const Verdict& verdict);
+
+/// The verdict in one row of facts, a row a category, a row a line that is wrong.
+Table summaryTable(const Verdict& verdict);
+Table categoryTable(const Verdict& verdict);
+Table findingTable(const Verdict& verdict);
+/// All there are, with those of the race.
+std::vector<Table> tablesOf(const Verdict& verdict);
+
+} // namespace app::plug_in

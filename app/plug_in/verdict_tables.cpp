@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/record.h"
+#include "app/plug_in/verdict.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace app::plug_in {
+namespace {
+
+struct PlugIn {
+    Q_DECLARE_TR_FUNCTIONS(PlugIn)
+};
+
+/// So many digits that it reads back bit for bit; with an exponent where that is shorter.
+QString number(double value)
+{
+    if (std::isnan(value))
+        return QStringLiteral("nan");
+    if (std::isinf(value))
+        return value < 0 ? QStringLiteral("-inf") : QStringLiteral("inf");
+    return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString numbers(const glm::dvec2& p, const glm::dvec2& q)
+{
+    return QStringList{number(p.x), number(p.y), number(q.x), number(q.y)}.join(u',');
+}
+
+QString numbers(const std::optional<clipping::Segment>& piece)
+{
+    return piece ? numbers(piece->a, piece->b) : PlugIn::tr("nothing");
+}
+
+QString outcomeWord(const Verdict& v)
+{
+    return v.unusable      ? QStringLiteral("unusable")
+           : v.passed()    ? QStringLiteral("passed")
+           : v.wrong() > 0 ? QStringLiteral("wrong")
+                           : QStringLiteral("too-slow");
+}
+
+} // namespace
+
+Table summaryTable(const Verdict& v)
+{
+    Table table{.names = {"library", "name", "outcome", "fault", "lines", "judged", "wrong",
+                          "rounded_outside", "most_ulps"},
+                .title = sentence(v),
+                .key = QStringLiteral("verdict"),
+                .notes = remarks(v)};
+    table.rows.push_back(
+        {v.path, v.name, outcomeWord(v), v.fault() ? infoOf(*v.fault()).key : QString(),
+         QString::number(v.lines()), QString::number(v.judged()), QString::number(v.wrong()),
+         QString::number(v.outside()), QString::number(v.mostOff, 'g', 4)});
+    table.facts = {{"ulps_allowed", QString::number(v.contract.ulps)},
+                   {"contract", v.contract.strictness == Strictness::Clearcuts
+                                    ? QStringLiteral("strict")
+                                    : QStringLiteral("textbook")}};
+    return table;
+}
+
+Table categoryTable(const Verdict& v)
+{
+    Table table{.names = {"category", "lines", "judged", "wrong", "rounded_outside"},
+                .title = PlugIn::tr("What was asked"),
+                .key = QStringLiteral("categories")};
+    for (std::size_t i = 0; i < v.categories.size(); ++i) {
+        const CategoryCount& one = v.categories[i];
+        table.rows.push_back({categories()[i].key, QString::number(one.lines),
+                              QString::number(one.judged), QString::number(one.wrong),
+                              QString::number(one.outside)});
+    }
+    return table;
+}
+
+Table findingTable(const Verdict& v)
+{
+    Table table{.names = {"category", "fault", "line", "window", "expected", "got", "ulps"},
+                .title = PlugIn::tr("Lines that are wrong, the first of each category"),
+                .key = QStringLiteral("findings")};
+    for (const Finding& one : v.findings) {
+        const bool answered = !infoOf(one.fault).fatal;
+        table.rows.push_back({categories()[one.category].key, infoOf(one.fault).key,
+                              numbers(one.question.line.a, one.question.line.b),
+                              numbers(one.question.window.min, one.question.window.max),
+                              numbers(one.expected), answered ? numbers(one.got) : one.more,
+                              one.ulps > 0 ? QString::number(one.ulps, 'g', 4) : QString()});
+    }
+    return table;
+}
+
+std::vector<Table> tablesOf(const Verdict& v)
+{
+    std::vector<Table> all{summaryTable(v)};
+    if (!v.categories.empty())
+        all.push_back(categoryTable(v));
+    if (!v.findings.empty())
+        all.push_back(findingTable(v));
+    if (v.times) {
+        all.push_back(raceTable(*v.times));
+        all.push_back(classTable(*v.times));
+    }
+    return all;
+}
+
+} // namespace app::plug_in

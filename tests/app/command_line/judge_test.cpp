@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "tests/app/command_line/program.h"
+
+/// `clearcut judge`, as people call it.
+class JudgeCommandTest : public QObject {
+    Q_OBJECT
+
+    static QString sample(const char* name)
+    {
+        return QStringLiteral(PLUG_INS "/%1.so").arg(QLatin1StringView(name));
+    }
+
+private slots:
+    void whatPassesIsZero()
+    {
+        const auto run = clearcut({"judge", sample("example")});
+        QCOMPARE(run.err, "");
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.out.contains("Passed: Liang-Barsky, the example"), run.out.constData());
+        QVERIFY(run.out.contains("Race on the paper's scene"));
+    }
+
+    void whatIsWrongIsThree()
+    {
+        const auto run = clearcut({"judge", sample("lost_corner"), "--no-race"});
+        QCOMPARE(run.code, 3);
+        QVERIFY2(run.out.contains("loses lines that are visible"), run.out.constData());
+        QVERIFY(!run.out.contains("Race"));
+    }
+
+    void whatCannotBeLoadedIsOne()
+    {
+        for (const char* name : {"not_a_plug_in", "of_tomorrow", "nobody", "crash_while_loading"}) {
+            const auto run = clearcut({"judge", sample(name)});
+            QCOMPARE(run.code, 1);
+            QCOMPARE(run.out, "");
+            QVERIFY2(run.err.startsWith("clearcut judge: ") && run.err.count('\n') == 1,
+                     run.err.constData());
+        }
+    }
+
+    void jsonHoldsTheVerdict()
+    {
+        const auto run =
+            clearcut({"judge", sample("crash"), "--format", "json", "--seed", "3", "--no-race"});
+        QCOMPARE(run.code, 3);
+        const auto tables = QJsonDocument::fromJson(run.out).array();
+        QCOMPARE(tables.size(), 3);
+        const auto verdict = tables[0]["rows"][0].toObject();
+        QCOMPARE(verdict["outcome"].toString(), "wrong");
+        QCOMPARE(verdict["fault"].toString(), "crashed");
+        QVERIFY(verdict["judged"].toInt() < verdict["lines"].toInt());
+        QCOMPARE(tables[2]["rows"][0]["category"].toString(), "regions");
+        QVERIFY(tables[2]["rows"][0]["got"].toString().contains("SIGSEGV"));
+    }
+
+    void strictIsStricter()
+    {
+        QCOMPARE(clearcut({"judge", sample("example"), "--no-race", "--strict"}).code, 3);
+        QCOMPARE(clearcut({"judge", sample("example"), "--no-race"}).code, 0);
+    }
+
+    void theExampleIsWritten()
+    {
+        QTemporaryDir folder;
+        QCOMPARE(clearcut({"judge", "--save-example", folder.path()}).code, 0);
+        QVERIFY(contentOf(folder.filePath("example.c")).contains("clearcut_clip"));
+        QVERIFY(
+            contentOf(folder.filePath("clearcut_algorithm.h")).contains("CLEARCUT_ABI_VERSION"));
+        QCOMPARE(clearcut({"judge", "--save-example", "/nowhere/at/all"}).code, 1);
+    }
+
+    /// The internal command alone loads libraries.
+    void theChildSaysWhatItIs()
+    {
+        const auto run = clearcut({"judge-child", "answer", sample("not_a_plug_in")});
+        QCOMPARE(run.out, "no-function \n");
+        QVERIFY(clearcut({"judge-child", "answer", "/nowhere.so"}).out.startsWith("not-loadable "));
+        QVERIFY(!clearcut({"--help"}).out.contains("judge-child"));
+    }
+};
+
+QTEST_MAIN(JudgeCommandTest)
+#include "judge_test.moc"
