@@ -20,6 +20,9 @@ struct About {
     double ulps;
 };
 
+/// What a test's step is called.
+constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
+
 /// Whether the contract promises anything for this input: all finite, and min <= max.
 template <class T, glm::length_t N>
 constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)

@@ -77,7 +77,7 @@ int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, c
         return 2;                               // products of two lengths
     if (value.name == "D" || value.name == "N") // the published normals are as long as the edges
         return form == clipping::Form::Published ? 2 : 1;
-    return isAmong(value.name, {"p", "q", "rise", "run"});
+    return isAmong(value.name, {"p", "q", "rise", "run", "gap"});
 }
 
 /// Outcodes as everywhere in the window, for the edges as they appear on the screen: where y points
@@ -85,7 +85,7 @@ int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, c
 QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
                   const Measure& measure)
 {
-    if (step.what != "outcodes") {
+    if (value.kind != clipping::ValueKind::Bits) {
         double number = value.value;
         for (int power = dimensionOf(step, value, measure.form); power > 0; --power)
             number = measure.inUnit(number);
@@ -214,7 +214,8 @@ QStringList stepTexts(const Inspection& line, Unit unit, double millimetresPerUn
     const Measure measure{line.clipper.form, unit, millimetresPerUnit};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
-        texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
+        if (!isAmong(step.what, {"yes", "no"})) // the microscope shows tests
+            texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
     return texts << endText(line, measure);
 }
 

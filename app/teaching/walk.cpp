@@ -35,7 +35,8 @@ Mark markOf(const Step& step, const clipping::OperationCounts& before)
 }
 
 /// What is known after a step: what was, with what is new.
-std::vector<Variable> variablesAfter(const Step& step, const std::vector<Variable>& earlier)
+std::vector<Variable> variablesAfter(const Step& step, const Teller* teller,
+                                     const std::vector<Variable>& earlier)
 {
     std::vector<Variable> variables = earlier;
     for (Variable& variable : variables)
@@ -49,10 +50,10 @@ std::vector<Variable> variablesAfter(const Step& step, const std::vector<Variabl
     };
     const auto& [a, b] = step.segment;
     constexpr auto number = clipping::ValueKind::Number;
-    put(QStringLiteral("x1"), a.x, number);
-    put(QStringLiteral("y1"), a.y, number);
-    put(QStringLiteral("x2"), b.x, number);
-    put(QStringLiteral("y2"), b.y, number);
+    const auto ends = teller ? teller->ends : Teller{}.ends;
+    const std::array coordinates{a.x, a.y, b.x, b.y};
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        put(QLatin1StringView(ends[i]), coordinates[i], number);
     for (const auto& value : step.values)
         put(latin(value.name), value.value, value.kind);
     return variables;
@@ -75,8 +76,8 @@ Moment momentOf(const Telling& telling, const Teller* teller, const Moment* earl
     Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
                   .line = step.line,
                   .sentence = teller ? teller->sentence(telling) : QString(),
-                  .variables =
-                      variablesAfter(step, earlier ? earlier->variables : std::vector<Variable>{}),
+                  .variables = variablesAfter(
+                      step, teller, earlier ? earlier->variables : std::vector<Variable>{}),
                   .left = step.segment,
                   .edge = step.edge,
                   .candidate = candidateOf(telling, teller),

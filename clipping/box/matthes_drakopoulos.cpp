@@ -25,7 +25,7 @@ namespace {
 struct MatthesDrakopoulosBox {
     static constexpr int lineOf(Edge side)
     {
-        return side < Edge::Near ? 2 + 2 * static_cast<int>(side) : 0; // 4, 6, 8, 10
+        return side < Edge::Near ? 6 + 3 * static_cast<int>(side) : 0; // 9, 12, 15, 18
     }
 
     /// Pushes `moving` to the sides it is beyond; `end` is which end of `visible` it is.
@@ -52,7 +52,7 @@ struct MatthesDrakopoulosBox {
         for (glm::length_t k = 0; k < 3; ++k)
             if ((s.a[k] < w.min[k] && s.b[k] < w.min[k])
                 || (s.a[k] > w.max[k] && s.b[k] > w.max[k])) {
-                watch("reject", 1, s, Edge::None);
+                watch("reject", k < 2 ? 2 + 2 * k : 0, s, Edge::None);
                 return std::nullopt;
             }
         const glm::vec<3, T> d{s.b.x - s.a.x, s.b.y - s.a.y, s.b.z - s.a.z};
@@ -63,11 +63,11 @@ struct MatthesDrakopoulosBox {
         constexpr glm::length_t lastAxis = 2; // no question there
         for (glm::length_t k = 0; k < lastAxis; ++k)
             if ((a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k))) {
-                watch("reject", 11, visible, Edge::None);
+                watch("reject", 20, visible, Edge::None);
                 return std::nullopt;
             }
         visible = between(a, b);
-        watch("accept", 12, visible, Edge::None);
+        watch("accept", 21, visible, Edge::None);
         return visible;
     }
 };

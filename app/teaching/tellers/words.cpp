@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/tellers/words.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app::words {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
+
+/// The edge that is seen where this one is, with y up.
+std::size_t asSeen(clipping::Edge edge, YAxis y)
+{
+    const auto at = std::size_t(edge);
+    return y == YAxis::Down && at >= 3 ? 7 - at : at;
+}
+
+double axisOf(const Point& p, clipping::Edge edge) { return p[clipping::axisOf(edge)]; }
+
+} // namespace
+
+QString beyond(clipping::Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> words{"outside the window", "left of the window",
+                                                      "right of the window", "below the window",
+                                                      "above the window"};
+    return tr(words.at(asSeen(edge, y)));
+}
+
+QString whereBeyond(clipping::Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> words{"outside", "left", "right", "below", "above"};
+    return tr(words.at(asSeen(edge, y)));
+}
+
+QString levelName(clipping::Edge edge)
+{
+    static constexpr std::array<const char*, 5> names{"", "xmin", "xmax", "ymin", "ymax"};
+    return QLatin1StringView(names.at(std::size_t(edge)));
+}
+
+QString axisName(clipping::Edge edge)
+{
+    return clipping::axisOf(edge) == 0 ? QStringLiteral("x") : QStringLiteral("y");
+}
+
+QString end(int number) { return tr("End %1").arg(number); }
+
+QString point(const Point& p) { return QStringLiteral("(%1, %2)").arg(number(p.x), number(p.y)); }
+
+QString number(double value)
+{
+    if (std::isnan(value))
+        return tr("no number");
+    if (std::isinf(value))
+        return value > 0 ? tr("infinity") : tr("minus infinity");
+    return shortText(value);
+}
+
+QString compared(double one, double other)
+{
+    const QString sign = one < other   ? QStringLiteral("<")
+                         : one > other ? QStringLiteral(">")
+                                       : QStringLiteral("=");
+    const bool alike = one != other && shortText(one) == shortText(other);
+    return QStringLiteral("%1 %2 %3")
+        .arg(alike ? exactText(one) : number(one), sign, alike ? exactText(other) : number(other));
+}
+
+QString compared(const Point& p, clipping::Edge edge, const clipping::Window& window)
+{
+    return compared(axisOf(p, edge), clipping::levelOf(edge, window));
+}
+
+QString accepted(const Telling& telling)
+{
+    const auto& [a, b] = telling.step.segment;
+    const auto& line = telling.specimen.line;
+    if (a == line.a && b == line.b)
+        return tr("Both ends lie inside the window, so all of the line is visible.");
+    if (a == b)
+        return tr("The line meets the window in a single point, %1: that point is visible.")
+            .arg(point(a));
+    return tr("What is left, from %1 to %2, lies inside the window: it is visible.")
+        .arg(point(a), point(b));
+}
+
+bool isPublished(const Telling& telling)
+{
+    return telling.specimen.clipper.form == clipping::Form::Published;
+}
+
+bool isOutside(const Point& p, const clipping::Window& w)
+{
+    return !(p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y);
+}
+
+} // namespace app::words
