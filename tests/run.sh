@@ -9,7 +9,7 @@ shift || true
 
 # The program's own packages; boost: the oracle's exact numbers; xvfb, xauth: tests with OpenGL;
 # librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
-bash "$root/app/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libglm-dev \
+bash "$root/app/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libglm-dev \
     libboost-dev xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'

@@ -4,16 +4,14 @@
 #include "app/charts/chart_layout.h"
 #include "app/charts/chart_paint.h"
 #include "app/charts/words.h"
+#include "app/formats/painted.h"
 #include "app/formats/replace_file.h"
 #include "app/formats/write_all.h"
 #include "app/latin.h"
 
 #include <QBuffer>
 #include <QFileInfo>
-#include <QImage>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QSvgGenerator>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +20,7 @@
 namespace app {
 namespace {
 
-constexpr double margin = 16, width = 720, dotsPerInch = 96;
+constexpr double margin = 16, width = 720;
 
 void paintPage(QPainter& painter, const Chart& chart, const ChartLook& look, const QSizeF& size)
 {
@@ -37,63 +35,35 @@ std::optional<QString> written(QIODevice& out, const QByteArray& bytes)
     return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }
 
+PaintedPage pageOf(const Chart& chart, const ChartLook& look, const QSizeF& size)
+{
+    return {size,
+            [&chart, &look, size](QPainter& painter) { paintPage(painter, chart, look, size); }};
+}
+
+PaintedCaption captionOf(const Chart& chart) { return {chart.title, textOf(chart)}; }
+
 std::optional<QString> writeSvg(const Chart& chart, const ChartLook& look, const QSizeF& size,
                                 QIODevice& out)
 {
-    QBuffer buffer; // the generator does not say what the device refused
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setResolution(int(dotsPerInch));
-    generator.setSize(size.toSize());
-    generator.setViewBox(QRectF(QPointF(), size));
-    generator.setTitle(chart.title);
-    generator.setDescription(textOf(chart));
-    QPainter painter(&generator);
-    paintPage(painter, chart, look, size);
-    painter.end();
-    QByteArray bytes = buffer.data(); // for who has not got the font
-    bytes.replace("font-family=\"" + look.font.family().toUtf8() + '"',
-                  "font-family=\"" + look.font.family().toUtf8() + ", sans-serif\"");
-    return written(out, bytes);
+    return written(out, svgOf(pageOf(chart, look, size), captionOf(chart)));
 }
 
 std::optional<QString> writePdf(const Chart& chart, const ChartLook& look, const QSizeF& size,
                                 QIODevice& out)
 {
-    constexpr int resolution = 1200;
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setResolution(resolution);
-    writer.setPageSize(
-        QPageSize(size * 72 / dotsPerInch, QPageSize::Point, {}, QPageSize::ExactMatch));
-    writer.setPageMargins({});
-    writer.setTitle(chart.title);
-    writer.setCreator(QStringLiteral("Clearcut"));
-    QPainter painter(&writer);
-    painter.scale(resolution / dotsPerInch, resolution / dotsPerInch);
-    paintPage(painter, chart, look, size);
-    painter.end();
-    return written(out, buffer.data());
+    const PaintedPage page = pageOf(chart, look, size);
+    return written(out, pdfOf({&page, 1}, captionOf(chart)));
 }
 
 std::optional<QString> writePng(const Chart& chart, const ChartLook& look, const QSizeF& size,
                                 QIODevice& out)
 {
     constexpr double scale = 2; // sharp on every screen
-    QImage image((size * scale).toSize(), QImage::Format_RGB32);
-    if (image.isNull())
+    const QByteArray bytes = pngOf(pageOf(chart, look, size), captionOf(chart), scale);
+    if (bytes.isEmpty())
         return Charts::tr("there is not enough memory for the picture.");
-    image.setDevicePixelRatio(scale);
-    image.setText(QStringLiteral("Title"), chart.title);
-    image.setText(QStringLiteral("Description"), textOf(chart));
-    QPainter painter(&image);
-    paintPage(painter, chart, look, size);
-    painter.end();
-    QBuffer buffer;
-    if (!image.save(&buffer, "png"))
-        return Charts::tr("there is not enough memory for the picture.");
-    return written(out, buffer.data());
+    return written(out, bytes);
 }
 
 QString keysText()

@@ -21,12 +21,14 @@ Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
 Command judgeCommand();
+Command traceCommand();
 
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(),    convertCommand(),    compareCommand(), infoCommand(),
-            costmapCommand(), algorithmsCommand(), benchCommand(),   judgeCommand()};
+    return {clipCommand(),  convertCommand(), compareCommand(),    infoCommand(),
+            traceCommand(), costmapCommand(), algorithmsCommand(), benchCommand(),
+            judgeCommand()};
 }
 
 namespace {

@@ -18,28 +18,12 @@ constexpr quint64 mostUlps = 1'000'000'000;
 /// In tables: what sees the line.
 constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Difference::Kind
 
-Clipper clipperOf(const Given& given, const QString& option, const Clipper& usual)
-{
-    const auto key = given.text(option);
-    if (!key)
-        return usual;
-    if (const auto clipper = findClipper(*key))
-        return *clipper;
-    QStringList more;
-    for (const Exhibit& exhibit : exhibits())
-        more << exhibit.key;
-    throw WrongUsage{Commands::tr("There is no “%1” to compare. Give a key or abbreviation of "
-                                  "“clearcut algorithms”, with :published where there is such a "
-                                  "form, or %2.")
-                         .arg(*key, more.join(Commands::tr(", ")))};
-}
-
 Comparison comparisonOf(const Given& given)
 {
     if (!given.has(QStringLiteral("algorithm")))
         throw WrongUsage{Commands::tr("Name what to compare with -a.")};
-    Comparison comparison{clipperOf(given, QStringLiteral("algorithm"), {}),
-                          clipperOf(given, QStringLiteral("with"), exactClipper())};
+    Comparison comparison{*given.clipper(QStringLiteral("algorithm")),
+                          given.clipper(QStringLiteral("with")).value_or(exactClipper())};
     if (const auto ulps = given.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
     if (comparison.a == comparison.b)

@@ -158,6 +158,40 @@ std::vector<const clipping::Algorithm*> Given::algorithms(const QString& option)
     return found;
 }
 
+std::optional<Clipper> Given::clipper(const QString& option) const
+{
+    const auto key = text(option);
+    if (!key)
+        return std::nullopt;
+    if (auto clipper = findClipper(*key))
+        return clipper;
+    QStringList more;
+    for (const Exhibit& exhibit : exhibits())
+        more << exhibit.key;
+    throw WrongUsage{Commands::tr("There is no “%1”. Give a key or abbreviation of “clearcut "
+                                  "algorithms”, with :published where there is such a form, or %2.")
+                         .arg(*key, more.join(Commands::tr(", ")))};
+}
+
+std::optional<std::array<double, 4>> Given::numbers(const QString& option,
+                                                    const QString& names) const
+{
+    const auto given = text(option);
+    if (!given)
+        return std::nullopt;
+    std::array<double, 4> numbers{};
+    const QStringList parts = given->split(u',');
+    bool fits = parts.size() == 4;
+    for (qsizetype i = 0; fits && i < 4; ++i) {
+        const auto number = parseNumber(trimmed(parts[i]));
+        fits = number.has_value();
+        numbers[std::size_t(i)] = number.value_or(0);
+    }
+    if (!fits)
+        refuse(option, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
+    return numbers;
+}
+
 const Format* Given::format(const QString& option) const
 {
     const auto given = text(option);

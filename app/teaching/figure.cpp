@@ -68,7 +68,9 @@ void hatch(const Picture& s, const QRectF& area)
     if (area.isEmpty())
         return;
     const double gap = 9 * s.u;
-    s.painter.setPen(pen(s.colours.rule, s.u));
+    QColor quiet = s.colours.rule;
+    quiet.setAlphaF(0.7F);
+    s.painter.setPen(pen(quiet, s.u));
     const double first = std::floor((area.left() + area.top()) / gap) * gap;
     for (double sum = first; sum < area.right() + area.bottom(); sum += gap) { // x + y == sum
         const double left = std::max(area.left(), sum - area.bottom());

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/given.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+#include "app/document/usual_algorithm.h"
+#include "app/latin.h"
+#include "app/teaching/trace_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+constexpr quint64 leastWidth = 64, mostWidth = 8192;
+
+/// The window of the paper, where none is given.
+constexpr clipping::Window usualWindow{{-100, -75}, {100, 75}};
+
+QStringList formatKeys()
+{
+    QStringList keys;
+    for (const TraceFormat& format : traceFormats())
+        keys << latin(format.key);
+    return keys;
+}
+
+Specimen specimenOf(const Given& given)
+{
+    const auto line = given.numbers(QStringLiteral("line"), QStringLiteral("X1,Y1,X2,Y2"));
+    if (!line)
+        throw WrongUsage{Commands::tr("Give the line with --line X1,Y1,X2,Y2.")};
+    const auto& [x1, y1, x2, y2] = *line;
+    Specimen specimen{
+        .clipper = given.clipper(QStringLiteral("algorithm")).value_or(Clipper{&usualAlgorithm()}),
+        .line = {{x1, y1}, {x2, y2}},
+        .window = usualWindow,
+        .y = given.choice(QStringLiteral("y"), {"up", "down"}) == 0 ? YAxis::Up : YAxis::Down,
+        .origin = {}};
+    const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
+    if (const auto window = given.numbers(QStringLiteral("window"), edges)) {
+        const auto& [xmin, ymin, xmax, ymax] = *window;
+        specimen.window = {{xmin, ymin}, {xmax, ymax}};
+    }
+    return specimen;
+}
+
+TraceExport exportOf(const Given& given)
+{
+    TraceExport trace{.specimen = specimenOf(given), .walk = {}};
+    trace.walk = walkOf(trace.specimen);
+    if (!trace.walk.refusal.isEmpty())
+        throw WrongUsage{trace.walk.refusal};
+    if (const auto step = given.count(QStringLiteral("step"), 1, trace.walk.moments.size()))
+        trace.only = *step - 1;
+    if (given.choice(QStringLiteral("theme"), {"light", "dark"}) == 1)
+        trace.ground = Ground::Dark;
+    if (given.has(QStringLiteral("picture-only")))
+        trace.parts = SlideParts::Picture;
+    if (const auto width = given.count(QStringLiteral("width"), leastWidth, mostWidth))
+        trace.scale = double(*width) / slideWidth;
+    return trace;
+}
+
+/// What --format says, or the name's ending; text where neither is given.
+const TraceFormat& formatOf(const Given& given, const QString& output)
+{
+    if (given.has(QStringLiteral("format")))
+        return *findTraceFormat(
+            formatKeys()[qsizetype(given.choice(QStringLiteral("format"), formatKeys()))]);
+    const QString ending = QFileInfo(output).suffix();
+    if (const TraceFormat* format = findTraceFormat(ending))
+        return *format;
+    if (!output.isEmpty() && output != QStringLiteral("-"))
+        throw WrongUsage{Commands::tr("%1: say with --format what to write: %2.")
+                             .arg(output, formatKeys().join(QStringLiteral(", ")))};
+    return *findTraceFormat(u"text");
+}
+
+std::vector<QByteArray> bytesOf(const TraceExport& trace, const TraceFormat& format)
+{
+    auto bytes = traceBytes(trace, format);
+    if (!bytes)
+        throw Failure{Commands::tr("There is not enough memory for the pictures; give a smaller "
+                                   "--width.")};
+    return *std::move(bytes);
+}
+
+/// Where several files of that name would be, none is replaced unless that is asked for.
+void refuseOverwriting(const Given& given, const QStringList& paths)
+{
+    const QStringList existing = existingOf(paths);
+    if (paths.size() < 2 || existing.isEmpty() || given.has(QStringLiteral("overwrite")))
+        return;
+    throw Failure{existing.size() == 1
+                      ? Commands::tr("%1 exists already. Give another name, or --overwrite.")
+                            .arg(existing.front())
+                      : Commands::tr("%1 and %2 more files exist already. Give another name, or "
+                                     "--overwrite.")
+                            .arg(existing.front())
+                            .arg(existing.size() - 1)};
+}
+
+void write(const Given& given, const TraceExport& trace, const TraceFormat& format,
+           const QString& output)
+{
+    if (output.endsWith(u'/') && !QDir().mkpath(output))
+        throw Failure{Commands::tr("Cannot make the folder %1.").arg(output)};
+    const QStringList paths = tracePaths(trace, format, output);
+    const QString folder = QFileInfo(paths.front()).path();
+    if (!QFileInfo(folder).isDir())
+        throw Failure{Commands::tr("Cannot write %1: there is no folder %2; a name that ends with "
+                                   "/ makes one.")
+                          .arg(paths.front(), folder)};
+    refuseOverwriting(given, paths);
+    if (const auto error = writeTrace(paths, bytesOf(trace, format)))
+        throw Failure{*error};
+    if (!given.has(QStringLiteral("quiet")))
+        say(paths.size() == 1 ? Commands::tr("Wrote %1").arg(paths.front())
+                              : Commands::tr("Wrote %1 to %2, %3 files")
+                                    .arg(paths.front(), paths.back())
+                                    .arg(paths.size()));
+}
+
+void trace(const Given& given)
+{
+    const QString output = given.text(QStringLiteral("output")).value_or(QString());
+    const TraceFormat& format = formatOf(given, output);
+    const bool toTerminal = output.isEmpty() || output == QStringLiteral("-");
+    if (toTerminal && format.forPeople)
+        throw WrongUsage{Commands::tr("Name a file or a folder for the pictures with -o.")};
+    const TraceExport trace = exportOf(given);
+    if (toTerminal)
+        print(QString::fromUtf8(bytesOf(trace, format).front()));
+    else
+        write(given, trace, format, output);
+}
+
+} // namespace
+
+Command traceCommand()
+{
+    return {
+        "trace",
+        "--line X1,Y1,X2,Y2 [OPTIONS]",
+        Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
+                     "slides or as an animated picture."),
+        {{{"a", "algorithm"},
+          "A",
+          Commands::tr("Key or abbreviation of what clips; KEY:published is the form that its "
+                       "authors printed (%1).")
+              .arg(latin(usualAlgorithm().key))},
+         {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
+         {{"w", "window"},
+          "XMIN,YMIN,XMAX,YMAX",
+          Commands::tr("The window (-100,-75,100,75, the paper's).")},
+         {{"f", "format"},
+          formatKeys().join(u'|'),
+          Commands::tr("What to write (what the name of -o ends with, or else text).")},
+         {{"o", "output"},
+          "FILE|FOLDER/",
+          Commands::tr("Where to write. Of svg and png there is a file for each step: FILE-01.svg "
+                       "and so on.")},
+         {{"step"}, "N", Commands::tr("Only this step.")},
+         {{"y"}, "up|down", Commands::tr("Where y grows to in pictures and sentences (up).")},
+         {{"theme"}, "light|dark", Commands::tr("How pictures look (light).")},
+         {{"picture-only"},
+          {},
+          Commands::tr("Pictures without sentence, pseudo-code and variables.")},
+         {{"width"}, "PIXELS", Commands::tr("Of png and gif; they are 16:9 (1280).")},
+         {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
+         {{"q", "quiet"}, {}, Commands::tr("Do not say what was written.")}},
+        {"clearcut trace -a md --line -160,-30,70,130",
+         "clearcut trace -a cs:published --line 0.3,0.3,-1,-1 -w 0.1,0.1,30,30 -f json",
+         "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
+         "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
+        0,
+        trace,
+        true};
+}
+
+} // namespace app

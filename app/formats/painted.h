@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QSizeF>
+#include <QString>
+
+#include <functional>
+#include <span>
+
+class QPainter;
+
+// Whatever can be painted, as a whole file in memory: charts, figures, slides. What is painted goes
+// in with nothing of its own about time or machine, so the same picture is the same bytes.
+
+namespace app {
+
+struct PaintedPage {
+    QSizeF size; ///< in logical pixels (1/96 inch)
+    std::function<void(QPainter& painter)> paint;
+};
+
+/// What a file says of itself to those who do not see it.
+struct PaintedCaption {
+    QString title, description;
+};
+
+QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption);
+/// `scale`: pixels for each logical one. Empty if there is not enough memory.
+QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale);
+/// A page for each, as large as it says.
+QByteArray pdfOf(std::span<const PaintedPage> pages, const PaintedCaption& caption);
+
+} // namespace app

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/slide.h"
+
+#include "app/teaching/figure.h"
+#include "app/teaching/figure_marks.h"
+#include "app/teaching/slide_panels.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QTextOption>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
+
+constexpr double margin = 32, columnWidth = 396, gap = 28;
+constexpr double headerHeight = 68, sentenceHeight = 96, operationsHeight = 80;
+
+QString stepText(const Walk& walk, std::size_t step)
+{
+    return walk.moments.empty() ? QString()
+                                : tr("Step %1 of %2").arg(step + 1).arg(walk.moments.size());
+}
+
+/// "End 1 −160, −30   End 2 70, 130   window −100, −75 to 100, 75".
+QString factsText(const Specimen& specimen)
+{
+    return tr("Line from %1 to %2, window from %3 to %4")
+        .arg(pointText(specimen.line.a), pointText(specimen.line.b), pointText(specimen.window.min),
+             pointText(specimen.window.max));
+}
+
+void paintHeader(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
+                 Ground ground)
+{
+    const FigureColours colours = figureColours(ground);
+    const QFont body = slideFonts().body;
+    const QRectF line(margin, 22, slideWidth - 2 * margin, 28);
+    paintMarker(painter, QRectF(line.left(), line.top() + 4, 20, 20), *specimen.clipper.algorithm,
+                specimen.clipper.form, ground);
+    painter.setFont(bold(sized(body, 1.4)));
+    painter.setPen(colours.text);
+    painter.drawText(line.adjusted(30, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     titleOf(specimen.clipper));
+    painter.setFont(sized(body, 1.2));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, stepText(walk, step));
+    painter.setFont(sized(body, 0.9));
+    painter.setPen(colours.muted);
+    painter.drawText(line.translated(30, 26), Qt::AlignLeft | Qt::AlignVCenter,
+                     factsText(specimen));
+}
+
+/// In the largest font in which it fits.
+void paintSentence(QPainter& painter, const QRectF& area, const QString& text,
+                   const FigureColours& colours)
+{
+    QFont font = slideFonts().body;
+    const int flags = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
+    for (int size = 22; size > 11; --size) {
+        font.setPixelSize(size);
+        if (QFontMetricsF(font).boundingRect(area, flags, text).height() <= area.height())
+            break;
+    }
+    painter.setFont(font);
+    painter.setPen(colours.text);
+    painter.drawText(area, flags, text);
+}
+
+void paintFigure(QPainter& painter, const QRectF& area, const Specimen& specimen, const Walk& walk,
+                 std::size_t step, Ground ground)
+{
+    const FigureFrame frame = figureFrame(specimen, area.size(), slideFonts().body);
+    painter.save();
+    painter.translate(area.topLeft());
+    paintStep(painter, specimen, walk, step, frame, figureColours(ground));
+    painter.restore();
+}
+
+void paintPanels(QPainter& painter, const QRectF& column, const Specimen& specimen,
+                 const Walk& walk, std::size_t step, const FigureColours& colours)
+{
+    QRectF code = column;
+    code.setHeight(column.height() * 0.52);
+    const double below =
+        walk.code.isEmpty() ? column.top() : paintCode(painter, code, walk, step, colours) + 14;
+    if (walk.moments.empty())
+        return;
+    const QRectF variables(column.left(), below, column.width(),
+                           column.bottom() - operationsHeight - 10 - below);
+    paintVariables(painter, variables, walk.moments[step], specimen.y, colours);
+    const QRectF operations(column.left(), column.bottom() - operationsHeight, column.width(),
+                            operationsHeight);
+    paintOperations(painter, operations, walk, step, colours);
+}
+
+} // namespace
+
+void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
+                SlideParts parts, Ground ground)
+{
+    const FigureColours colours = figureColours(ground);
+    const QRectF all(0, 0, slideWidth, slideHeight);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(all, colours.paper);
+    if (parts == SlideParts::Picture) {
+        paintFigure(painter, all, specimen, walk, step, ground);
+        return;
+    }
+    const double top = headerHeight + 22, bottom = slideHeight - margin;
+    const QRectF column(slideWidth - margin - columnWidth, top, columnWidth, bottom - top);
+    const QRectF picture(margin, top, column.left() - gap - margin, bottom - top - sentenceHeight);
+    paintHeader(painter, specimen, walk, step, ground);
+    paintFigure(painter, picture, specimen, walk, step, ground);
+    painter.setPen(QPen(colours.rule, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(picture);
+    paintSentence(painter,
+                  {picture.left(), picture.bottom() + 14, picture.width(), sentenceHeight - 14},
+                  slideSentence(walk, step), colours);
+    paintPanels(painter, column, specimen, walk, step, colours);
+}
+
+QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step)
+{
+    return walk.moments.empty() ? titleOf(specimen.clipper)
+                                : tr("%1, step %2 of %3")
+                                      .arg(titleOf(specimen.clipper))
+                                      .arg(step + 1)
+                                      .arg(walk.moments.size());
+}
+
+QString slideSentence(const Walk& walk, std::size_t step)
+{
+    return step < walk.moments.size() ? walk.moments[step].sentence : walk.refusal;
+}
+
+} // namespace app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/number.h"
+#include "app/latin.h"
+#include "app/teaching/trace_file.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <array>
+#include <cmath>
+
+// A trace as data: all that the library says, in the order in which it is read. README.md of app/
+// describes it.
+
+namespace app {
+
+namespace {
+
+/// A number as all files of the program have it; what is no number is a word.
+QString number(double value)
+{
+    if (std::isnan(value))
+        return QStringLiteral("\"nan\"");
+    if (std::isinf(value))
+        return value > 0 ? QStringLiteral("\"inf\"") : QStringLiteral("\"-inf\"");
+    std::string text;
+    appendNumber(text, value);
+    return QString::fromStdString(text);
+}
+
+QString quoted(const QString& text)
+{
+    const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
+    return QString::fromUtf8(list.mid(1, list.size() - 2));
+}
+
+QString list(const QStringList& parts) { return u'[' + parts.join(QStringLiteral(", ")) + u']'; }
+
+QString list(const clipping::Segment& s)
+{
+    return list(QStringList{number(s.a.x), number(s.a.y), number(s.b.x), number(s.b.y)});
+}
+
+/// {"name": value, ...} in the order given.
+QString object(const std::vector<std::pair<const char*, QString>>& fields, const QString& indent)
+{
+    QStringList lines;
+    for (const auto& [name, value] : fields)
+        lines << indent + QStringLiteral("  \"%1\": ").arg(QLatin1StringView(name)) + value;
+    return QStringLiteral("{\n") + lines.join(QStringLiteral(",\n")) + u'\n' + indent + u'}';
+}
+
+QString edgeKey(clipping::Edge edge)
+{
+    static constexpr std::array<const char*, 5> names{"null", "\"xmin\"", "\"xmax\"", "\"ymin\"",
+                                                      "\"ymax\""};
+    const auto at = std::size_t(edge);
+    return QLatin1StringView(at < names.size() ? names[at] : names[0]);
+}
+
+QString markKey(Mark mark)
+{
+    static constexpr std::array<const char*, 7> names{"look",   "compare", "divide", "cut",
+                                                      "accept", "reject",  "give up"};
+    return quoted(QLatin1StringView(names[std::size_t(mark)]));
+}
+
+QString kindKey(clipping::ValueKind kind)
+{
+    static constexpr std::array<const char*, 4> names{"number", "whole", "bits", "truth"};
+    return quoted(QLatin1StringView(names[std::size_t(kind)]));
+}
+
+QString valueOf(double value, clipping::ValueKind kind)
+{
+    if (kind == clipping::ValueKind::Truth)
+        return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
+    return number(value);
+}
+
+QString variablesOf(const Moment& moment)
+{
+    QStringList lines;
+    for (const Variable& v : moment.variables)
+        lines << QStringLiteral(
+                     "        {\"name\": %1, \"kind\": %2, \"value\": %3, \"before\": %4}")
+                     .arg(quoted(v.name), kindKey(v.kind), valueOf(v.value, v.kind),
+                          v.before ? valueOf(*v.before, v.kind) : QStringLiteral("null"));
+    return QStringLiteral("[\n") + lines.join(QStringLiteral(",\n")) + QStringLiteral("\n      ]");
+}
+
+QString operationsOf(const clipping::OperationCounts& cost)
+{
+    return QStringLiteral("{\"comparisons\": %1, \"additions\": %2, \"multiplications\": %3, "
+                          "\"divisions\": %4, \"negations\": %5}")
+        .arg(cost.comparisons)
+        .arg(cost.additions)
+        .arg(cost.multiplications)
+        .arg(cost.divisions)
+        .arg(cost.negations);
+}
+
+QString stepOf(const Moment& moment, std::size_t step)
+{
+    const auto& candidate = moment.candidate;
+    const auto truth = [](bool is) {
+        return is ? QStringLiteral("true") : QStringLiteral("false");
+    };
+    return QStringLiteral("    ")
+           + object(
+               {{"step", QString::number(step + 1)},
+                {"line", moment.line > 0 ? QString::number(moment.line) : QStringLiteral("null")},
+                {"mark", markKey(moment.mark)},
+                {"sentence", quoted(moment.sentence)},
+                {"answer", moment.answer ? truth(*moment.answer) : QStringLiteral("null")},
+                {"edge", edgeKey(moment.edge)},
+                {"left", list(moment.left)},
+                {"candidate", candidate ? list({number(candidate->x), number(candidate->y)})
+                                        : QStringLiteral("null")},
+                {"variables", variablesOf(moment)},
+                {"operations", operationsOf(moment.cost)}},
+               QStringLiteral("    "));
+}
+
+QString outcomeKey(clipping::Outcome outcome)
+{
+    static constexpr std::array<const char*, 3> names{"visible", "invisible", "did not end"};
+    return quoted(QLatin1StringView(names[std::size_t(outcome)]));
+}
+
+QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
+{
+    QStringList lines;
+    for (const std::size_t step : steps)
+        if (step < trace.walk.moments.size())
+            lines << stepOf(trace.walk.moments[step], step);
+    return QStringLiteral("[\n") + lines.join(QStringLiteral(",\n")) + QStringLiteral("\n  ]");
+}
+
+} // namespace
+
+QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps)
+{
+    const Walk& walk = trace.walk;
+    const auto& [clipper, line, window, y, origin] = trace.specimen;
+    QStringList code;
+    for (const QString& text : walk.code)
+        code << quoted(text);
+    const QString text = object(
+        {{"format", quoted(QStringLiteral("clearcut-trace-1"))},
+         {"algorithm", quoted(latin(clipper.algorithm->key))},
+         {"form", quoted(clipper.form == clipping::Form::Published ? QStringLiteral("published")
+                                                                   : QStringLiteral("corrected"))},
+         {"line", list(line)},
+         {"window", list(clipping::Segment{window.min, window.max})},
+         {"y", quoted(y == YAxis::Up ? QStringLiteral("up") : QStringLiteral("down"))},
+         {"outcome", outcomeKey(walk.outcome)},
+         {"visible", walk.visible ? list(*walk.visible) : QStringLiteral("null")},
+         {"code", list(code)},
+         {"steps", stepsOf(trace, steps)}},
+        {});
+    return (text + u'\n').toUtf8();
+}
+
+} // namespace app

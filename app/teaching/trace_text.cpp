@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/figure_marks.h"
+#include "app/teaching/trace_file.h"
+
+#include <QCoreApplication>
+
+// A trace as people read it in a terminal.
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("TraceFile", text); }
+
+QString pair(const Point& point)
+{
+    return QStringLiteral("%1, %2").arg(exactText(point.x), exactText(point.y));
+}
+
+/// What has changed in a step: "x1 = −100 (was −160), t = 0.26".
+QString changes(const Moment& moment, YAxis y)
+{
+    QStringList words;
+    for (const Variable& variable : moment.variables) {
+        if (!variable.changed())
+            continue;
+        QString word = QStringLiteral("%1 = %2").arg(variable.name, valueText(variable, y));
+        if (variable.before) {
+            Variable before = variable;
+            before.value = *variable.before;
+            word += tr(" (was %1)").arg(valueText(before, y));
+        }
+        words << word;
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+QString operations(const clipping::OperationCounts& cost)
+{
+    return tr("comparisons %1, additions %2, multiplications %3, divisions %4")
+        .arg(cost.comparisons)
+        .arg(cost.additions)
+        .arg(cost.multiplications)
+        .arg(cost.divisions);
+}
+
+QString stepText(const TraceExport& trace, std::size_t step)
+{
+    const Walk& walk = trace.walk;
+    const Moment& moment = walk.moments[step];
+    const QString indent(5, u' ');
+    QString text = QString::number(step + 1).rightJustified(3) + QStringLiteral("  ")
+                   + moment.sentence + u'\n';
+    if (moment.line >= 1 && moment.line <= walk.code.size())
+        text += indent + tr("line %1: ").arg(moment.line) + walk.code[moment.line - 1].trimmed()
+                + u'\n';
+    if (const QString changed = changes(moment, trace.specimen.y); !changed.isEmpty())
+        text += indent + changed + u'\n';
+    return text + indent + operations(moment.cost) + u'\n';
+}
+
+QString endText(const Walk& walk)
+{
+    if (walk.visible)
+        return tr("Visible: %1 to %2").arg(pair(walk.visible->a), pair(walk.visible->b));
+    return walk.outcome == clipping::Outcome::DidNotEnd
+               ? tr("It did not end by itself: nothing is visible.")
+               : tr("Nothing is visible.");
+}
+
+} // namespace
+
+QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps)
+{
+    const auto& [clipper, line, window, y, origin] = trace.specimen;
+    QString text = titleOf(clipper) + u'\n';
+    text += tr("Line:    %1 to %2\n").arg(pair(line.a), pair(line.b));
+    text += tr("Window:  %1 to %2, y grows %3\n\n")
+                .arg(pair(window.min), pair(window.max), y == YAxis::Up ? tr("up") : tr("down"));
+    if (trace.walk.moments.empty())
+        return (text + trace.walk.refusal + u'\n').toUtf8();
+    for (const std::size_t step : steps)
+        text += stepText(trace, step) + u'\n';
+    return (text + endText(trace.walk) + u'\n').toUtf8();
+}
+
+} // namespace app
