@@ -24,6 +24,17 @@ QByteArray withFamilies(const QByteArray& svg)
     return QString::fromUtf8(svg).replace(fixed, mono).replace(family, sans).toUtf8();
 }
 
+/// Whole pixels in place of the generator's rounded millimetres.
+QByteArray withSize(QByteArray svg, const QSize& size)
+{
+    const qsizetype from = svg.indexOf("<svg width=\""), to = svg.indexOf("viewBox", from);
+    if (from >= 0 && to >= 0)
+        svg.replace(from, to - from,
+                    "<svg width=\"" + QByteArray::number(size.width()) + "\" height=\""
+                        + QByteArray::number(size.height()) + "\"\n ");
+    return svg;
+}
+
 /// The writer puts the time into a file; the same length of blanks keeps the file's table true.
 QByteArray withoutTime(QByteArray pdf)
 {
@@ -54,7 +65,7 @@ QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption)
     QPainter painter(&generator);
     page.paint(painter);
     painter.end();
-    return withFamilies(buffer.data());
+    return withSize(withFamilies(buffer.data()), page.size.toSize());
 }
 
 QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale)

@@ -33,22 +33,26 @@ QPointF onBorder(const QRectF& border, double angle)
     return border.center() + std::min(x, y) * QPointF(way.dx(), way.dy());
 }
 
-QPointF pulledInto(const QRectF& border, const QPointF& place)
+/// Where a line leaves a rectangle at its second end; nothing if it is never inside.
+std::optional<QPointF> exitFrom(const QRectF& border, const QLineF& line)
 {
-    return {std::clamp(place.x(), border.left(), border.right()),
-            std::clamp(place.y(), border.top(), border.bottom())};
+    const auto piece = clipping::exactAlgorithm().corrected.clip(
+        {{line.x1(), line.y1()}, {line.x2(), line.y2()}},
+        {{border.left(), border.top()}, {border.right(), border.bottom()}});
+    return piece ? std::optional(QPointF(piece->b.x, piece->b.y)) : std::nullopt;
 }
 
 /// An end that the picture does not reach: an arrow at its border, on the line if that is seen.
-void placeFarEnd(FigureMark& mark, const Point& other, const std::optional<QPointF>& exit,
-                 const FigureFrame& frame)
+void placeFarEnd(FigureMark& mark, const Point& other, const FigureFrame& frame)
 {
     const double inset = 9 * frame.unit();
     const QRectF border = frame.picture().adjusted(inset, inset, -inset, -inset);
+    const auto part = frame.part({other, mark.point});
+    const auto exit = part ? exitFrom(border, *part) : std::nullopt;
     mark.shape = Form::FarEnd;
     mark.angle =
         angleOf(exit ? other : frame.pointAt(frame.picture().center()), mark.point, frame.y);
-    mark.place = exit ? pulledInto(border, *exit) : onBorder(border, mark.angle);
+    mark.place = exit.value_or(onBorder(border, mark.angle));
 }
 
 /// What has become of an end: cut now, cut earlier, or still there.
@@ -65,7 +69,6 @@ void addEnds(std::vector<FigureMark>& marks, const Specimen& specimen, const Ste
              const FigureFrame& frame)
 {
     const auto& [a, b] = specimen.line;
-    const auto part = frame.part(specimen.line);
     for (const auto& [point, other, end] : {std::tuple(a, b, 1), std::tuple(b, a, 2)}) {
         if (!std::isfinite(point.x) || !std::isfinite(point.y))
             continue;
@@ -79,9 +82,7 @@ void addEnds(std::vector<FigureMark>& marks, const Specimen& specimen, const Ste
         if (a == b)
             mark.head = tr("End 1 and End 2");
         if (!frame.shows(point))
-            placeFarEnd(mark, other,
-                        part ? std::optional(end == 1 ? part->p1() : part->p2()) : std::nullopt,
-                        frame);
+            placeFarEnd(mark, other, frame);
         marks.push_back(mark);
         if (a == b)
             break;
