@@ -73,6 +73,14 @@ void Files::startNew()
         show({emptySheet(), {}}, {}, {});
 }
 
+bool Files::openMade(app::Sheet sheet, const QString& title)
+{
+    if (!mayClose())
+        return false;
+    show({std::move(sheet), {}}, {}, title);
+    return true;
+}
+
 void Files::open()
 {
     if (const QString path = questions_->fileToOpen(folder()); !path.isEmpty())

@@ -25,7 +25,8 @@ public:
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
-    bool save(); ///< true: saved
+    bool openMade(app::Sheet sheet, const QString& title); ///< made by the program; false: kept
+    bool save();                                           ///< true: saved
     bool saveAs();
     void exportCut();
     void crop(); ///< undoable

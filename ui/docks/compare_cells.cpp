@@ -2,22 +2,15 @@
 #include "ui/docks/compare_cells.h"
 
 #include "app/charts/sparkline.h"
-#include "app/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/clipper_name.h"
 #include "ui/widgets/tabular.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QSortFilterProxyModel>
 
 namespace ui {
-
-namespace {
-
-constexpr int markerSize = 12, markerRoom = 20;
-
-} // namespace
 
 CompareCells::CompareCells(const CompareModel& model, DenseTable& table)
     : QStyledItemDelegate(&table), model_(model), table_(table)
@@ -41,26 +34,9 @@ void CompareCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
 void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& option,
                              const app::RaceRow& row) const
 {
-    const Look& look = lookOf(option.palette);
     const auto& [algorithm, form] = row.contestant;
-    const QRect r = option.rect.adjusted(space::dockMargin, 0, 0, 0);
-    app::paintMarker(painter, QRectF(r.left(), r.center().y() - 5.5, markerSize, markerSize),
-                     *algorithm, form, groundOf(option.palette));
-    const QFont bold = semiBold(option.font);
-    const auto name = app::latin(algorithm->abbreviation);
-    QRect text = r.adjusted(markerRoom, 0, 0, 0);
-    painter.setFont(bold);
-    painter.setPen(look.text);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
-    if (form != clipping::Form::Published)
-        return;
-    text.setLeft(text.left() + QFontMetrics(bold).horizontalAdvance(name) + 8);
-    QString published = QCoreApplication::translate("Compare", "as published");
-    if (option.fontMetrics.horizontalAdvance(published) > text.width())
-        published = QCoreApplication::translate("Compare", "pub.");
-    painter.setFont(option.font);
-    painter.setPen(look.muted);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, published);
+    paintClipperName(painter, option.rect.adjusted(space::dockMargin, 0, 0, 0), option,
+                     {algorithm, form});
 }
 
 void CompareCells::paintSparkline(QPainter& painter, const QStyleOptionViewItem& option,

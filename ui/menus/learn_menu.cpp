@@ -2,6 +2,7 @@
 #include "app/teaching/specimen.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
+#include "ui/zoo/zoo_window.h"
 
 #include <QCoreApplication>
 
@@ -42,6 +43,12 @@ MenuInfo learnMenu()
                  [](MainWindow& w) { w.togglePanel("cost-map"); },
                  nullptr,
                  [](const MainWindow& w) { return w.showsPanel("cost-map"); }},
+                {"zoo",
+                 tr("&Hard cases…"),
+                 {QKeySequence("Ctrl+F2")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { showZoo(w); }},
             }};
 }
 

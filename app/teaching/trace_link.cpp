@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/trace_link.h"
+
+#include "app/formats/number.h"
+
+#include <QUrlQuery>
+
+#include <array>
+
+namespace app {
+
+namespace {
+
+using Numbers = std::array<double, 4>;
+
+std::optional<Numbers> numbers(const QString& text)
+{
+    const QStringList words = text.split(u',');
+    Numbers all{};
+    if (words.size() != qsizetype(all.size()))
+        return std::nullopt;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto number = parseNumber(words[qsizetype(i)].trimmed().toStdString());
+        if (!number)
+            return std::nullopt;
+        all[i] = *number;
+    }
+    return all;
+}
+
+} // namespace
+
+std::optional<Specimen> specimenOf(const QUrl& link)
+{
+    if (link.scheme() != QStringLiteral("clearcut") || link.path() != QStringLiteral("trace"))
+        return std::nullopt;
+    const QUrlQuery query(link);
+    const auto value = [&query](const char* name) {
+        return query.queryItemValue(QLatin1StringView(name), QUrl::FullyDecoded);
+    };
+    const auto clipper = findClipper(value("a"));
+    const auto line = numbers(value("line")), window = numbers(value("w"));
+    if (!clipper || !line || !window)
+        return std::nullopt;
+    return Specimen{.clipper = *clipper,
+                    .line = {{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}},
+                    .window = {{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}},
+                    .y = YAxis::Up,
+                    .origin = titleOf(*clipper)};
+}
+
+} // namespace app

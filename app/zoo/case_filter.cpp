@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/zoo/case_filter.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+
+constexpr std::array kinds{std::pair{Ruling::Endless, "Somebody never ends"},
+                           std::pair{Ruling::Lost, "Something visible is lost"},
+                           std::pair{Ruling::Shown, "Something is seen where nothing is"},
+                           std::pair{Ruling::Outside, "An end is outside the window"},
+                           std::pair{Ruling::Moved, "An end is at the wrong place"},
+                           std::pair{Ruling::NotANumber, "An end is not a number"}};
+
+CaseChoice choice(const QString& name, const CaseFilter& filter)
+{
+    const auto count = QLocale().toString(int(casesFor(filter).size()));
+    return {QStringLiteral("%1 (%2)").arg(name, count), filter};
+}
+
+} // namespace
+
+bool CaseFilter::lets(const HardCase& hard) const
+{
+    const QString text = hard.title + u'\n' + hard.origin + u'\n' + hard.why + u'\n' + hard.key;
+    for (const QString& word : words.split(u' ', Qt::SkipEmptyParts))
+        if (!text.contains(word, Qt::CaseInsensitive))
+            return false;
+    if (clipper.isEmpty() && !fault)
+        return true;
+    return std::ranges::any_of(hard.faults, [this](const auto& one) {
+        return (clipper.isEmpty() || one.first == clipper) && (!fault || one.second == *fault);
+    });
+}
+
+std::vector<const HardCase*> casesFor(const CaseFilter& filter)
+{
+    std::vector<const HardCase*> cases;
+    for (const HardCase& hard : hardCases())
+        if (filter.lets(hard))
+            cases.push_back(&hard);
+    return cases;
+}
+
+std::vector<CaseChoice> caseChoices()
+{
+    std::vector<CaseChoice> choices{choice(tr("All cases"), {})};
+    for (const Clipper& clipper : clippers())
+        if (clipper.form == clipping::Form::Published)
+            choices.push_back(
+                choice(tr("%1 fails").arg(nameOf(clipper)), {.clipper = keyOf(clipper)}));
+    for (const auto& [fault, name] : kinds)
+        choices.push_back(choice(tr(name), {.fault = fault}));
+    return choices;
+}
+
+} // namespace app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+#include "app/result.h"
+#include "app/teaching/walk.h"
+#include "app/zoo/hard_case.h"
+
+// What can be done with a hard case elsewhere in the program.
+
+namespace app {
+
+/// For the microscope, y up.
+Specimen specimenOf(const HardCase& hard, const Clipper& clipper);
+
+/// A drawing of the line, with its window; the very same numbers, so that y points down there. Or
+/// the sentence why there is none.
+Result<Sheet> sheetOf(const HardCase& hard);
+
+/// Who is looked at first: who never ends, else who is farthest outside the window, else the first
+/// that fails; where nobody does, the first of all.
+Clipper firstToLookAt(const HardCase& hard);
+
+} // namespace app

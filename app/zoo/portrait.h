@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/zoo/hard_case.h"
+
+#include <QColor>
+#include <QRectF>
+
+class QPainter;
+
+namespace app {
+
+struct PortraitColours {
+    QColor paper, text, muted;
+    QColor window, visible, differs; ///< the clip window, what is truly seen, a wrong answer
+};
+
+/// Paints a hard case, y up: the window, the line with its ends numbered, what of it is truly
+/// visible; and, where one is given, a wrong answer. Nothing is painted outside the area, whatever
+/// the numbers are. `unit` is the size of a stroke: 1 in usual logical pixels.
+void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
+                   const PortraitColours& colours, double unit, const Answer* answer = nullptr);
+
+/// Whether its distances are true; else only the order of the numbers is.
+bool isToScale(const HardCase& hard, const Answer* answer = nullptr);
+
+} // namespace app
