@@ -22,7 +22,7 @@ public:
         : painter_(painter), hard_(hard), colours_(colours), unit_(unit), answer_(answer),
           scale_(hard, answer), picture_(area)
     {
-        const double around = std::max(9 * unit, margin * std::min(area.width(), area.height()));
+        const double around = std::max(16 * unit, margin * std::min(area.width(), area.height()));
         picture_ = area.adjusted(around, around, -around, -around);
         if (!scale_.isTrue())
             return;

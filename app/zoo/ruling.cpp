@@ -5,6 +5,7 @@
 #include "app/zoo/hard_case.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,14 @@ Ruling rulingOf(const Answer& answer, const HardCase& hard)
     return answer.ulps > answer.clipper.algorithm->ulps ? Ruling::Moved : Ruling::Right;
 }
 
+/// Two digits tell how bad it is.
+QString roughText(double length)
+{
+    return QLocale()
+        .toString(length, 'g', length >= 10 && length < 1e6 ? 3 : 2)
+        .replace(u'-', u'\u2212');
+}
+
 QString point(const glm::dvec2& p)
 {
     return QStringLiteral("(%1, %2)").arg(exactText(p.x), exactText(p.y));
@@ -130,7 +139,7 @@ QString words(const Answer& answer)
     case Ruling::Shown:
         return tr("seen where nothing is");
     case Ruling::Outside:
-        return tr("outside the window by %1").arg(shortText(answer.beyond));
+        return tr("outside the window by %1").arg(roughText(answer.beyond));
     case Ruling::Moved:
         return tr("ends at the wrong place");
     case Ruling::NotANumber:

@@ -93,6 +93,15 @@ void ZooWindow::choose(const app::HardCase& hard)
     list_->choose(hard);
 }
 
+void ZooWindow::chooseFailing(const QString& clipper)
+{
+    for (std::size_t i = 0; i < choices_.size(); ++i)
+        if (!clipper.isEmpty() && choices_[i].filter.clipper == clipper) {
+            search_->clear();
+            choice_->setCurrentIndex(int(i));
+        }
+}
+
 void ZooWindow::open(const app::HardCase& hard, const app::Clipper& clipper)
 {
     window_.session().microscope.open(app::specimenOf(hard, clipper));

@@ -23,6 +23,8 @@ public:
     explicit ZooWindow(MainWindow& window);
 
     void choose(const app::HardCase& hard); ///< whatever is searched for
+    /// Those at which a clipper fails; nothing, if it is none that can be chosen.
+    void chooseFailing(const QString& clipper);
     CaseList& list() { return *list_; }
     CaseView& view() { return *view_; }
 
