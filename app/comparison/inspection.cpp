@@ -70,14 +70,15 @@ bool isAmong(std::string_view name, std::initializer_list<std::string_view> name
 /// Of which power of lengths a value is: what the pseudo-codes' names stand for.
 int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, clipping::Form form)
 {
-    if (step.what == "line") // with a slope m the c is where the line meets the axis; else a code
-        return value.name == "dx" || value.name == "dy"
-               || (value.name == "c" && step.values.front().name == "m");
-    if (step.what == "compare" || value.name == "e")
+    if (value.kind != clipping::ValueKind::Number)
+        return 0;
+    if (step.what == "compare"
+        || isAmong(value.name,
+                   {"e", "F", "pw", "pxmin", "pxmax", "pymin", "pymax", "dx*(y-y1)", "dy*(x-x1)"}))
         return 2;                               // products of two lengths
     if (value.name == "D" || value.name == "N") // the published normals are as long as the edges
         return form == clipping::Form::Published ? 2 : 1;
-    return isAmong(value.name, {"p", "q", "rise", "run", "gap"});
+    return isAmong(value.name, {"p", "q", "rise", "run", "gap", "dx", "dy", "px", "py", "c"});
 }
 
 /// Outcodes as everywhere in the window, for the edges as they appear on the screen: where y points

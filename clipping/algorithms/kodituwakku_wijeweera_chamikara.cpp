@@ -32,18 +32,20 @@ struct KodituwakkuWijeweeraChamikara {
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
-        if (s.a.x != s.b.x) {
-            if (s.a.y != s.b.y)
-                return slanted<form>(s, w, watch);
+        const bool vertical = asked(s.a.x == s.b.x, 1, s, Edge::None, watch);
+        const bool horizontal = asked(s.a.y == s.b.y, 2, s, Edge::None, watch);
+        if (!vertical && !horizontal)
+            return slanted<form>(s, w, watch);
+        if (!vertical)
             return straight<form>(s, w, 0, watch);
-        }
-        if (s.a.y != s.b.y)
+        if (!horizontal)
             return straight<form>(s, w, 1, watch);
-        if (beyond<form>(s.a.y, w.min.y, w.max.y) || beyond<form>(s.a.x, w.min.x, w.max.x)) {
-            watch("reject", 17, s, Edge::None);
+        if (asked(beyond<form>(s.a.y, w.min.y, w.max.y) || beyond<form>(s.a.x, w.min.x, w.max.x),
+                  40, s, Edge::None, watch)) {
+            watch("reject", 40, s, Edge::None);
             return std::nullopt;
         }
-        watch("accept", 18, s, Edge::None);
+        watch("accept", 41, s, Edge::None);
         return s;
     }
 
@@ -69,35 +71,52 @@ struct KodituwakkuWijeweeraChamikara {
     static constexpr std::optional<BasicSegment<T>>
     straight(const BasicSegment<T>& s, const BasicWindow<T>& w, int axis, Watch& watch)
     {
-        const int across = 1 - axis, line = 10 + 4 * axis;
-        if (beyond<form>(s.a[across], w.min[across], w.max[across])) {
+        const int across = 1 - axis, line = 21 + 10 * axis;
+        if (asked(beyond<form>(s.a[across], w.min[across], w.max[across]), line, s, Edge::None,
+                  watch)) {
             watch("reject", line, s, Edge::None);
             return std::nullopt;
         }
         BasicSegment<T> visible = s;
-        bool missed = false;
         for (const auto end : {&BasicSegment<T>::a, &BasicSegment<T>::b}) {
             T& v = (visible.*end)[axis];
             const T other = end == &BasicSegment<T>::a ? s.b[axis] : s.a[axis];
-            if (v < w.min[axis]) {
-                missed = form == Form::Corrected && other < w.min[axis];
+            const Named number{"i", numberOf(end)};
+            if (asked(v < w.min[axis], line + 2, visible, lowerEdge(axis), watch, number)) {
+                if (form == Form::Corrected
+                    && missed(other < w.min[axis], line + 3, visible, lowerEdge(axis), watch))
+                    return std::nullopt;
                 v = w.min[axis];
-            } else if (v > w.max[axis]) {
-                missed = form == Form::Corrected && other > w.max[axis];
+                watch("cut", line + 4, visible, lowerEdge(axis), number);
+            } else if (asked(v > w.max[axis], line + 5, visible, upperEdge(axis), watch, number)) {
+                if (form == Form::Corrected
+                    && missed(other > w.max[axis], line + 6, visible, upperEdge(axis), watch))
+                    return std::nullopt;
                 v = w.max[axis];
+                watch("cut", line + 7, visible, upperEdge(axis), number);
             }
-            if (missed)
-                break;
         }
-        watch("cut", line + 1, visible, Edge::None);
-        if constexpr (form == Form::Published)
-            missed = underOnePixel(visible.a[axis], visible.b[axis]);
-        if (missed) {
-            watch("reject", line + 2, visible, Edge::None);
+        if (form == Form::Published
+            && missed(underOnePixel(visible.a[axis], visible.b[axis]), line + 8, visible,
+                      Edge::None, watch))
             return std::nullopt;
-        }
-        watch("accept", 18, visible, Edge::None);
+        watch("accept", 41, visible, Edge::None);
         return visible;
+    }
+
+    /// Which end of the pseudo-code it is.
+    template <class T>
+    static constexpr int numberOf(glm::vec<2, T> BasicSegment<T>::*end)
+    {
+        return end == &BasicSegment<T>::a ? 1 : 2;
+    }
+
+    /// A test for a miss; if it holds, it is one.
+    static constexpr bool missed(bool held, int line, const auto& visible, Edge edge, auto& watch)
+    {
+        if (asked(held, line, visible, edge, watch))
+            watch("reject", line, visible, edge);
+        return held;
     }
 
     /// The line y = mx + c. Corrected: m is dy/dx, and c is each end itself.
@@ -105,14 +124,21 @@ struct KodituwakkuWijeweeraChamikara {
     struct Line {
         T m{}, c{}, dx{}, dy{};
     };
-    template <Form form, class T>
-    static constexpr Line<T> lineThrough(const BasicSegment<T>& s)
+    template <Form form, class T, class Watch>
+    static constexpr Line<T> lineThrough(const BasicSegment<T>& s, Watch& watch)
     {
         const auto& [a, b] = s;
-        if constexpr (form == Form::Published)
-            return {.m = (a.y - b.y) / (a.x - b.x), .c = (a.x * b.y - b.x * a.y) / (a.x - b.x)};
-        else
-            return {.dx = b.x - a.x, .dy = b.y - a.y};
+        if constexpr (form == Form::Published) {
+            const T m = (a.y - b.y) / (a.x - b.x);
+            watch("m", 4, s, Edge::None, Named{"m", m});
+            const T c = (a.x * b.y - b.x * a.y) / (a.x - b.x);
+            watch("c", 5, s, Edge::None, Named{"c", c});
+            return {.m = m, .c = c};
+        } else {
+            const Line<T> line{.dx = b.x - a.x, .dy = b.y - a.y};
+            watch("dx, dy", 4, s, Edge::None, Named{"dx", line.dx}, Named{"dy", line.dy});
+            return line;
+        }
     }
 
     /// Pushes one end of `visible` onto the edges it is beyond, first left or right, then bottom
@@ -125,47 +151,63 @@ struct KodituwakkuWijeweeraChamikara {
         const glm::vec<2, T>& from = s.*end;
         const glm::vec<2, T>& other = end == &BasicSegment<T>::a ? s.b : s.a;
         glm::vec<2, T>& p = visible.*end;
-        const Edge side = p.x < w.min.x ? Edge::Left : p.x > w.max.x ? Edge::Right : Edge::None;
+        const Named number{"i", numberOf(end)};
+        const auto ask = [&](bool held, Edge edge, const auto&... values) {
+            return asked(held, lineOf(edge), visible, edge, watch, number, values...);
+        };
+        const Edge side = ask(p.x < w.min.x, Edge::Left)    ? Edge::Left
+                          : ask(p.x > w.max.x, Edge::Right) ? Edge::Right
+                                                            : Edge::None;
         T rise(0);
         if (side != Edge::None) {
             const T x = side == Edge::Left ? w.min.x : w.max.x;
             if constexpr (form == Form::Published)
                 p = {x, line.m * x + line.c};
             else {
-                if (side == Edge::Left ? other.x < x : other.x > x)
-                    return watch("reject", 4, visible, side), std::nullopt;
+                if (missed(side == Edge::Left ? other.x < x : other.x > x, lineOf(side) + 1,
+                           visible, side, watch))
+                    return std::nullopt;
                 rise = line.dy * (x - from.x) / line.dx;
+                watch("rise", lineOf(side) + 2, visible, side, Named{"rise", rise});
                 p = {x, from.y + rise};
             }
-            watch("cut", side == Edge::Left ? 4 : 5, visible, side);
+            watch("cut", lineOf(side) + 2, visible, side, number);
         }
-        const bool ask = form == Form::Corrected && side != Edge::None; // not the rounded height
-        const Edge next = (ask ? rise < w.min.y - from.y : p.y < w.min.y)   ? Edge::Bottom
-                          : (ask ? rise > w.max.y - from.y : p.y > w.max.y) ? Edge::Top
-                                                                            : Edge::None;
+        const auto isBeyond = [&](Edge edge, T level) {
+            const bool low = edge == Edge::Bottom;
+            if (form == Form::Published || side == Edge::None)
+                return ask(low ? p.y < level : p.y > level, edge);
+            const T gap = level - from.y; // not the rounded height
+            return ask(low ? rise < gap : rise > gap, edge, Named{"rise", rise}, Named{"gap", gap});
+        };
+        const Edge next = isBeyond(Edge::Bottom, w.min.y) ? Edge::Bottom
+                          : isBeyond(Edge::Top, w.max.y)  ? Edge::Top
+                                                          : Edge::None;
         if (next == Edge::None)
             return side;
         const T y = next == Edge::Bottom ? w.min.y : w.max.y;
         if constexpr (form == Form::Published)
             p = {(y - line.c) / line.m, y};
         else {
-            if (next == Edge::Bottom ? other.y < y : other.y > y)
-                return watch("reject", 6, visible, next), std::nullopt;
-            p = {from.x + line.dx * (y - from.y) / line.dy, y};
+            if (missed(next == Edge::Bottom ? other.y < y : other.y > y, lineOf(next) + 1, visible,
+                       next, watch))
+                return std::nullopt;
+            const T run = line.dx * (y - from.y) / line.dy;
+            watch("run", lineOf(next) + 2, visible, next, Named{"run", run});
+            p = {from.x + run, y};
         }
-        watch("cut", next == Edge::Bottom ? 6 : 7, visible, next);
+        watch("cut", lineOf(next) + 2, visible, next, number);
         return next;
     }
+
+    /// Where the pseudo-code asks whether an end is beyond the edge: 7, 10, 13, 16.
+    static constexpr int lineOf(Edge edge) { return 4 + 3 * static_cast<int>(edge); }
 
     template <Form form, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> slanted(const BasicSegment<T>& s,
                                                             const BasicWindow<T>& w, Watch& watch)
     {
-        const Line<T> line = lineThrough<form>(s);
-        if constexpr (form == Form::Published)
-            watch("line", 2, s, Edge::None, Named{"m", line.m}, Named{"c", line.c});
-        else
-            watch("line", 2, s, Edge::None, Named{"dx", line.dx}, Named{"dy", line.dy});
+        const Line<T> line = lineThrough<form>(s, watch);
         BasicSegment<T> visible = s;
         const auto edgeA = push<form>(&BasicSegment<T>::a, line, visible, s, w, watch);
         if (!edgeA)
@@ -175,11 +217,9 @@ struct KodituwakkuWijeweeraChamikara {
             return std::nullopt;
         if constexpr (form == Form::Corrected)
             visible = {clampedAlong(*edgeA, visible.a, w), clampedAlong(*edgeB, visible.b, w)};
-        else if (underOnePixel(visible.a.x, visible.b.x)) {
-            watch("reject", 8, visible, Edge::None);
+        else if (missed(underOnePixel(visible.a.x, visible.b.x), 19, visible, Edge::None, watch))
             return std::nullopt;
-        }
-        watch("accept", 18, visible, Edge::None);
+        watch("accept", 41, visible, Edge::None);
         return visible;
     }
 };

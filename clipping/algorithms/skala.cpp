@@ -88,12 +88,12 @@ struct Skala {
         if constexpr (reach != Reach::Bounded)
             return clipEndless<reach>(s, w, watch);
         const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("outcodes", 1, s, Edge::None, Named{"a", codeA}, Named{"b", codeB});
-        if ((codeA | codeB) == 0) {
+        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
+        if (asked((codeA | codeB) == 0, 2, s, Edge::None, watch)) {
             watch("accept", 2, s, Edge::None);
             return s;
         }
-        if ((codeA & codeB) != 0) {
+        if (asked((codeA & codeB) != 0, 3, s, Edge::None, watch)) {
             watch("reject", 3, s, Edge::None);
             return std::nullopt;
         }
@@ -112,7 +112,7 @@ struct Skala {
         if constexpr (reach == Reach::BothWays)
             return crossedFromA(s, w, none, none, watch);
         const unsigned code = outcodeOf(s.a, w);
-        watch("outcodes", 1, s, Edge::None, Named{"a", code});
+        watch("outcodes", 1, s, Edge::None, Named{"code1", code});
         if (((code & outcode::left) && s.b.x <= s.a.x)
             || ((code & outcode::right) && s.b.x >= s.a.x)
             || ((code & outcode::bottom) && s.b.y <= s.a.y)
@@ -129,25 +129,45 @@ struct Skala {
                                                             unsigned codeB, Watch& watch)
     {
         const Line<T> p{s.a.y - s.b.y, s.b.x - s.a.x, s.a.x * s.b.y - s.b.x * s.a.y};
-        const auto left = [&](T x, T y) { return p.x * x + p.y * y + p.z >= T(0); };
-        const unsigned pattern = left(w.min.x, w.min.y) | left(w.max.x, w.min.y) << 1
-                                 | left(w.max.x, w.max.y) << 2 | left(w.min.x, w.max.y) << 3;
-        watch("line", 5, s, Edge::None, Named{"c", pattern});
+        watch("line", 4, s, Edge::None, Named{"px", p.x}, Named{"py", p.y}, Named{"pw", p.z});
+        const auto left = [&](int line, T x, T y) {
+            const T f = p.x * x + p.y * y + p.z;
+            return unsigned(asked(f >= T(0), line, s, Edge::None, watch, Named{"F", f}));
+        };
+        unsigned pattern = left(5, w.min.x, w.min.y);
+        pattern |= left(6, w.max.x, w.min.y) << 1;
+        pattern |= left(7, w.max.x, w.max.y) << 2;
+        pattern |= left(8, w.min.x, w.max.y) << 3;
         const Crossing& edge = crossings[pattern];
-        if (edge.tab1 < 0) {
-            watch("reject", 6, s, Edge::None);
+        if (!isCrossed(edge, pattern, s, watch))
             return std::nullopt;
-        }
         BasicSegment<T> visible = s;
-        if (codeA != 0 && codeB != 0)
-            visible = {meet(p, edge.tab1, w), meet(p, edge.tab2, w)};
-        else if (codeA == 0)
-            visible.b = meet(p, codeB & edge.mask ? edge.tab1 : edge.tab2, w);
+        const auto cut = [&](int line, glm::vec<2, T> BasicSegment<T>::*end, int k) {
+            visible.*end = meet(p, k, w);
+            watch("cut", line, visible, edges[static_cast<std::size_t>(k)]);
+        };
+        if (codeA != 0 && codeB != 0) {
+            cut(16, &BasicSegment<T>::a, edge.tab1);
+            cut(17, &BasicSegment<T>::b, edge.tab2);
+        } else if (codeA == 0)
+            cut(19, &BasicSegment<T>::b, codeB & edge.mask ? edge.tab1 : edge.tab2);
         else
-            visible.a = meet(p, codeA & edge.mask ? edge.tab1 : edge.tab2, w);
-        watch("cut", codeA == 0 ? 9 : codeB == 0 ? 10 : 8, visible, Edge::None);
-        watch("accept", 11, visible, Edge::None);
+            cut(21, &BasicSegment<T>::a, codeA & edge.mask ? edge.tab1 : edge.tab2);
+        watch("accept", 22, visible, Edge::None);
         return visible;
+    }
+
+    /// Whether the table has edges for a pattern.
+    template <class T, class Watch>
+    static constexpr bool isCrossed(const Crossing& edge, unsigned pattern,
+                                    const BasicSegment<T>& s, Watch& watch)
+    {
+        watch("row of the table", 13, s, Edge::None, Named{"c", static_cast<int>(pattern)},
+              Named{"TAB1[c]", edge.tab1}, Named{"TAB2[c]", edge.tab2});
+        if (!asked(edge.enter < 0, 14, s, Edge::None, watch))
+            return true;
+        watch("reject", 14, s, Edge::None);
+        return false;
     }
 
     template <class T, class Watch>
@@ -161,23 +181,30 @@ struct Skala {
         const std::array products{dx * (w.min.y - s.a.y), dy * (w.max.x - s.a.x),
                                   dx * (w.max.y - s.a.y), dy * (w.min.x - s.a.x)};
         const auto& [bottom, right, top, left] = products;
-        unsigned pattern = unsigned(bottom >= left) | unsigned(bottom >= right) << 1
-                           | unsigned(top >= right) << 2 | unsigned(top >= left) << 3;
-        const bool asked = pattern == 15;
-        if (asked)
-            pattern = unsigned(bottom > left) | unsigned(bottom > right) << 1
-                      | unsigned(top > right) << 2 | unsigned(top > left) << 3;
-        watch("line", 5, s, Edge::None, Named{"c", pattern});
-        const bool onLine = asked && pattern == 0; // the whole window, which has no area
+        watch("line", 4, s, Edge::None, Named{"dx", dx}, Named{"dy", dy});
+        const auto corner = [&](int line, bool held, T level, T side) {
+            return unsigned(asked(held, line, s, Edge::None, watch, Named{"dx*(y-y1)", level},
+                                  Named{"dy*(x-x1)", side}));
+        };
+        unsigned pattern = corner(5, bottom >= left, bottom, left);
+        pattern |= corner(6, bottom >= right, bottom, right) << 1;
+        pattern |= corner(7, top >= right, top, right) << 2;
+        pattern |= corner(8, top >= left, top, left) << 3;
+        const bool again = pattern == 15;
+        if (again) {
+            pattern = corner(9, bottom > left, bottom, left);
+            pattern |= corner(10, bottom > right, bottom, right) << 1;
+            pattern |= corner(11, top > right, top, right) << 2;
+            pattern |= corner(12, top > left, top, left) << 3;
+        }
+        const bool onLine = again && pattern == 0; // the whole window, which has no area
         const Crossing& edge = onLine ? crossings[dx > T(0)   ? 12
                                                   : dx < T(0) ? 3
                                                   : dy > T(0) ? 9
                                                               : 6]
                                       : crossings[pattern];
-        if (edge.enter < 0) {
-            watch("reject", 6, s, Edge::None);
+        if (!isCrossed(edge, pattern, s, watch))
             return std::nullopt;
-        }
         const auto meetFromA = [&](int k) -> glm::vec<2, T> {
             const T product = products[static_cast<std::size_t>(k)];
             const glm::vec<2, T> at =
@@ -186,12 +213,15 @@ struct Skala {
             return clampedAlong(edges[static_cast<std::size_t>(k)], at, w);
         };
         BasicSegment<T> visible = s;
+        const auto cut = [&](int line, glm::vec<2, T> BasicSegment<T>::*end, int k) {
+            visible.*end = meetFromA(k);
+            watch("cut", line, visible, edges[static_cast<std::size_t>(k)]);
+        };
         if (codeA != 0)
-            visible.a = meetFromA(edge.enter);
+            cut(codeB != 0 ? 16 : 21, &BasicSegment<T>::a, edge.enter);
         if (codeB != 0)
-            visible.b = meetFromA(edge.leave);
-        watch("cut", codeA == 0 ? 9 : codeB == 0 ? 10 : 8, visible, Edge::None);
-        watch("accept", 11, visible, Edge::None);
+            cut(codeA != 0 ? 17 : 19, &BasicSegment<T>::b, edge.leave);
+        watch("accept", 22, visible, Edge::None);
         return visible;
     }
 };

@@ -40,16 +40,47 @@ struct SlaterBarsky {
     struct Cell {
         int column, row;
         constexpr bool centre() const { return column == 1 && row == 1; }
-        constexpr unsigned number() const { return static_cast<unsigned>(3 * row + column); }
+        constexpr int number() const { return 3 * row + column; }
+        /// The edge in whose line the side lies that the segment leaves the cell by.
+        constexpr Edge side(bool right, bool up) const
+        {
+            return right      ? column == 0 ? Edge::Left : Edge::Right
+                   : up       ? row == 0 ? Edge::Bottom : Edge::Top
+                   : row == 2 ? Edge::Top
+                              : Edge::Bottom;
+        }
     };
+
+    /// Shows a watcher what happens to a segment that was turned round as it was given.
+    template <class Watch>
+    struct ReversedWatch {
+        Watch& watch;
+        void operator()(std::string_view what, int line, const auto& s, Edge edge,
+                        const auto&... values) const
+        {
+            auto given = s;
+            std::swap(given.a, given.b);
+            watch(what, line, given, edge, values...);
+        }
+    };
+    template <class Watch>
+    static constexpr auto reversedWatch(Watch& watch)
+    {
+        if constexpr (std::is_same_v<std::remove_cv_t<Watch>, Unwatched>)
+            return Unwatched{};
+        else
+            return ReversedWatch<Watch>{watch};
+    }
 
     template <Form form, class T, class Watch>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
-        if (!(s.a.x > s.b.x))
+        if (!asked(s.a.x > s.b.x, 1, s, Edge::None, watch))
             return rightwards<form>(s, w, watch);
-        const auto piece = rightwards<form>(BasicSegment<T>{s.b, s.a}, w, watch);
+        watch("swap", 2, s, Edge::None);
+        auto reversed = reversedWatch(watch);
+        const auto piece = rightwards<form>(BasicSegment<T>{s.b, s.a}, w, reversed);
         if (!piece)
             return std::nullopt;
         return BasicSegment<T>{piece->b, piece->a};
@@ -61,39 +92,56 @@ struct SlaterBarsky {
     rightwards(const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
     {
         const auto& [a, b] = s;
-        const auto cell = cellOfA(s, w);
-        if (!cell) {
-            watch("reject", 2, s, Edge::None);
+        const auto cell = cellOfA(s, w, watch);
+        if (!cell)
             return std::nullopt;
-        }
-        watch("cell", 3, s, Edge::None, Named{"cell", cell->number()});
-        if (cell->centre() && b.x <= w.max.x && b.y >= w.min.y && b.y <= w.max.y) {
-            watch("accept", 4, s, Edge::None);
+        watch("cell", 13, s, Edge::None, Named{"cell", cell->number()});
+        if (asked(cell->centre() && b.x <= w.max.x && b.y >= w.min.y && b.y <= w.max.y, 14, s,
+                  Edge::None, watch)) {
+            watch("accept", 14, s, Edge::None);
             return s;
         }
         const glm::vec<2, T> d{b.x - a.x, b.y - a.y};
+        watch("dx, dy", 15, s, Edge::None, Named{"dx", d.x}, Named{"dy", d.y});
         if constexpr (form == Form::Published)
             return walk<form>(s, w, *cell, d, watch, [&] { return d.y > T(0); });
         const auto rise = d.y <=> T(0);
-        if (d.x == T(0) || rise == 0) {
+        if (asked(d.x == T(0) || rise == 0, 16, s, Edge::None, watch)) {
             const BasicSegment<T> visible{clamped(a, w), clamped(b, w)};
-            watch("accept", 5, visible, Edge::None);
+            watch("cut both", 17, visible, Edge::None);
+            watch("accept", 17, visible, Edge::None);
             return visible;
         }
         return walk<form>(s, w, *cell, d, watch, [&] { return rise > 0; });
     }
 
     /// The cell that a lies in; nothing if both ends are beyond one edge.
-    template <class T>
-    static constexpr std::optional<Cell> cellOfA(const BasicSegment<T>& s, const BasicWindow<T>& w)
+    template <class T, class Watch>
+    static constexpr std::optional<Cell> cellOfA(const BasicSegment<T>& s, const BasicWindow<T>& w,
+                                                 Watch& watch)
     {
-        if (s.a.x > w.max.x || s.b.x < w.min.x)
+        const auto ask = [&](bool held, int line, Edge edge) {
+            return asked(held, line, s, edge, watch);
+        };
+        const auto reject = [&](int line, Edge edge) {
+            watch("reject", line, s, edge);
             return std::nullopt;
-        const int column = s.a.x < w.min.x ? 0 : 1;
-        if (s.a.y < w.min.y)
-            return s.b.y < w.min.y ? std::nullopt : std::optional(Cell{column, 0});
-        if (s.a.y > w.max.y)
-            return s.b.y > w.max.y ? std::nullopt : std::optional(Cell{column, 2});
+        };
+        if (ask(s.a.x > w.max.x, 3, Edge::Right))
+            return reject(3, Edge::Right);
+        if (ask(s.b.x < w.min.x, 4, Edge::Left))
+            return reject(4, Edge::Left);
+        const int column = ask(s.a.x < w.min.x, 5, Edge::Left) ? 0 : 1;
+        if (ask(s.a.y < w.min.y, 7, Edge::Bottom)) {
+            if (ask(s.b.y < w.min.y, 8, Edge::Bottom))
+                return reject(8, Edge::Bottom);
+            return Cell{column, 0};
+        }
+        if (ask(s.a.y > w.max.y, 10, Edge::Top)) {
+            if (ask(s.b.y > w.max.y, 11, Edge::Top))
+                return reject(11, Edge::Top);
+            return Cell{column, 2};
+        }
         return Cell{column, 1};
     }
 
@@ -107,29 +155,30 @@ struct SlaterBarsky {
         const bool toTop = cell.row == 2 || (cell.row == 1 && rising());
         T e = d.y * ((cell.column == 0 ? w.min.x : w.max.x) - s.a.x)
               + d.x * (s.a.y - (toTop ? w.max.y : w.min.y));
+        watch("e", 20, visible, Edge::None, Named{"e", e});
         for (;;) {
             const bool up = rising(), right = leavesRight<form>(e <=> T(0), up, cell);
-            watch("leave", up ? 8 : 9, visible, Edge::None, Named{"cell", cell.number()},
-                  Named{"e", e});
-            const Edge vertical = up ? Edge::Top : Edge::Bottom;
+            const Edge side = cell.side(right, up);
+            asked(right, up ? 22 : 23, visible, side, watch, Named{"e", e});
             if (cell.centre()) {
                 visible.b = right ? atSide<form>(up, w.max.x, e, d, w)
                                   : atHeight<form>(up ? w.max.y : w.min.y, e, d, w);
-                watch("cut", 10, visible, right ? Edge::Right : vertical);
+                watch("cut", right ? 25 : 26, visible, side);
                 break;
             }
             const Cell next =
                 right ? Cell{1, cell.row} : Cell{cell.column, up ? cell.row + 1 : cell.row - 1};
             if ((right && cell.column == 1) || next.row < 0 || next.row > 2
                 || (!right && cell.row == 1)) {
-                watch("reject", 11, visible, Edge::None);
+                watch("reject", 27, visible, side);
                 return std::nullopt;
             }
             if (next.centre()) {
                 visible.a = right ? atSide<form>(up, w.min.x, e, d, w)
                                   : atHeight<form>(up ? w.min.y : w.max.y, e, d, w);
-                watch("cut", 12, visible, right ? Edge::Left : up ? Edge::Bottom : Edge::Top);
-                if (s.b.x <= w.max.x && (up ? s.b.y <= w.max.y : s.b.y >= w.min.y))
+                watch("cut", right ? 29 : 30, visible, side);
+                if (asked(s.b.x <= w.max.x && (up ? s.b.y <= w.max.y : s.b.y >= w.min.y), 31,
+                          visible, Edge::None, watch))
                     break;
             }
             if (right)
@@ -139,8 +188,13 @@ struct SlaterBarsky {
             else
                 e += d.x * (w.max.y - w.min.y);
             cell = next;
+            watch("next cell",
+                  right ? 32
+                  : up  ? 33
+                        : 34,
+                  visible, side, Named{"cell", cell.number()}, Named{"e", e});
         }
-        watch("accept", 15, visible, Edge::None);
+        watch("accept", 36, visible, Edge::None);
         return visible;
     }
 

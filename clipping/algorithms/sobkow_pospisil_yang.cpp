@@ -156,15 +156,18 @@ struct SobkowPospisilYang {
     static constexpr bool follow(Run<T>& run, auto& watch)
     {
         constexpr Instruction what = script.instructions[i];
+        constexpr int line = static_cast<int>(what.edge); // the four edges' lines in their order
+        const Named number{"i", what.ofB ? 2 : 1};
         if constexpr (what.kind != Kind::Move)
-            if (!beyond<form, what>(run))
+            if (!asked(beyond<form, what>(run), line + (what.kind == Kind::MoveIfBeyond ? 12 : 8),
+                       run.visible, what.edge, watch, number))
                 return true;
         if constexpr (what.kind == Kind::RejectIfBeyond) {
-            watch("reject", 6, run.visible, what.edge);
+            watch("reject", line + 8, run.visible, what.edge);
             return false;
         }
         move<form, script, i>(run);
-        watch("cut", what.kind == Kind::Move ? 5 : 7, run.visible, what.edge);
+        watch("cut", line + 4, run.visible, what.edge, number);
         return true;
     }
 
@@ -192,7 +195,7 @@ struct SobkowPospisilYang {
             run.d = {s.b.x - s.a.x, s.b.y - s.a.y};
         if (!followFrom<form, script, 0>(run, watch))
             return std::nullopt;
-        watch("accept", 8, run.visible, Edge::None);
+        watch("accept", 17, run.visible, Edge::None);
         return run.visible;
     }
 
@@ -232,8 +235,9 @@ struct SobkowPospisilYang {
     {
         static_assert(rejectsByOutcodes());
         const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("regions", 1, s, Edge::None, Named{"a", codeA}, Named{"b", codeB});
-        if ((codeA & codeB) != 0) { // the cases "x"
+        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
+        watch("script", 2, s, Edge::None);
+        if (asked((codeA & codeB) != 0, 3, s, Edge::None, watch)) { // the cases "x"
             watch("reject", 3, s, Edge::None);
             return std::nullopt;
         }
