@@ -4,13 +4,23 @@
 namespace app {
 
 // Each is defined in the file of its algorithm.
+extern const Teller nichollLeeNichollTeller;
+extern const Teller skalaTeller;
+extern const Teller kodituwakkuWijeweeraChamikaraTeller;
 extern const Teller matthesDrakopoulosTeller;
+extern const Teller sobkowPospisilYangTeller;
+extern const Teller slaterBarskyTeller;
 
 // THE CATALOGUE. An algorithm without a row is told in general words.
 std::span<const Teller> tellers()
 {
     static const std::array rows{
+        nichollLeeNichollTeller,
+        skalaTeller,
+        kodituwakkuWijeweeraChamikaraTeller,
         matthesDrakopoulosTeller,
+        sobkowPospisilYangTeller,
+        slaterBarskyTeller,
     };
     return rows;
 }

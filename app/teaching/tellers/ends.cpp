@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/tellers/ends.h"
+
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app::words {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
+
+/// How far a point lies outside a window; 0: it does not.
+double outside(const Point& p, const clipping::Window& window)
+{
+    return std::max(
+        {window.min.x - p.x, p.x - window.max.x, window.min.y - p.y, p.y - window.max.y, 0.0});
+}
+
+/// An edge that both ends of the given line lie beyond.
+Edge commonEdge(const Specimen& specimen)
+{
+    const unsigned common = clipping::outcodeOf(specimen.line.a, specimen.window)
+                            & clipping::outcodeOf(specimen.line.b, specimen.window);
+    return common & clipping::outcode::left     ? Edge::Left
+           : common & clipping::outcode::right  ? Edge::Right
+           : common & clipping::outcode::bottom ? Edge::Bottom
+                                                : Edge::Top;
+}
+
+} // namespace
+
+Point endOf(int number, const Telling& telling)
+{
+    return number == 1 ? telling.step.segment.a : telling.step.segment.b;
+}
+
+bool isBeyond(const Telling& telling, int number, Edge edge)
+{
+    if (edge == Edge::None)
+        return false;
+    const double value = endOf(number, telling)[clipping::axisOf(edge)];
+    const double level = clipping::levelOf(edge, telling.specimen.window);
+    return edge == clipping::lowerEdge(clipping::axisOf(edge)) ? value < level : value > level;
+}
+
+QString whetherBeyond(const Telling& telling, int number)
+{
+    const QString side = beyond(telling.edge(), telling.specimen.y);
+    const QString relation =
+        compared(endOf(number, telling), telling.edge(), telling.specimen.window);
+    return isBeyond(telling, number, telling.edge())
+               ? tr("%1 lies %2 (%3)").arg(end(number), side, relation)
+               : tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
+}
+
+QString bothBeyond(const Telling& telling)
+{
+    const auto& [a, b] = telling.specimen.line;
+    const Edge edge = telling.edge() != Edge::None ? telling.edge() : commonEdge(telling.specimen);
+    const auto& window = telling.specimen.window;
+    return tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
+        .arg(beyond(edge, telling.specimen.y), compared(a, edge, window),
+             compared(b, edge, window));
+}
+
+QString corner(Edge one, Edge other, YAxis y)
+{
+    static constexpr std::array<const char*, 4> corners{
+        "the bottom left corner", "the bottom right corner", "the top left corner",
+        "the top right corner"};
+    if (one > other)
+        std::swap(one, other);
+    if (one == Edge::None || one > Edge::Right || other < Edge::Bottom)
+        return {};
+    const bool top = (other == Edge::Top) == (y == YAxis::Up);
+    return tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
+}
+
+QString outcodes(const Telling& telling)
+{
+    const auto code = [&](const char* name) {
+        return outcodeText(unsigned(telling.value(name).value_or(0)), telling.specimen.y);
+    };
+    return tr("End 1 is %1, End 2 is %2").arg(code("code1"), code("code2"));
+}
+
+QString value(const Telling& telling, std::string_view name)
+{
+    const auto value = telling.value(name);
+    return value ? number(*value) : QString();
+}
+
+QString acceptedIfInside(const Telling& telling)
+{
+    for (const int end : {1, 2})
+        if (const Point p = endOf(end, telling); std::isnan(p.x) || std::isnan(p.y))
+            return tr("What is left is taken for visible, but %1 is no point any more: %2.")
+                .arg(words::end(end), point(p));
+    for (const int end : {1, 2})
+        if (const double far = outside(endOf(end, telling), telling.specimen.window); far > 0)
+            return tr("What is left is taken for visible, but rounding has left %1 outside the "
+                      "window, by %2.")
+                .arg(words::end(end), words::number(far));
+    return accepted(telling);
+}
+
+QString lost(const Telling& telling)
+{
+    if (!isPublished(telling))
+        return {};
+    const auto& exact = clipping::exactAlgorithm().corrected;
+    const auto piece = exact.clip(telling.specimen.line, telling.specimen.window);
+    if (!piece)
+        return {};
+    return QStringLiteral(" ")
+           + (piece->a == piece->b
+                  ? tr("That is wrong: the line touches the window at %1.").arg(point(piece->a))
+                  : tr("That is wrong: from %1 to %2 the line is inside.")
+                        .arg(point(piece->a), point(piece->b)));
+}
+
+} // namespace app::words

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of a line's way through the algorithms that ask about regions, corners and cells,
+// worked out by hand from what their authors print.
+#include "app/teaching/walk.h"
+
+#include <QLocale>
+#include <QTest>
+
+namespace {
+
+constexpr clipping::Window window{{-100, -75}, {100, 75}};
+constexpr clipping::Segment line{{-160, -30}, {70, 130}};
+
+/// "7: End 1 lies ...", y up.
+QStringList told(const char* key, const clipping::Segment& s = line,
+                 const clipping::Window& w = window)
+{
+    QStringList all;
+    for (const auto& moment :
+         app::walkOf({*app::findClipper(QLatin1StringView(key)), s, w, app::YAxis::Up, {}}).moments)
+        all << QStringLiteral("%1: %2").arg(moment.line).arg(moment.sentence);
+    return all;
+}
+
+void compare(const QStringList& actual, const QStringList& expected)
+{
+    for (qsizetype i = 0; i < std::min(actual.size(), expected.size()); ++i)
+        QCOMPARE(actual[i], expected[i]);
+    QCOMPARE(actual.size(), expected.size());
+}
+
+} // namespace
+
+class ToldStepsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    /// Above the window becomes below it by a mirror, and dy its negative: 60 * -160 and -105 *
+    /// 230.
+    void nichollLeeNicholl()
+    {
+        compare(told("nln:published"),
+                {"1: End 1 lies left of the window (−160 < −100).",
+                 "7: End 2 does not lie left of the window (70 > −100).",
+                 "8: End 1 does not lie above the window (−30 < 75).",
+                 "9: End 1 does not lie below the window (−30 > −75).",
+                 "10: End 1 is beside the window, neither above nor below it.",
+                 "28: End 2 does not lie left of the window (70 > −100).",
+                 "29: End 2 does not lie below the window (130 > −75).",
+                 "30: End 2 lies above the window (130 > 75): the plane is mirrored, so that one "
+                 "procedure does for below and above.",
+                 "35: How far it is from End 1 to End 2 in the turned plane: dx = 230, dy = −160.",
+                 "36: Two products hold what a corner says of the line's slope: pxmin = −9600, "
+                 "pymin = −24150. No division is needed to compare slopes.",
+                 "37: The line passes inside the top left corner (−24150 < −9600): it meets the "
+                 "window, and enters through the left edge.",
+                 "23: End 2 does not lie right of the window (70 < 100).",
+                 "27: End 2 moves back along the line to the top edge, to (−9.0625, 75). It is "
+                 "certain that this point is visible.",
+                 "39: End 1 moves along the line to the left edge, to (−100, 11.7391). It is "
+                 "certain that this point is visible.",
+                 "6: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+                 "it is visible."});
+    }
+    /// From the corner's region: the products are -75 * 310 and 60 * -260, so that it enters at the
+    /// top; then 260 * -260 and -225 * 310, so that it leaves at the right.
+    void nichollLeeNichollAsksTheCorners()
+    {
+        const QStringList all = told("nln:published", {{-160, 150}, {150, -110}});
+        QVERIFY(all.contains(
+            "14: Slopes are compared as products, without a division (−23250 < −15600): the line "
+            "passes the top left corner on the side of the top edge. Only there can it enter."));
+        QVERIFY(all.contains("15: The plane is mirrored in a diagonal, so that the top edge "
+                             "becomes the left one and "
+                             "the same procedure does for it. The picture stays as it is."));
+        QVERIFY(
+            all.contains("18: The line passes inside the top right corner (−67600 < −23250): it "
+                         "meets the window, and enters through the top edge."));
+        QVERIFY(all.contains("25: At the bottom right corner the products say (−67600 > −69750): "
+                             "the line leaves through the right edge."));
+    }
+
+    /// F at the corners: -160 x + 230 y - 18700.
+    void skala()
+    {
+        compare(
+            told("skala:published"),
+            {"1: The ends are numbered by their regions: End 1 is 0001, End 2 is 1000 (above, "
+             "below, right, left).",
+             "2: At least one end has a bit, so it is outside.",
+             "3: The ends have no bit in common: the line may meet the window.",
+             "4: The line through both ends as one vector, their cross product: px = −160, "
+             "py = 230, pw = −18700. It tells on which side of the line a point lies.",
+             "5: Seen along the line from End 1 to End 2, the bottom left corner lies on the right "
+             "(F = −19950).",
+             "6: Seen along the line from End 1 to End 2, the bottom right corner lies on the "
+             "right "
+             "(F = −51950).",
+             "7: Seen along the line from End 1 to End 2, the top right corner lies on the right "
+             "(F = −17450).",
+             "8: Seen along the line from End 1 to End 2, the top left corner lies on the left "
+             "(F = 14550).",
+             "13: The pattern of the corners is c = 8: the side changes along the top edge and the "
+             "left edge. There, and only there, the line crosses the window.",
+             "14: The row of the table names two edges, so the line meets the window.",
+             "16: End 1 is outside, so it becomes the point where the line crosses the top edge: "
+             "(−9.0625, 75).",
+             "17: End 2 goes to the left edge, to (−100, 11.7391). The published table does not "
+             "tell where the line comes in from where it goes out: the two ends are exchanged now.",
+             "22: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
+             "is visible."});
+    }
+    void skalaSaysWhatItLoses()
+    {
+        QCOMPARE(told("skala:published", {{-1, 0}, {1, 0}}, {{0, 0}, {2, 2}}).last(),
+                 "14: The line passes the window: nothing of it is visible. That is wrong: from "
+                 "(0, 0) to (1, 0) the line is inside.");
+    }
+
+    /// m = 160 / 230, c = -18700 / -230.
+    void kodituwakkuWijeweeraChamikara()
+    {
+        compare(
+            told("kwc:published"),
+            {"1: The line is not vertical (−160 < 70).",
+             "2: The line is not horizontal (−30 < 130).",
+             "4: The slope of the line: m = 0.695652.",
+             "5: Where the line meets the y axis: c = 81.3043. From here on the line is "
+             "y = mx + c.",
+             "7: End 1 lies left of the window (−160 < −100), so it is pushed to the left edge.",
+             "9: End 1 moves along the line to the left edge, to (−100, 11.7391).",
+             "13: End 1 does not lie below the window (11.7391 > −75).",
+             "16: End 1 does not lie above the window (11.7391 < 75).",
+             "7: End 2 does not lie left of the window (70 > −100).",
+             "10: End 2 does not lie right of the window (70 < 100).",
+             "13: End 2 does not lie below the window (130 > −75).",
+             "16: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
+             "18: End 2 moves along the line to the top edge, to (−9.0625, 75).",
+             "19: Now |x1 − x2| = 90.9375, not less than 1: the line has not shrunk to a point, "
+             "so it meets the window.",
+             "41: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+             "it is visible."});
+    }
+    void kodituwakkuWijeweeraChamikaraSaysWhatItLoses()
+    {
+        const QStringList all =
+            told("kwc:published", {{100, 0}, {100.5, 300}}, {{0, 0}, {300, 300}});
+        compare(
+            all.last(2),
+            {"19: Now |x1 − x2| = 0.5, less than 1. The authors take that for a line that has "
+             "shrunk to a point, because it misses the window.",
+             "19: The line is rejected: nothing of it is taken for visible. That is wrong: from "
+             "(100, 0) to (100.5, 300) the line is inside."});
+    }
+
+    /// The script of L to T: PL !PT QT.
+    void sobkowPospisilYang()
+    {
+        compare(told("spy:published"),
+                {"1: The ends are numbered by their regions: End 1 is 0001, End 2 is 1000 (above, "
+                 "below, right, left).",
+                 "2: The table has a script for each of the 81 pairs of regions; it does and asks "
+                 "no more than this pair needs.",
+                 "3: The script of this pair is no cross: the line may meet the window.",
+                 "5: End 1 is beyond the left edge, so it moves along the line to that edge, to "
+                 "(−100, 11.7391).",
+                 "12: End 1 does not lie above the window (11.7391 < 75): the line meets the "
+                 "window.",
+                 "8: End 2 is beyond the top edge, so it moves along the line to that edge, to "
+                 "(−9.0625, 75).",
+                 "17: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+                 "it is visible."});
+    }
+
+    /// The line turned round: a is End 2. e = 160 * 60 - 230 * 105, and 160 * 200 more in cell 4.
+    void slaterBarsky()
+    {
+        compare(
+            told("sb:published", {line.b, line.a}),
+            {"1: End 2 lies further left than End 1 (70 > −160), and the walk always goes to the "
+             "right.",
+             "2: The walk begins at End 2, so a is End 2 and b is End 1; the result will be turned "
+             "round again.",
+             "3: End 2 does not lie right of the window (−160 < 100).",
+             "4: End 1 does not lie left of the window (70 > −100).",
+             "5: End 2 lies left of the window (−160 < −100).",
+             "7: End 2 does not lie below the window (−30 > −75).",
+             "10: End 2 does not lie above the window (−30 < 75).",
+             "13: End 2 is in cell 3, the cell left of the window: the walk begins there.",
+             "14: Not both ends are inside the window, so the walk has to show what is.",
+             "15: How far it is from End 2 to End 1: dx = 230, dy = 160.",
+             "20: The error term e = −14550 tells on which side of the corner ahead the line "
+             "passes, without a division.",
+             "22: By the sign of e (−14550 < 0) the line passes below the corner ahead: the walk "
+             "goes on to the right, over the line of the left edge.",
+             "29: Here the walk comes into the window: End 2 moves to the left edge, to "
+             "(−100, 11.7391).",
+             "31: End 1 is not inside: the walk goes on, out of the window again.",
+             "32: The walk is in cell 4 now, the middle cell, which is the window. The next corner "
+             "ahead gives e = 17450.",
+             "22: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
+             "goes on over the line of the top edge.",
+             "26: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
+             "36: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
+             "is visible."});
+    }
+    void slaterBarskySaysWhatItLoses()
+    {
+        QVERIFY(told("sb:published", {{-1, 0}, {0, 1}}, {{0, 0}, {1, 1}})
+                    .last()
+                    .endsWith("That is wrong: the line touches the window at (0, 1)."));
+        QVERIFY(
+            told("sb:published", {{2, 1}, {2, -1}}, {{0, 0}, {2, 2}}).last().contains("no number"));
+    }
+};
+
+QTEST_APPLESS_MAIN(ToldStepsTest)
+#include "told_steps_test.moc"
