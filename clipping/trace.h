@@ -73,7 +73,7 @@ template <class S, class Watch, class... T>
 constexpr bool asked(bool held, int line, const S& segment, Edge edge, Watch& watch,
                      const Named<T>&... values)
 {
-    watch(held ? "yes" : "no", line, segment, edge, values...);
+    watch(yesOrNo(held), line, segment, edge, values...);
     return held;
 }
 
