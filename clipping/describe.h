@@ -22,6 +22,14 @@ struct About {
 
 /// What a test's step is called.
 constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
+/// A test on a line of the pseudo-code, told to the watcher; whether it holds.
+template <class S, class Watch, class... T>
+constexpr bool asked(bool holds, int line, const S& segment, Edge edge, Watch& watch,
+                     const Named<T>&... values)
+{
+    watch(yesOrNo(holds), line, segment, edge, values...);
+    return holds;
+}
 
 /// Whether the contract promises anything for this input: all finite, and min <= max.
 template <class T, glm::length_t N>

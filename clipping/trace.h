@@ -68,15 +68,6 @@ struct Named {
 template <class T>
 Named(const char*, T) -> Named<T>;
 
-/// A test on a line of the pseudo-code: the watcher is told whether it held, "yes" or "no".
-template <class S, class Watch, class... T>
-constexpr bool asked(bool held, int line, const S& segment, Edge edge, Watch& watch,
-                     const Named<T>&... values)
-{
-    watch(yesOrNo(held), line, segment, edge, values...);
-    return held;
-}
-
 /// Writes every step down. An algorithm hands over what it has; it computes nothing to be watched.
 template <glm::length_t N>
 class BasicRecorder {

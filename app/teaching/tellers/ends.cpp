@@ -106,8 +106,12 @@ QString acceptedIfInside(const Telling& telling)
                 .arg(words::end(end), point(p));
     for (const int end : {1, 2})
         if (const double far = outside(endOf(end, telling), telling.specimen.window); far > 0)
-            return tr("What is left is taken for visible, but rounding has left %1 outside the "
-                      "window, by %2.")
+            return (std::isfinite(far)
+                        ? tr("What is left is taken for visible, but rounding has left %1 outside "
+                             "the window, by %2.")
+                        : tr(
+                            "What is left is taken for visible, but numbers too large have left %1 "
+                            "outside the window, by %2."))
                 .arg(words::end(end), words::number(far));
     return accepted(telling);
 }

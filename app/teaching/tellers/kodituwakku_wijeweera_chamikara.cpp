@@ -145,8 +145,8 @@ QString number(const Telling& telling)
 QString reject(const Telling& telling)
 {
     if (telling.edge() != Edge::None)
-        return tr("An end is pushed from %1, and the other end lies beyond it as well: the line "
-                  "misses the window.")
+        return tr("Both ends would have to be pushed to %1 from outside: the line misses the "
+                  "window.")
             .arg(telling.edgeText());
     return tr("The line is rejected: nothing of it is taken for visible.") + words::lost(telling);
 }

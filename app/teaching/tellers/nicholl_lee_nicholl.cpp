@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 // The procedures work in a frame that may be turned or mirrored; the steps, and these sentences,
 // are about the line as it was given.
 
@@ -32,11 +34,6 @@ Corner cornerBeyond(const Telling& telling, int end)
     const Edge other = otherEdge(telling, end);
     return {words::corner(telling.edge(), other, telling.specimen.y), telling.edgeText(),
             edgeWords(other, telling.specimen.y)};
-}
-
-QString numbers(const Telling& telling, const char* left, const char* right)
-{
-    return words::compared(*telling.value(left), *telling.value(right));
 }
 
 QString whereEndOneIs(const Telling& telling)
@@ -77,7 +74,7 @@ QString whereEndTwoIs(const Telling& telling)
     case 29:
         return tr("%1: it must be asked whether the line passes the window there.").arg(beyond);
     case 30:
-        return tr("%1: the plane is mirrored, so that one procedure does for below and above.")
+        return tr("%1: the plane is mirrored, so that one procedure does for both sides.")
             .arg(beyond);
     case 20:
     case 32:
@@ -96,40 +93,30 @@ QString whereEndTwoIs(const Telling& telling)
     }
 }
 
-/// A test of slopes, as products.
+/// A test of slopes, as products: the first value against the second.
 QString passesCorner(const Telling& telling)
 {
-    const bool holds = telling.holds();
-    switch (telling.step.line) {
-    case 14: {
-        const Corner corner = cornerBeyond(telling, 1);
+    const int line = telling.step.line;
+    const Corner corner = cornerBeyond(telling, line == 14 ? 1 : 2);
+    const double first = telling.step.values[0].value, second = telling.step.values[1].value;
+    const QString relation = words::compared(first, second);
+    const QString through = telling.holds() ? corner.edge : corner.other;
+    if (!std::isfinite(first) || !std::isfinite(second))
+        return tr("The products are too large for a number (%1): what they say of %2 means "
+                  "nothing, but it is believed.")
+            .arg(relation, corner.name);
+    if (line == 14)
         return tr("Slopes are compared as products, without a division (%1): the line passes %2 on "
                   "the side of %3. Only there can it enter.")
-            .arg(numbers(telling, "pymax", "pxmin"), corner.name,
-                 holds ? corner.edge : corner.other);
-    }
-    case 18:
-    case 37: {
-        const Corner corner = cornerBeyond(telling, 2);
-        return holds ? tr("The line passes outside %1 (%2): it misses the window.")
-                           .arg(corner.name, numbers(telling, "pymin", "pxmin"))
-                     : tr("The line passes inside %1 (%2): it meets the window, and enters through "
-                          "%3.")
-                           .arg(corner.name, numbers(telling, "pymin", "pxmin"), corner.edge);
-    }
-    case 25: {
-        const Corner corner = cornerBeyond(telling, 2);
+            .arg(relation, corner.name, through);
+    if (line == 25 || line == 51)
         return tr("At %1 the products say (%2): the line leaves through %3.")
-            .arg(corner.name, numbers(telling, "pymin", "pxmax"),
-                 holds ? corner.edge : corner.other);
-    }
-    default: {
-        const Corner corner = cornerBeyond(telling, 2);
-        return tr("At %1 the products say (%2): the line leaves through %3.")
-            .arg(corner.name, numbers(telling, "pymax", "pxmin"),
-                 holds ? corner.edge : corner.other);
-    }
-    }
+            .arg(corner.name, relation, through);
+    if (telling.holds())
+        return tr("The line passes outside %1 (%2): it misses the window.")
+            .arg(corner.name, relation);
+    return tr("The line passes inside %1 (%2): it meets the window, and enters through %3.")
+        .arg(corner.name, relation, corner.edge);
 }
 
 QString product(const Telling& telling)
@@ -138,9 +125,8 @@ QString product(const Telling& telling)
     switch (t.step.line) {
     case 13:
     case 50:
-        return tr("Two products hold what a corner says of the line's slope: pymax = %1, pxmin = "
-                  "%2. "
-                  "No division is needed to compare slopes.")
+        return tr("Two products hold what a corner says of the line's slope: pymax = %1, "
+                  "pxmin = %2. No division is needed to compare slopes.")
             .arg(words::value(t, "pymax"), words::value(t, "pxmin"));
     case 36:
         return tr("Two products hold what a corner says of the line's slope: pxmin = %1, "
@@ -158,22 +144,19 @@ QString product(const Telling& telling)
 QString cut(const Telling& telling)
 {
     const int end = telling.step.what == "cut a" ? 1 : 2;
-    const QString at = words::point(words::endOf(end, telling));
-    return end == 1
-               ? tr("End 1 moves along the line to %1, to %2. It is certain that this point is "
-                    "visible.")
-                     .arg(telling.edgeText(), at)
-               : tr("End 2 moves back along the line to %1, to %2. It is certain that this point "
-                    "is visible.")
-                     .arg(telling.edgeText(), at);
+    return tr("%1 moves along the line to %2, to %3. It is certain by now that this end is "
+              "visible.")
+        .arg(words::end(end), telling.edgeText(), words::point(words::endOf(end, telling)));
 }
 
 QString extent(const Telling& telling)
 {
     const Point d = telling.specimen.line.b - telling.specimen.line.a;
-    const bool turned = telling.value("dx") != d.x || telling.value("dy") != d.y;
-    return (turned ? tr("How far it is from End 1 to End 2 in the turned plane: dx = %1, dy = %2.")
-                   : tr("How far it is from End 1 to End 2: dx = %1, dy = %2."))
+    const bool changed = telling.value("dx") != d.x || telling.value("dy") != d.y;
+    return (changed
+                ? tr("How far it is from End 1 to End 2 in the plane as it is turned or scaled: "
+                     "dx = %1, dy = %2.")
+                : tr("How far it is from End 1 to End 2: dx = %1, dy = %2."))
         .arg(words::value(telling, "dx"), words::value(telling, "dy"));
 }
 

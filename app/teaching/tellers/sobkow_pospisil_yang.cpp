@@ -37,7 +37,7 @@ QString question(const Telling& telling)
                     .arg(words::end(end), telling.edgeText());
     if (mayReject)
         return telling.holds() ? tr("%1, and that is past the window.").arg(found)
-                               : tr("%1: the line meets the window.").arg(found);
+                               : tr("%1: here the line does not miss the window.").arg(found);
     return telling.holds() ? tr("%1: it has to move once more.").arg(found)
                            : tr("%1: it is where it belongs.").arg(found);
 }

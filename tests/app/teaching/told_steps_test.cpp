@@ -50,17 +50,18 @@ private slots:
                  "28: End 2 does not lie left of the window (70 > −100).",
                  "29: End 2 does not lie below the window (130 > −75).",
                  "30: End 2 lies above the window (130 > 75): the plane is mirrored, so that one "
-                 "procedure does for below and above.",
-                 "35: How far it is from End 1 to End 2 in the turned plane: dx = 230, dy = −160.",
+                 "procedure does for both sides.",
+                 "35: How far it is from End 1 to End 2 in the plane as it is turned or "
+                 "scaled: dx = 230, dy = −160.",
                  "36: Two products hold what a corner says of the line's slope: pxmin = −9600, "
                  "pymin = −24150. No division is needed to compare slopes.",
                  "37: The line passes inside the top left corner (−24150 < −9600): it meets the "
                  "window, and enters through the left edge.",
                  "23: End 2 does not lie right of the window (70 < 100).",
-                 "27: End 2 moves back along the line to the top edge, to (−9.0625, 75). It is "
-                 "certain that this point is visible.",
+                 "27: End 2 moves along the line to the top edge, to (−9.0625, 75). It is certain "
+                 "by now that this end is visible.",
                  "39: End 1 moves along the line to the left edge, to (−100, 11.7391). It is "
-                 "certain that this point is visible.",
+                 "certain by now that this end is visible.",
                  "6: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
                  "it is visible."});
     }
@@ -166,8 +167,8 @@ private slots:
                  "3: The script of this pair is no cross: the line may meet the window.",
                  "5: End 1 is beyond the left edge, so it moves along the line to that edge, to "
                  "(−100, 11.7391).",
-                 "12: End 1 does not lie above the window (11.7391 < 75): the line meets the "
-                 "window.",
+                 "12: End 1 does not lie above the window (11.7391 < 75): here the line does "
+                 "not miss the window.",
                  "8: End 2 is beyond the top edge, so it moves along the line to that edge, to "
                  "(−9.0625, 75).",
                  "17: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
