@@ -113,10 +113,11 @@ private slots:
         QVERIFY(says(text("cb", line), {"D = 100, N = \u221250, t = 0.5"}));
         QVERIFY(says(text("cb", line, clipping::Form::Published),
                      {"D = 5,000, N = \u22122,500, t = 0.5"}));
-        QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2, c = 35"}));
+        QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2", "c = 35"}));
         QVERIFY(says(text("kwc", line), {"dx = 100, dy = 20"}));
         // Areas: beyond the corner (0, 10), 4 * 20 and 10 * 12 units.
-        QVERIFY(says(text("nln", {{-10, 14}, {10, 2}}), {"pymax = \u22122,000, pxmin = \u22123,000"}));
+        QVERIFY(
+            says(text("nln", {{-10, 14}, {10, 2}}), {"pymax = \u22122,000, pxmin = \u22123,000"}));
     }
     void whatIsRejectedLeavesNothing()
     {
