@@ -35,6 +35,12 @@ Edge commonEdge(const Specimen& specimen)
                                                 : Edge::Top;
 }
 
+/// What is truly inside.
+std::optional<clipping::Segment> exactPiece(const Specimen& specimen)
+{
+    return clipping::exactAlgorithm().corrected.clip(specimen.line, specimen.window);
+}
+
 } // namespace
 
 Point endOf(int number, const Telling& telling)
@@ -113,6 +119,9 @@ QString acceptedIfInside(const Telling& telling)
                             "What is left is taken for visible, but numbers too large have left %1 "
                             "outside the window, by %2."))
                 .arg(words::end(end), words::number(far));
+    if (!exactPiece(telling.specimen))
+        return accepted(telling) + QStringLiteral(" ")
+               + tr("That is wrong: the line misses the window, by less than rounding can tell.");
     return accepted(telling);
 }
 
@@ -120,8 +129,7 @@ QString lost(const Telling& telling)
 {
     if (!isPublished(telling))
         return {};
-    const auto& exact = clipping::exactAlgorithm().corrected;
-    const auto piece = exact.clip(telling.specimen.line, telling.specimen.window);
+    const auto piece = exactPiece(telling.specimen);
     if (!piece)
         return {};
     return QStringLiteral(" ")

@@ -175,6 +175,16 @@ private slots:
                  "it is visible."});
     }
 
+    /// It passes half a unit in the last place beyond the corner (1, 1).
+    void sobkowPospisilYangSaysWhatItInvents()
+    {
+        const double u = 0x1p-52;
+        QVERIFY(told("spy:published", {{-1, 1 + 2 * u}, {3, 1 - u}}, {{0, 0}, {1, 1}})
+                    .last()
+                    .endsWith("That is wrong: the line misses the window, by less than rounding "
+                              "can tell."));
+    }
+
     /// The line turned round: a is End 2. e = 160 * 60 - 230 * 105, and 160 * 200 more in cell 4.
     void slaterBarsky()
     {
