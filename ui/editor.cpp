@@ -2,6 +2,7 @@
 #include "ui/editor.h"
 
 #include "app/command_line/misnamed.h"
+#include "app/teaching/line_text.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -29,6 +30,9 @@ struct Options {
     QString file, screenshot;
     std::optional<QSize> size;
     QString panes; ///< 1 to 4, or "all"; empty: as they were
+    std::optional<QString> microscope; ///< open it: at a line that is typed so; empty: at the first
+    std::optional<app::Clipper> algorithm; ///< what clips
+    std::size_t step = 1;
     bool verbose = false;
 };
 
@@ -64,6 +68,12 @@ std::optional<QString> take(Options& options, const QString& name, const QString
         options.size = parsedSize(value);
     else if (name == "--panes" && QStringList{"1", "2", "4", "all"}.contains(value))
         options.panes = value;
+    else if (name == "--microscope" && (value == "first" || app::lineFrom(value)))
+        options.microscope = value;
+    else if (name == "--algorithm" && app::findClipper(value))
+        options.algorithm = app::findClipper(value);
+    else if (name == "--step" && value.toUInt() > 0)
+        options.step = value.toUInt();
     else if (name == "--screenshot" && !value.isEmpty())
         options.screenshot = value;
     else if (name == "--renderer")
@@ -72,6 +82,12 @@ std::optional<QString> take(Options& options, const QString& name, const QString
         return tr("--theme is system, light or dark.");
     else if (name == "--panes")
         return tr("--panes is 1, 2, 4 or all.");
+    else if (name == "--microscope")
+        return tr("--microscope is a line, such as \"10, 20 -> 70, 130\", or first.");
+    else if (name == "--algorithm")
+        return tr("--algorithm is one of those that clearcut algorithms lists.");
+    else if (name == "--step")
+        return tr("--step is a number from 1.");
     else if (name == "--size")
         return tr("--size is a width and a height, such as 1280x800.");
     else
@@ -138,6 +154,20 @@ void showPanes(Canvas& canvas, const QString& count)
     canvas.setPanes(panes);
 }
 
+void openMicroscope(MainWindow& window, const Options& options)
+{
+    app::Microscope& microscope = window.session().microscope;
+    window.drawnLine().look();
+    if (options.algorithm)
+        window.drawnLine().choose(*options.algorithm);
+    if (const auto line = app::lineFrom(*options.microscope)) {
+        app::Specimen specimen = microscope.specimen();
+        specimen.line = *line;
+        microscope.setSpecimen(specimen);
+    }
+    microscope.goTo(options.step - 1);
+}
+
 /// Opens what was asked for; the picture is taken when all has been painted.
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
@@ -163,6 +193,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
                                               static_cast<long long>(clock.elapsed()));
                          });
     window.show();
+    if (options.microscope)
+        openMicroscope(window, options);
     if (options.screenshot.isEmpty())
         return application.exec();
     bool saved = false;

@@ -210,6 +210,8 @@ void LookStyle::drawControl(ControlElement element, const QStyleOption* option, 
         return;
     case CE_ToolBar:
         return drawToolBar(*painter, *option, widget);
+    case CE_Splitter:
+        return painter->fillRect(option->rect, lookOf(option->palette).rule);
     case CE_HeaderSection:
     case CE_HeaderEmptyArea:
         return painter->fillRect(option->rect, lookOf(option->palette).panel);

@@ -22,6 +22,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -47,6 +48,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addPanels();
     addMenus(*this);
     addBars();
+    addMicroscope();
     connectFiles();
     for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
                               &app::Session::fileChanged})
@@ -93,7 +95,9 @@ void MainWindow::addCentre()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(strip_);
-    column->addWidget(canvas_, 1);
+    centre_ = new QStackedWidget;
+    centre_->addWidget(canvas_);
+    column->addWidget(centre_, 1);
     canvas_->setAccessibleName(tr("Drawing"));
     setCentralWidget(centre);
     status_ = new StatusBar(session_, *canvas_);
@@ -115,6 +119,7 @@ void MainWindow::addTools()
         canvas_->addAction(action);
         toolActions_ << action;
         connect(action, &QAction::triggered, canvas_, [this, key = tool.key] {
+            session_.microscope.close();
             canvas_->setTool(key);
             canvas_->setFocus();
         });

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/teaching/drawn_line.h"
 #include "ui/canvas/canvas.h"
 #include "ui/dialogs/questions.h"
 #include "ui/look.h"
 #include "ui/widgets/message_strip.h"
 
 #include <QMainWindow>
+#include <QPointer>
+
+#include <vector>
+
+class QDockWidget;
+class QStackedWidget;
+class QToolBar;
 
 namespace ui {
 
@@ -15,6 +23,7 @@ class CostMapPanel;
 class DifferencePanel;
 class Dock;
 class Files;
+class MicroscopePage;
 class StartPanel;
 class StatusBar;
 class WindowNote;
@@ -40,6 +49,9 @@ public:
     DifferencePanel& differencePanel() { return *differencePanel_; }
     CostMapPanel& costMapPanel() { return *costMapPanel_; }
     StatusBar& status() { return *status_; }
+    app::DrawnLine& drawnLine() { return drawnLine_; }
+    /// The microscope's place in the window; made when it is opened first, null before.
+    MicroscopePage* microscopePage() const { return microscopePage_; }
 
     /// The first sample on the canvas, its window ready to drag, and the start panel in front.
     void showStart();
@@ -70,7 +82,13 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    static constexpr int layoutVersion = 1; ///< of what saveState() writes
     void addCentre();
+    void addMicroscope();
+    void makeMicroscopePage();
+    void showMicroscope();
+    void hideMicroscope();
+    void bringPanelsBack();
     void addTools();
     void addPanels();
     void place(Dock& dock);
@@ -96,8 +114,21 @@ private:
     void restoreLayout();
 
     app::Session session_;
+    app::DrawnLine drawnLine_{session_};
     Theme theme_;
     Canvas* canvas_;
+    QStackedWidget* centre_ = nullptr; ///< the canvas, or the microscope
+    MicroscopePage* microscopePage_ = nullptr;
+    QByteArray layoutBefore_;       ///< while the microscope is open: of the docks and bars
+    QPointer<QWidget> focusBefore_; ///< the same
+    /// A panel that went to make room for the microscope.
+    struct HiddenDock {
+        QDockWidget* dock;
+        QSize size;
+        bool inFront; ///< of the others in its tabs
+    };
+    std::vector<HiddenDock> hiddenDocks_;
+    QList<QToolBar*> hiddenBars_;
     MessageStrip* strip_;
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;

@@ -22,7 +22,6 @@ namespace ui {
 
 namespace {
 
-constexpr int layoutVersion = 1;
 constexpr int wide = 1200, high = 780; // below: narrow panels; tabs instead of a stack
 constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396, widePanelWidth = 572;
 constexpr int separator = 4;   // between two panels
@@ -102,6 +101,8 @@ void MainWindow::connectStart(StartPanel& start)
 void MainWindow::makeRoomForLine()
 {
     const bool inspecting = session_.inspected().has_value();
+    if (!layoutBefore_.isEmpty())
+        return;
     if (inspecting && !inspecting_ && !ownLayout_ && arrangement_ == Arrangement::Stacked) {
         if (lowerTabs() != lowerTabs_)
             arrange();
@@ -151,6 +152,7 @@ QList<QAction*> MainWindow::panelToggles() const
 
 void MainWindow::raisePanel(const QString& key)
 {
+    session_.microscope.close();
     if (key == QStringLiteral("start") && !ownLayout_) {
         starting_ = true;
         return arrange();
@@ -186,6 +188,8 @@ MainWindow::Arrangement MainWindow::fittingArrangement() const
 
 void MainWindow::arrange()
 {
+    if (!layoutBefore_.isEmpty())
+        return; // the microscope has all the room
     if (!ownLayout_)
         arrangeAs(fittingArrangement());
     else if (starting_)
@@ -258,6 +262,8 @@ void MainWindow::shareHeight()
 /// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
 void MainWindow::refreshDockTitles()
 {
+    if (!layoutBefore_.isEmpty())
+        return;
     for (Dock* dock : docks_ + wide_) {
         const auto others = tabifiedDockWidgets(dock);
         const bool tab = !dock->isFloating() && std::ranges::any_of(others, [](auto* other) {
@@ -294,7 +300,8 @@ void MainWindow::saveLayout()
     settings.setValue("geometry", saveGeometry());
     settings.setValue("ownLayout", ownLayout_);
     if (ownLayout_)
-        settings.setValue("layout", saveState(layoutVersion));
+        settings.setValue("layout", layoutBefore_.isEmpty() ? saveState(layoutVersion)
+                                                            : layoutBefore_);
 }
 
 void MainWindow::restoreLayout()

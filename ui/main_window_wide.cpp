@@ -46,6 +46,8 @@ void MainWindow::addWide()
 
 void MainWindow::follow(Dock& wide)
 {
+    if (!layoutBefore_.isEmpty())
+        return; // it comes back with the others
     const bool open = !wide.isHidden();
     if (open == openWide_.contains(&wide))
         return;
@@ -63,6 +65,7 @@ bool MainWindow::showsPanel(const QString& key) const
 
 void MainWindow::togglePanel(const QString& key)
 {
+    session_.microscope.close();
     for (Dock* dock : wide_) {
         if (dock->objectName() != key)
             continue;

@@ -15,6 +15,7 @@ namespace ui {
 namespace {
 
 constexpr int updateMilliseconds = 100; // ten times a second
+constexpr int widthForRenderer = 1200;
 
 } // namespace
 
@@ -45,6 +46,9 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
+    for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::specimenChanged,
+                              &app::Microscope::stepChanged})
+        connect(&session.microscope, signal, this, &StatusBar::showStep);
     keepRoom();
     showHint({});
 }
@@ -55,7 +59,7 @@ QString StatusBar::position() const { return position_->text(); }
 
 void StatusBar::showHint(const QString& hint)
 {
-    const ToolInfo* tool = findTool(canvas_.tool());
+    const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
     hint_->setText(!hint.isEmpty() || !tool ? hint : tool->hint);
     hint_->setToolTip(hint_->text());
 }
@@ -75,6 +79,8 @@ void StatusBar::note(const FrameTimes& times)
 
 void StatusBar::showTimes()
 {
+    if (session_.microscope.isOpen())
+        return;
     visible_->setText(
         tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
     if (last_.total < app::leastLinesToTime) {
@@ -103,6 +109,33 @@ void StatusBar::showPosition(std::optional<app::Point> position)
                                 app::lengthText(position->y, unit, size)));
 }
 
+void StatusBar::showPoint(std::optional<app::Point> point)
+{
+    position_->setText(point ? tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
+                             : QString());
+}
+
+/// While the microscope is open it tells of that, and not of times.
+void StatusBar::showStep()
+{
+    const app::Microscope& microscope = session_.microscope;
+    const bool open = microscope.isOpen();
+    times_->setVisible(!open);
+    zoom_->setVisible(!open);
+    renderer_->setVisible(!open && width() >= widthForRenderer);
+    if (!open) {
+        keepRoom();
+        showHint({});
+        showTimes();
+        return showPosition({});
+    }
+    const auto steps = microscope.walk().moments.size();
+    visible_->setText(steps == 0 ? tr("no steps")
+                                 : tr("step %1 of %2").arg(app::countText(microscope.step() + 1),
+                                                           app::countText(steps)));
+    showAlgorithm(microscope.specimen().clipper);
+}
+
 void StatusBar::showZoom()
 {
     zoom_->setText(tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
@@ -123,28 +156,33 @@ void StatusBar::keepRoom()
     visible_->setWidest(tr("%1 of %2 visible").arg(total, total));
     times_->setWidest(
         tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
-    QString widest;
-    for (const auto& row : clipping::algorithms())
-        if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
-            > fontMetrics().horizontalAdvance(widest))
-            widest = app::latin(row.abbreviation);
-    const auto& display = session_.display();
-    const bool published = display.usedForm() == clipping::Form::Published;
-    const QString mark = tr(", published");
-    algorithm_->setWidest(published ? widest + mark : widest);
-    algorithm_->setText(app::latin(display.algorithm->abbreviation)
-                        + (published ? mark : QString()));
-    algorithm_->setToolTip(app::latin(display.algorithm->name));
+    if (!session_.microscope.isOpen())
+        showAlgorithm({session_.display().algorithm, session_.display().usedForm()});
     renderer_->setWidest(QStringLiteral("OpenGL"));
     renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
     renderer_->setToolTip(canvas_.backendReason());
     showZoom();
 }
 
+void StatusBar::showAlgorithm(const app::Clipper& clipper)
+{
+    QString widest;
+    for (const auto& row : clipping::algorithms())
+        if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
+            > fontMetrics().horizontalAdvance(widest))
+            widest = app::latin(row.abbreviation);
+    const bool published = clipper.form == clipping::Form::Published;
+    const QString mark = tr(", published");
+    algorithm_->setWidest(published ? widest + mark : widest);
+    algorithm_->setText(app::latin(clipper.algorithm->abbreviation)
+                        + (published ? mark : QString()));
+    algorithm_->setToolTip(app::latin(clipper.algorithm->name));
+}
+
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
-    renderer_->setVisible(width() >= 1200);
+    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen());
 }
 
 void StatusBar::addZoomMenu()

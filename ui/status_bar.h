@@ -27,6 +27,10 @@ public:
     QString visibility() const;
     QString position() const;
 
+    void showHint(const QString& hint); ///< empty: the tool's
+    /// Where the pointer is in the microscope, in the numbers that it shows.
+    void showPoint(std::optional<app::Point> point);
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
@@ -34,7 +38,8 @@ private:
     void note(const FrameTimes& times);
     void showTimes();
     void showPosition(std::optional<app::Point> position);
-    void showHint(const QString& hint);
+    void showStep();
+    void showAlgorithm(const app::Clipper& clipper);
     void showZoom();
     void keepRoom();
     void addZoomMenu();

@@ -114,16 +114,6 @@ QString stepText(const clipping::Step& step, const Measure& measure)
         .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
 }
 
-Clipper explaining(const Session& session, std::size_t segment)
-{
-    const auto& asked = session.differences.asked();
-    const auto& list = session.differences.found().list;
-    const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
-    if (!asked || found == list.end() || found->source != segment)
-        return {session.display().algorithm, session.display().usedForm()};
-    return asked->a == exactClipper() ? asked->b : asked->a;
-}
-
 QString endText(const Inspection& line, const Measure& measure)
 {
     switch (line.trace.outcome) {
@@ -161,6 +151,16 @@ Region regionOf(const Point& point, const clipping::Window& window)
         return x < low ? -1 : x > high ? 1 : 0;
     };
     return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
+}
+
+Clipper explaining(const Session& session, std::size_t segment)
+{
+    const auto& asked = session.differences.asked();
+    const auto& list = session.differences.found().list;
+    const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
+    if (!asked || found == list.end() || found->source != segment)
+        return {session.display().algorithm, session.display().usedForm()};
+    return asked->a == exactClipper() ? asked->b : asked->a;
 }
 
 Inspection inspect(const Session& session, std::size_t segment)

@@ -37,14 +37,16 @@ struct Inspection {
     clipping::Trace trace{};
 };
 Inspection inspect(const Session& session, std::size_t segment);
+/// What is explained of a line.
+Clipper explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);
 /// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
 QString costText(const clipping::OperationCounts& cost);
-/// A text for each step of the trace: what is done, with which values, what is left; and one for
-/// how it ended. Coordinates and lengths are in `unit`, as everywhere in the window. Of an exhibit
-/// what is wrong with it.
+/// A text for each step of the trace but its tests: what is done, with which values, what is left;
+/// and one for how it ended. Coordinates and lengths are in `unit`, as everywhere in the window. Of
+/// an exhibit what is wrong with it.
 QStringList stepTexts(const Inspection& inspection, Unit unit, double millimetresPerUnit);
 
 } // namespace app

@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <glm/geometric.hpp>
+
 namespace app {
 
 namespace {
@@ -31,18 +33,31 @@ Specimen specimenOf(const Session& session, std::size_t segment)
             .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()))};
 }
 
-Specimen firstSpecimen(const Session& session)
+std::optional<std::size_t> firstLine(const Session& session)
 {
     const auto lines = session.scene.segments();
     if (session.inspected() && *session.inspected() < lines.size())
-        return specimenOf(session, *session.inspected());
+        return session.inspected();
     const clipping::Window& window = session.sheet().window;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        if (const auto piece = clipping::exactAlgorithm().corrected.clip(lines[i], window);
-            piece && piece->a != lines[i].a && piece->b != lines[i].b)
-            return specimenOf(session, i);
-    if (!lines.empty())
-        return specimenOf(session, 0);
+    std::size_t best = 0;
+    double longest = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto piece = clipping::exactAlgorithm().corrected.clip(lines[i], window);
+        if (!piece || *piece == lines[i])
+            continue;
+        if (piece->a != lines[i].a && piece->b != lines[i].b)
+            return i;
+        if (const double length = glm::distance(lines[i].a, lines[i].b); length > longest)
+            longest = length, best = i;
+    }
+    return lines.empty() ? std::nullopt : std::optional(best);
+}
+
+Specimen firstSpecimen(const Session& session)
+{
+    if (const auto line = firstLine(session))
+        return specimenOf(session, *line);
+    const clipping::Window& window = session.sheet().window;
     return {.clipper = {session.display().algorithm, session.display().usedForm()},
             .line = across(window),
             .window = window,

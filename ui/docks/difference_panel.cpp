@@ -133,6 +133,10 @@ void DifferencePanel::addTable()
                 if (!following_ && now.isValid())
                     showRow(now.row());
             });
+    connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+        if (const auto line = model_.lineOf(index.row()))
+            emit lineWanted(*line);
+    });
     // Once more, perhaps from elsewhere.
     connect(table_, &QTableView::clicked, this,
             [this](const QModelIndex& index) { showRow(index.row()); });

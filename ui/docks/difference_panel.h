@@ -28,6 +28,8 @@ public:
     QSize sizeHint() const override;
 
 signals:
+    /// Enter: a line under the microscope.
+    void lineWanted(std::size_t line);
     void placeWanted(const clipping::Window& place); ///< is to be seen
 
 protected:

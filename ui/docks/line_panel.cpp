@@ -3,6 +3,7 @@
 
 #include "app/view/numbers.h"
 #include "ui/look.h"
+#include "ui/look_icon.h"
 
 #include <QFontDatabase>
 #include <QVBoxLayout>
@@ -21,7 +22,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session),
       nothing_(new QLabel(tr("Click a line to see what happens to it."))), table_(new QWidget),
       grid_(new QGridLayout(table_)), verdict_(new QLabel), cost_(new QLabel),
-      steps_(new QPlainTextEdit)
+      steps_(new QPlainTextEdit), microscope_(new QPushButton(icon("microscope"), tr("Microscope")))
 {
     nothing_->setForegroundRole(QPalette::PlaceholderText);
     nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
@@ -48,11 +49,19 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     QPalette quiet = steps_->palette();
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
+    microscope_->setIconSize({16, 16});
+    microscope_->setToolTip(tr("Look at this line step by step (F2, or double click the line)"));
+    connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
+    auto* looking = new QHBoxLayout;
+    looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    looking->addWidget(microscope_);
+    looking->addStretch();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, space::labelToField);
     column->setSpacing(6);
     column->addWidget(nothing_);
     column->addWidget(table_);
+    column->addLayout(looking);
     auto* steps = new QHBoxLayout; // the text's own margin is 4
     steps->setContentsMargins(space::dockMargin - 4, 0, 0, 0);
     steps->addWidget(steps_);
@@ -79,6 +88,7 @@ void LinePanel::show()
     const bool some = inspected && *inspected < session_.scene.segments().size();
     nothing_->setVisible(!some);
     table_->setVisible(some);
+    microscope_->setVisible(some);
     steps_->setVisible(some);
     if (some)
         showLine(app::inspect(session_, *inspected));

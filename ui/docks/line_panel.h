@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTimer>
 
 namespace ui {
@@ -22,6 +23,7 @@ public:
     QString steps() const { return steps_->toPlainText(); }
 
 signals:
+    void microscopeWanted();
     void titled(const QString& title, const QString& remark);
 
 private:
@@ -36,6 +38,7 @@ private:
     QGridLayout* grid_;
     QLabel *verdict_, *cost_;
     QPlainTextEdit* steps_;
+    QPushButton* microscope_;
     QTimer soon_; ///< many changes in one event are shown once
 };
 

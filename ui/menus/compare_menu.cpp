@@ -37,6 +37,8 @@ void selectDiffering(MainWindow& window)
 void inspectNext(MainWindow& window, std::ptrdiff_t by)
 {
     app::Session& session = window.session();
+    if (session.microscope.isOpen())
+        return window.drawnLine().go(by);
     const auto count = std::ptrdiff_t(session.scene.segments().size());
     const auto now = session.inspected() ? std::ptrdiff_t(*session.inspected())
                      : by > 0            ? -1

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/specimen.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
 #include "ui/zoo/zoo_window.h"
@@ -18,7 +17,7 @@ void toggleMicroscope(MainWindow& window)
     if (session.microscope.isOpen())
         session.microscope.close();
     else
-        session.microscope.open(app::firstSpecimen(session));
+        window.drawnLine().look();
 }
 
 } // namespace

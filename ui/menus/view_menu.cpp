@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 #include "ui/main_window.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/microscope/microscope_view.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -18,6 +20,17 @@ void toggle(MainWindow& window, bool app::Display::*member)
     app::Display display = window.session().display();
     display.*member = !(display.*member);
     window.session().setDisplay(display);
+}
+
+/// What is seen: the drawing, or the line under the microscope.
+template <int over, int under>
+void zoom(MainWindow& window)
+{
+    constexpr double factor = double(over) / under;
+    if (window.session().microscope.isOpen())
+        window.microscopePage()->view().zoomBy(factor);
+    else
+        window.canvas().zoomBy(factor);
 }
 
 void addThemes(MainWindow& window, QMenu& menu)
@@ -64,13 +77,8 @@ MenuInfo viewMenu()
                  keys(K::ZoomIn, {K("Ctrl+=")}),
                  Reach::Window,
                  {},
-                 [](MainWindow& w) { w.canvas().zoomBy(1.25); }},
-                {"zoom-out",
-                 tr("Zoom &out"),
-                 keys(K::ZoomOut),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.canvas().zoomBy(1 / 1.25); }},
+                 zoom<5, 4>},
+                {"zoom-out", tr("Zoom &out"), keys(K::ZoomOut), Reach::Window, {}, zoom<4, 5>},
                 {"zoom-100",
                  tr("&Real size"),
                  {K("Ctrl+0")},

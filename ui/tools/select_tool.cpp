@@ -2,6 +2,7 @@
 #include "app/commands/move_shapes.h"
 #include "app/commands/remove_shapes.h"
 #include "app/commands/resize_shapes.h"
+#include "app/teaching/specimen.h"
 #include "app/view/numbers.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
@@ -24,6 +25,7 @@ public:
     void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench& bench) override;
     void release(const Pointer& pointer, Workbench& bench) override;
+    void doubleClick(const Pointer& pointer, Workbench& bench) override;
     bool key(QKeyEvent& event, Workbench& bench) override;
     void cancel(Workbench&) override
     {
@@ -153,6 +155,16 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     else if (drag == Drag::Selection)
         finishDrag(bench);
     litSegment_.reset();
+}
+
+/// The line under the microscope.
+void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
+{
+    const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    if (!segment)
+        return press(pointer, bench);
+    bench.session.inspect(segment);
+    bench.session.microscope.open(app::specimenOf(bench.session, *segment));
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)

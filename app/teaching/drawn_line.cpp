@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/drawn_line.h"
+
+#include "app/comparison/inspection.h"
+#include "app/teaching/specimen.h"
+
+#include <QScopedValueRollback>
+
+namespace app {
+
+namespace {
+
+Clipper clipperOf(const Display& display) { return {display.algorithm, display.usedForm()}; }
+
+/// Only the line may be another one: the rest is ours.
+bool sameButLine(Specimen one, const Specimen& other)
+{
+    one.line = other.line;
+    return one == other;
+}
+
+} // namespace
+
+DrawnLine::DrawnLine(Session& session, QObject* parent) : QObject(parent), session_(session)
+{
+    connect(&session.microscope, &Microscope::specimenChanged, this, &DrawnLine::notice);
+    connect(&session.microscope, &Microscope::openChanged, this, &DrawnLine::adopt);
+    connect(&session, &Session::displayChanged, this, &DrawnLine::followDisplay);
+    connect(&session.scene, &Scene::outdated, this, &DrawnLine::followDrawing);
+    connect(&session, &Session::inspectedChanged, this, &DrawnLine::followInspected);
+}
+
+void DrawnLine::look()
+{
+    if (const auto line = firstLine(session_))
+        return look(*line);
+    line_.reset();
+    own_ = false;
+    display_ = clipperOf(session_.display());
+    show(firstSpecimen(session_));
+}
+
+void DrawnLine::look(std::size_t segment) { show(segment, explaining(session_, segment)); }
+
+void DrawnLine::show(std::size_t segment, const Clipper& clipper)
+{
+    line_ = segment;
+    own_ = false;
+    display_ = clipperOf(session_.display());
+    Specimen specimen = specimenOf(session_, segment);
+    specimen.clipper = clipper;
+    show(specimen);
+    session_.inspect(segment);
+}
+
+void DrawnLine::go(std::ptrdiff_t lines)
+{
+    const auto count = std::ptrdiff_t(session_.scene.segments().size());
+    if (count == 0)
+        return;
+    const auto now = line_ ? std::ptrdiff_t(*line_) : lines > 0 ? -1 : count;
+    show(std::size_t(((now + lines) % count + count) % count),
+         session_.microscope.specimen().clipper);
+}
+
+void DrawnLine::choose(const Clipper& clipper)
+{
+    Specimen specimen = session_.microscope.specimen();
+    specimen.clipper = clipper;
+    if (!attached_ || clipper.exhibit)
+        return session_.microscope.setSpecimen(specimen);
+    show(specimen);
+    Display display = session_.display();
+    display.algorithm = clipper.algorithm;
+    display.form = clipper.form;
+    session_.setDisplay(display);
+}
+
+void DrawnLine::back()
+{
+    const auto line = drawn();
+    if (!line)
+        return;
+    own_ = false;
+    Specimen specimen = specimenOf(session_, *line_);
+    specimen.clipper = session_.microscope.specimen().clipper;
+    show(specimen);
+}
+
+bool DrawnLine::changed() const { return attached_ && own_ && line_; }
+
+std::optional<clipping::Segment> DrawnLine::drawn() const
+{
+    const auto lines = session_.scene.segments();
+    return line_ && *line_ < lines.size() ? std::optional(lines[*line_]) : std::nullopt;
+}
+
+void DrawnLine::show(const Specimen& specimen)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    ours_ = specimen;
+    attached_ = true;
+    if (session_.microscope.isOpen())
+        session_.microscope.setSpecimen(specimen);
+    else
+        session_.microscope.open(specimen);
+    emit refreshed();
+}
+
+void DrawnLine::adopt()
+{
+    const auto inspected = session_.inspected();
+    if (showing_ || !session_.microscope.isOpen() || !inspected)
+        return;
+    const Specimen& now = session_.microscope.specimen();
+    Specimen inspectedOne = specimenOf(session_, *inspected);
+    inspectedOne.clipper = now.clipper;
+    if (now == inspectedOne)
+        show(*inspected, now.clipper);
+}
+
+/// Somebody else showed something: the person another line, or a lesson its own specimen.
+void DrawnLine::notice()
+{
+    if (showing_)
+        return;
+    const Specimen& now = session_.microscope.specimen();
+    attached_ = attached_ && sameButLine(now, ours_);
+    own_ = attached_ && now.line != drawn();
+    emit refreshed();
+}
+
+void DrawnLine::followDisplay()
+{
+    const Clipper now = clipperOf(session_.display());
+    if (now == std::exchange(display_, now) || !attached_ || !session_.microscope.isOpen())
+        return;
+    Specimen specimen = session_.microscope.specimen();
+    specimen.clipper = now;
+    show(specimen);
+}
+
+void DrawnLine::followDrawing()
+{
+    if (!attached_ || !session_.microscope.isOpen())
+        return;
+    Specimen specimen = session_.microscope.specimen();
+    specimen.window = session_.sheet().window;
+    if (const auto line = drawn()) {
+        specimen.origin = specimenOf(session_, *line_).origin;
+        if (!own_)
+            specimen.line = *line;
+    } else {
+        line_.reset();
+    }
+    show(specimen);
+}
+
+void DrawnLine::followInspected()
+{
+    const auto inspected = session_.inspected();
+    if (showing_ || !attached_ || !session_.microscope.isOpen() || !inspected || inspected == line_)
+        return;
+    show(*inspected, session_.microscope.specimen().clipper);
+}
+
+} // namespace app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/geometry.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace app {
+
+/// A line as it is typed: "−160, −30 → 70, 130"; exact, so that it reads back bit for bit. Where
+/// the decimal mark is a comma, a semicolon parts x from y.
+QString lineText(const clipping::Segment& line);
+
+/// Four numbers, by commas, semicolons or spaces, with an arrow ("->" or "→") between the ends or
+/// without; a decimal point, or the mark of the locale. "nan" and "inf" are numbers too. Nothing:
+/// it is no line.
+std::optional<clipping::Segment> lineFrom(const QString& text);
+
+} // namespace app

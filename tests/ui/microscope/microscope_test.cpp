@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "ui/docks/difference_panel.h"
+#include "ui/docks/line_panel.h"
+#include "ui/microscope/code_view.h"
+#include "ui/microscope/line_field.h"
+#include "ui/microscope/microscope_bar.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/microscope/microscope_view.h"
+#include "ui/microscope/timeline.h"
+#include "ui/microscope/variable_table.h"
+#include "ui/status_bar.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QDockWidget>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+/// A window with two lines and the microscope opened by its key.
+class Stage {
+public:
+    Stage()
+    {
+        t.window->files().open(t.twoLines());
+        app::Session& session = t.window->session();
+        session.history.push(new app::SetWindow(session.drawing, {{25, 25}, {75, 75}}));
+        t.show();
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+    }
+    app::Microscope& microscope() { return t.window->session().microscope; }
+    MicroscopePage& page() { return *t.window->microscopePage(); }
+    MicroscopeView& view() { return page().view(); }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
+    /// Drags from one point of the drawing to another.
+    void drag(const app::Point& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {})
+    {
+        const QPoint start = view().frame().at(from).toPoint();
+        QTest::mousePress(&view(), Qt::LeftButton, modifiers, start);
+        moveTo((start + to) / 2, modifiers);
+        moveTo(to, modifiers);
+        QTest::mouseRelease(&view(), Qt::LeftButton, modifiers, to);
+    }
+    QPoint screen(const app::Point& p) { return view().frame().at(p).toPoint(); }
+
+    TestWindow t;
+
+private:
+    void moveTo(const QPoint& place, Qt::KeyboardModifiers modifiers)
+    {
+        QMouseEvent event(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton,
+                          Qt::LeftButton, modifiers);
+        QApplication::sendEvent(&view(), &event);
+    }
+};
+
+QByteArray docksOf(const MainWindow& window)
+{
+    QByteArray text;
+    auto docks = window.findChildren<QDockWidget*>();
+    std::ranges::sort(docks, {}, &QObject::objectName); // raising one makes it the last child
+    for (const QDockWidget* dock : docks)
+        text += dock->objectName().toUtf8() + (dock->isVisible() ? " seen " : " ")
+                + (dock->isHidden() ? "hidden " : "shown ")
+                + (dock->isFloating() ? "floating " : "docked ") + QByteArray::number(dock->x() < 0)
+                + ' ' + QByteArray::number(dock->width()) + ' ' + QByteArray::number(dock->height())
+                + '\n';
+    return text;
+}
+
+} // namespace
+
+class MicroscopeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void f2OpensAndCloses()
+    {
+        Stage s;
+        QVERIFY(s.microscope().isOpen());
+        QVERIFY(s.page().isVisible());
+        QVERIFY(!s.t.window->canvas().isVisible());
+        for (const QDockWidget* dock : s.t.window->findChildren<QDockWidget*>())
+            QVERIFY2(!dock->isVisible(), qPrintable(dock->objectName()));
+        s.key(Qt::Key_F2);
+        QVERIFY(!s.microscope().isOpen());
+        QVERIFY(s.t.window->canvas().isVisible());
+    }
+    void nothingIsMadeBeforeItIsOpened()
+    {
+        TestWindow t;
+        QVERIFY(!t.window->microscopePage());
+    }
+    void keysGoBothWaysToTheSame()
+    {
+        Stage s;
+        const auto last = s.microscope().walk().moments.size() - 1;
+        QVERIFY(last > 1);
+        QStringList forth, back;
+        const auto now = [&] {
+            return s.page().steps().sentence() + QString::number(s.page().code().lit())
+                   + s.page().steps().count();
+        };
+        forth << now();
+        while (!s.microscope().atEnd())
+            s.key(Qt::Key_Right), forth << now();
+        s.key(Qt::Key_Right); // no further
+        QCOMPARE(s.microscope().step(), last);
+        back << now();
+        while (s.microscope().step() > 0)
+            s.key(Qt::Key_Left), back.prepend(now());
+        QCOMPARE(forth, back);
+        QCOMPARE(QSet<QString>(forth.begin(), forth.end()).size(), forth.size());
+        s.key(Qt::Key_End);
+        QCOMPARE(s.microscope().step(), last);
+        s.key(Qt::Key_Home);
+        QCOMPARE(s.microscope().step(), std::size_t(0));
+    }
+    void keysStepWhereverTheFocusIs()
+    {
+        Stage s;
+        for (QWidget* widget : s.page().findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !widget->isEnabled()
+                || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()
+                || qobject_cast<LineField*>(widget))
+                continue;
+            s.microscope().goTo(0);
+            widget->setFocus(Qt::OtherFocusReason);
+            s.key(Qt::Key_Right);
+            QVERIFY2(s.microscope().step() == 1, widget->metaObject()->className());
+            s.key(Qt::Key_Home);
+            QVERIFY2(s.microscope().step() == 0, widget->metaObject()->className());
+        }
+    }
+    void typingDoesNotStep()
+    {
+        Stage s;
+        s.page().bar().lineField().setFocus();
+        s.key(Qt::Key_Right);
+        s.key(Qt::Key_End);
+        s.key(Qt::Key_Space);
+        QCOMPARE(s.microscope().step(), std::size_t(0));
+        QVERIFY(!s.page().steps().playback().playing());
+    }
+    void itPlaysToTheEndAndStops()
+    {
+        Stage s;
+        s.page().steps().playback().setSpeed(300);
+        s.key(Qt::Key_Space);
+        QVERIFY(s.page().steps().playback().playing());
+        QTRY_VERIFY(!s.page().steps().playback().playing());
+        QVERIFY(s.microscope().atEnd());
+        s.key(Qt::Key_Space); // once more, from the first
+        QVERIFY(s.page().steps().playback().playing());
+        s.key(Qt::Key_F2);
+        QVERIFY(!s.page().steps().playback().playing());
+    }
+    void aDraggedEndChangesTheWalkAlone()
+    {
+        Stage s;
+        const app::Sheet before = s.t.window->session().sheet();
+        const int history = s.t.window->session().history.count();
+        const auto line = s.microscope().specimen().line;
+        const auto visible = s.microscope().walk().visible;
+        s.drag(line.b, s.screen({50, 50}) + QPoint(3, -31));
+        QVERIFY(s.microscope().specimen().line != line);
+        QCOMPARE(s.microscope().specimen().line.a, line.a);
+        QVERIFY(s.microscope().walk().visible != visible);
+        QCOMPARE(s.t.window->session().sheet(), before);
+        QCOMPARE(s.t.window->session().history.count(), history);
+        auto* back = s.page().findChild<QToolButton*>("back-to-line");
+        QVERIFY(back->isVisible());
+        QTest::mouseClick(back, Qt::LeftButton);
+        QCOMPARE(s.microscope().specimen().line, line);
+        QVERIFY(!back->isVisible());
+    }
+    void anEndSnapsToTheWindow()
+    {
+        Stage s;
+        const QPoint corner = s.screen({75, 75}) + QPoint(3, -3);
+        s.drag(s.microscope().specimen().line.b, corner);
+        QCOMPARE(s.microscope().specimen().line.b, app::Point(75, 75));
+        s.drag({75, 75}, s.screen({60, 60}));
+        s.drag(s.microscope().specimen().line.b, corner, Qt::ControlModifier);
+        QVERIFY(s.microscope().specimen().line.b != app::Point(75, 75));
+    }
+    void escapeTakesADragBack()
+    {
+        Stage s;
+        const auto line = s.microscope().specimen().line;
+        QTest::mousePress(&s.view(), Qt::LeftButton, {}, s.screen(line.b));
+        QMouseEvent move(QEvent::MouseMove, s.screen({50, 40}), QPointF(), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(&s.view(), &move);
+        QVERIFY(s.microscope().specimen().line != line);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.microscope().specimen().line, line);
+        QVERIFY(s.microscope().isOpen());
+    }
+    void arrowKeysMoveTheChosenEnd()
+    {
+        Stage s;
+        const auto line = s.microscope().specimen().line;
+        s.view().setFocus();
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.view().chosenEnd(), LineEnd::One);
+        s.key(Qt::Key_Up);
+        QCOMPARE(s.microscope().specimen().line.b, line.b);
+        QVERIFY(s.microscope().specimen().line.a.y < line.a.y); // up, where y points down
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.view().chosenEnd(), LineEnd::Two);
+        s.key(Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(s.microscope().specimen().line.b.x > line.b.x);
+        QCOMPARE(s.microscope().step(), std::size_t(0));
+        s.key(Qt::Key_Escape);
+        QVERIFY(s.microscope().isOpen());
+        s.key(Qt::Key_Right);
+        QCOMPARE(s.microscope().step(), std::size_t(1));
+        s.key(Qt::Key_Escape);
+        QVERIFY(!s.microscope().isOpen());
+    }
+    void aLineIsTyped()
+    {
+        Stage s;
+        LineField& field = s.page().bar().lineField();
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, "0, 10 -> 100.5, 90");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(s.microscope().specimen().line, (clipping::Segment{{0, 10}, {100.5, 90}}));
+        field.selectAll();
+        QTest::keyClicks(&field, "0, 10 -> what");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY2(s.t.window->message().contains("is not a line"),
+                 qPrintable(s.t.window->message()));
+        QCOMPARE(s.microscope().specimen().line.b, app::Point(100.5, 90));
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QVERIFY(s.microscope().isOpen());
+        QCOMPARE(field.text(), QString::fromUtf8("0, 10 → 100.5, 90"));
+        field.selectAll();
+        QTest::keyClicks(&field, "nan, 10 -> 5, 90");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(s.microscope().walk().moments.empty());
+        QCOMPARE(s.page().steps().sentence(), s.microscope().walk().refusal);
+        QVERIFY(!s.page().steps().sentence().isEmpty());
+        s.page().grab(); // and can be painted
+    }
+    void theWheelZoomsWhereThePointerIs()
+    {
+        Stage s;
+        const QPointF place(200, 150);
+        const app::Point before = s.view().frame().pointAt(place);
+        const double width = s.view().frame().seen.max.x - s.view().frame().seen.min.x;
+        QWheelEvent wheel(place, s.view().mapToGlobal(place), {}, {0, 120}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&s.view(), &wheel);
+        const auto& seen = s.view().frame().seen;
+        QVERIFY(std::abs(width / (seen.max.x - seen.min.x) - 1.25) < 1e-9);
+        const app::Point after = s.view().frame().pointAt(place);
+        QVERIFY(std::hypot(before.x - after.x, before.y - after.y) < 1e-9);
+        s.key(Qt::Key_Right);
+        QCOMPARE(s.view().frame().seen, seen); // steady
+        s.view().fit();
+        QVERIFY(std::abs((s.view().frame().seen.max.x - s.view().frame().seen.min.x) / width - 1)
+                < 1e-9);
+    }
+    void theTimelineIsClicked()
+    {
+        Stage s;
+        auto* timeline = s.page().findChild<Timeline*>();
+        for (const std::size_t step : {s.microscope().walk().moments.size() - 1, std::size_t(1)}) {
+            QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->placeOf(step).toPoint());
+            QCOMPARE(s.microscope().step(), step);
+        }
+    }
+    void everyAlgorithmAndFormStepsToItsEnd()
+    {
+        Stage s;
+        for (const clipping::Algorithm& algorithm : clipping::algorithms())
+            for (const auto form : {clipping::Form::Corrected, clipping::Form::Published}) {
+                if (!clipping::usesOf(algorithm, form))
+                    continue;
+                s.t.window->drawnLine().choose({&algorithm, form});
+                QCOMPARE(s.microscope().specimen().clipper.algorithm, &algorithm);
+                s.key(Qt::Key_Home);
+                while (!s.microscope().atEnd()) {
+                    QVERIFY(!s.page().steps().sentence().isEmpty());
+                    s.key(Qt::Key_Right);
+                }
+                s.page().grab();
+                QCOMPARE(s.t.window->status().visibility(),
+                         QStringLiteral("step %1 of %1").arg(s.microscope().walk().moments.size()));
+            }
+    }
+    void theDocksComeBackAsTheyWere()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.window->session().inspect(0);
+        QTest::qWait(100); // the Line panel gets its room
+        const QByteArray before = docksOf(*t.window);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+        QVERIFY(docksOf(*t.window) != before);
+        t.window->resize(1200, 790); // while it is open nothing is rearranged
+        t.window->resize(1280, 800);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_COMPARE(docksOf(*t.window), before);
+        QVERIFY(t.window->canvas().isAncestorOf(QApplication::focusWidget())
+                || QApplication::focusWidget() == &t.window->canvas());
+    }
+    void aLayoutOfOnesOwnIsKeptAndSavedAsItIs()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        auto* layers = t.window->findChild<QDockWidget*>("layers");
+        auto* line = t.window->findChild<QDockWidget*>("line");
+        t.window->addDockWidget(Qt::LeftDockWidgetArea, layers);
+        line->hide();
+        QCoreApplication::processEvents();
+        const QByteArray before = docksOf(*t.window);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
+        QTRY_COMPARE(docksOf(*t.window), before);
+        QCOMPARE(t.window->dockWidgetArea(layers), Qt::LeftDockWidgetArea);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+        t.window->session().history.setClean();
+        t.window->close(); // with the microscope open
+        MainWindow again(Backend::Raster);
+        again.resize(1280, 800);
+        again.show();
+        QCOMPARE(again.dockWidgetArea(again.findChild<QDockWidget*>("layers")),
+                 Qt::LeftDockWidgetArea);
+        QVERIFY(!again.findChild<QDockWidget*>("layers")->isHidden());
+        QVERIFY(again.findChild<QDockWidget*>("line")->isHidden());
+    }
+    void theLinePanelAndADoubleClickOpenIt()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.window->session().inspect(1);
+        auto* panel = t.window->findChild<LinePanel*>();
+        auto* button = panel->findChild<QPushButton*>();
+        QTRY_VERIFY(!button->isHidden());
+        button->click();
+        QVERIFY(t.window->session().microscope.isOpen());
+        QCOMPARE(t.window->drawnLine().line(), std::size_t(1));
+        t.window->session().microscope.close();
+        t.window->canvas().setTool("select");
+        t.window->canvas().fitDrawing();
+        const app::Point at = t.window->canvas().view().toScreen({30, 50});
+        QTest::mouseDClick(t.drawingArea(), Qt::LeftButton, {}, QPoint(int(at.x), int(at.y)));
+        QVERIFY(t.window->session().microscope.isOpen());
+        QCOMPARE(t.window->drawnLine().line(), std::size_t(0));
+    }
+    void f8LooksAtTheNextLine()
+    {
+        Stage s;
+        const auto first = s.t.window->drawnLine().line();
+        s.key(Qt::Key_F8);
+        QVERIFY(s.microscope().isOpen());
+        QVERIFY(s.t.window->drawnLine().line() != first);
+        s.key(Qt::Key_F8, Qt::ShiftModifier);
+        QCOMPARE(s.t.window->drawnLine().line(), first);
+    }
+    void everyControlHasAName()
+    {
+        Stage s;
+        for (QWidget* widget : s.page().findChildren<QWidget*>()) {
+            if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()
+                || !widget->isVisible())
+                continue;
+            QAccessibleInterface* said = QAccessible::queryAccessibleInterface(widget);
+            QVERIFY2(said && !said->text(QAccessible::Name).isEmpty(),
+                     widget->metaObject()->className());
+        }
+    }
+    void nothingIsCutOffInASmallWindow()
+    {
+        Stage s;
+        for (const double factor : {1.0, 1.5}) {
+            QFont font = qApp->font();
+            font.setPointSizeF(font.pointSizeF() * factor);
+            s.t.window->setFont(font);
+            s.t.window->resize(1024, 640);
+            QCoreApplication::processEvents();
+            QVERIFY2(factor > 1 || s.t.window->width() == 1024,
+                     qPrintable(QString::number(s.t.window->width())));
+            for (const QWidget* widget : s.page().findChildren<QWidget*>())
+                if (widget->isVisible() && qobject_cast<const QAbstractButton*>(widget)) {
+                    const QRect place(widget->mapTo(&s.page(), QPoint()), widget->size());
+                    QVERIFY2(s.page().rect().contains(place), qPrintable(widget->accessibleName()));
+                    QVERIFY2(!widget->visibleRegion().isEmpty(),
+                             qPrintable(widget->accessibleName()));
+                }
+        }
+    }
+};
+
+QTEST_MAIN(MicroscopeTest)
+#include "microscope_test.moc"

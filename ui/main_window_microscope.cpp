@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/pages.h"
+#include "ui/docks/difference_panel.h"
+#include "ui/docks/line_panel.h"
+#include "ui/main_window.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/status_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLayout>
+#include <QScopedValueRollback>
+#include <QStackedWidget>
+#include <QToolBar>
+
+#include <utility>
+
+// The microscope takes the place of the canvas, and of all panels. They come back as they were.
+
+namespace ui {
+
+void MainWindow::addMicroscope()
+{
+    connect(&session_.microscope, &app::Microscope::openChanged, this, [this] {
+        session_.microscope.isOpen() ? showMicroscope() : hideMicroscope();
+        refreshActions();
+    });
+    connect(&session_, &app::Session::loaded, &session_.microscope, &app::Microscope::close);
+    connect(findChild<LinePanel*>(), &LinePanel::microscopeWanted, this, [this] {
+        if (const auto line = session_.inspected())
+            drawnLine_.look(*line);
+    });
+    connect(differencePanel_, &DifferencePanel::lineWanted, this,
+            [this](std::size_t line) { drawnLine_.look(line); });
+}
+
+void MainWindow::makeMicroscopePage()
+{
+    microscopePage_ = new MicroscopePage(session_, drawnLine_);
+    centre_->addWidget(microscopePage_);
+    connect(microscopePage_, &MicroscopePage::closeWanted, &session_.microscope,
+            &app::Microscope::close);
+    connect(microscopePage_, &MicroscopePage::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
+    connect(microscopePage_, &MicroscopePage::pointerMoved, status_, &StatusBar::showPoint);
+    connect(microscopePage_, &MicroscopePage::hinted, status_, &StatusBar::showHint);
+    connect(microscopePage_, &MicroscopePage::aboutWanted, this,
+            [this](const clipping::Algorithm* algorithm) { showAlgorithmPage(*algorithm, *this); });
+    connect(microscopePage_, &MicroscopePage::exportWanted, this, [this] {
+        if (auto* steps = findChild<QAction*>(QStringLiteral("export-steps")))
+            steps->trigger();
+    });
+}
+
+void MainWindow::showMicroscope()
+{
+    if (!microscopePage_)
+        makeMicroscopePage();
+    focusBefore_ = QApplication::focusWidget();
+    layoutBefore_ = saveState(layoutVersion);
+    const QScopedValueRollback quiet(arranging_, true);
+    for (auto* dock : findChildren<QDockWidget*>()) {
+        dock->toggleViewAction()->setEnabled(false);
+        if (!dock->isHidden())
+            hiddenDocks_.push_back({dock, dock->size(), dock->x() >= 0 || dock->isFloating()});
+    }
+    for (const HiddenDock& hidden : hiddenDocks_)
+        hidden.dock->hide();
+    for (auto* bar : findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
+        if (bar->orientation() == Qt::Horizontal && !bar->isHidden()) {
+            hiddenBars_.append(bar);
+            bar->hide();
+        }
+    microscopePage_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    centre_->setCurrentWidget(microscopePage_);
+}
+
+void MainWindow::hideMicroscope()
+{
+    centre_->setCurrentWidget(canvas_);
+    // A stack is at least as large as the largest of its pages, those that are hidden included.
+    microscopePage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    for (QLayout* around : {centre_->layout(), centralWidget()->layout(), layout()}) {
+        around->invalidate();
+        around->activate();
+    }
+    bringPanelsBack();
+    layoutBefore_.clear();
+    if (fittingArrangement() != arrangement_) // the window is another size now, or Start is over
+        arrange();
+    refreshDockTitles();
+    (focusBefore_ && focusBefore_->isVisible() ? focusBefore_.data() : canvas_)->setFocus();
+}
+
+/// Not by restoreState(), which shows panels, too, that are in no place of the window.
+void MainWindow::bringPanelsBack()
+{
+    const QScopedValueRollback quiet(arranging_, true);
+    for (auto* dock : findChildren<QDockWidget*>())
+        dock->toggleViewAction()->setEnabled(true);
+    QList<QDockWidget*> docked;
+    QList<int> widths, heights;
+    for (const HiddenDock& hidden : std::exchange(hiddenDocks_, {})) {
+        hidden.dock->show();
+        if (hidden.dock->isFloating())
+            continue;
+        if (hidden.inFront) {
+            hidden.dock->raise();
+            docked << hidden.dock;
+            widths << hidden.size.width();
+            heights << hidden.size.height();
+        }
+    }
+    for (QToolBar* bar : std::exchange(hiddenBars_, {}))
+        bar->show();
+    resizeDocks(docked, widths, Qt::Horizontal);
+    resizeDocks(docked, heights, Qt::Vertical);
+}
+
+} // namespace ui

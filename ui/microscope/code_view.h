@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTextEdit>
+
+namespace ui {
+
+/// The pseudo-code of an algorithm with its line numbers; the line of the step is lit and in sight.
+class CodeView : public QTextEdit {
+    Q_OBJECT
+
+public:
+    explicit CodeView(QWidget* parent = nullptr);
+
+    void show(const QStringList& code);
+    void light(int line); ///< from 1; 0: none
+    int lit() const { return lit_; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    class Numbers;
+    void paintNumbers();
+    void placeNumbers();
+    int numbersWidth() const;
+    QRectF rowOf(int line) const; ///< in the viewport
+
+    Numbers* numbers_ = nullptr;
+    QStringList code_;
+    int lit_ = 0;
+};
+
+} // namespace ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/heading.h"
+
+#include "ui/look.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+
+namespace ui {
+
+Heading::Heading(const QString& title, QWidget* parent)
+    : QWidget(parent), row_(new QHBoxLayout(this))
+{
+    auto* name = new QLabel(title);
+    name->setFont(semiBold(font()));
+    row_->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    row_->addWidget(name);
+    row_->addStretch();
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void Heading::add(QWidget* widget) { row_->addWidget(widget); }
+
+QSize Heading::sizeHint() const
+{
+    return {120, std::max(space::dockTitleHeight, fontMetrics().height() + 8)};
+}
+
+void Heading::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().window());
+}
+
+} // namespace ui

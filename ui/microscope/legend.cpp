@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/legend.h"
+
+#include "ui/look.h"
+#include "ui/microscope/timeline_mark.h"
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr int sign = 20, gap = 14; // pixels
+
+} // namespace
+
+Legend::Legend(QWidget* parent) : QWidget(parent)
+{
+    setFont(captionFont(font()));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setAccessibleName(tr("Signs of the timeline"));
+}
+
+void Legend::show(const app::Walk& walk)
+{
+    std::vector<app::Mark> marks;
+    for (const app::Moment& moment : walk.moments)
+        if (std::ranges::find(marks, moment.mark) == marks.end())
+            marks.push_back(moment.mark);
+    std::ranges::sort(marks);
+    if (marks == marks_)
+        return;
+    marks_ = std::move(marks);
+    updateGeometry();
+    update();
+}
+
+QSize Legend::sizeHint() const
+{
+    int width = 0;
+    for (const app::Mark mark : marks_)
+        width += sign + fontMetrics().horizontalAdvance(markWord(mark)) + gap;
+    return {width, std::max(18, fontMetrics().height())};
+}
+
+void Legend::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    QPainter painter(this);
+    double x = 0;
+    for (const app::Mark mark : marks_) {
+        const QString word = markWord(mark);
+        paintMark(painter, QPointF(x + 7, height() / 2.0), mark, look.muted, look.panel);
+        painter.setPen(look.muted);
+        painter.drawText(QRectF(x + sign, 0, 200, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                         word);
+        x += sign + fontMetrics().horizontalAdvance(word) + gap;
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/geometry.h"
+
+#include <QLineEdit>
+
+namespace ui {
+
+/// A line as text, to be typed over: "−160, −30 → 70, 130". Esc gives back what was there.
+class LineField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit LineField(QWidget* parent = nullptr);
+
+    void show(const clipping::Segment& line);
+
+signals:
+    void typed(const clipping::Segment& line);
+    void refused(const QString& sentence);
+
+protected:
+    bool event(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void read();
+
+    clipping::Segment line_{};
+};
+
+} // namespace ui

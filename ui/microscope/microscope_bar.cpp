@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/microscope_bar.h"
+
+#include "app/latin.h"
+#include "ui/look_icon.h"
+#include "ui/microscope/line_field.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <QEvent>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int markerSize = 12;
+
+QPixmap marker(const clipping::Algorithm& algorithm, clipping::Form form, const QPalette& palette,
+               double pixelRatio)
+{
+    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), algorithm, form,
+                     groundOf(palette));
+    return picture;
+}
+
+} // namespace
+
+MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn, QWidget* parent)
+    : QWidget(parent), microscope_(microscope), drawn_(drawn), row_(new QHBoxLayout(this)),
+      algorithm_(new QComboBox), corrected_(new QRadioButton(tr("corrected"))),
+      published_(new QRadioButton(tr("as published"))), line_(new LineField)
+{
+    row_->setContentsMargins(space::labelToField, 0, space::labelToField, 0);
+    row_->setSpacing(4);
+    setMinimumHeight(space::optionsHeight);
+    setAccessibleName(tr("Microscope"));
+    addAlgorithm();
+    addLine();
+    addEnd();
+    paintMarkers();
+    connect(&microscope, &app::Microscope::specimenChanged, this, &MicroscopeBar::follow);
+    connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopeBar::follow);
+    follow();
+}
+
+QLabel* MicroscopeBar::addCaption(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setContentsMargins(space::labelToField, 0, 4, 0);
+    captions_ << label;
+    row_->addWidget(label);
+    return label;
+}
+
+QToolButton* MicroscopeBar::addButton(const char* key, const QString& name)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(key));
+    button->setIconSize({18, 18});
+    button->setFixedSize(space::toolButton, space::toolButton);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(name);
+    button->setToolTip(name);
+    row_->addWidget(button);
+    return button;
+}
+
+void MicroscopeBar::addAlgorithm()
+{
+    addCaption(tr("Algorithm"));
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    algorithm_->setFocusPolicy(Qt::TabFocus);
+    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
+    algorithm_->setMaxVisibleItems(30);
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    algorithm_->setMinimumContentsLength(12);
+    algorithm_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    algorithm_->setMaximumWidth(320);
+    for (const clipping::Algorithm& row : clipping::algorithms())
+        algorithm_->addItem(
+            QStringLiteral("%1  %2").arg(app::latin(row.abbreviation), app::latin(row.name)));
+    row_->addWidget(algorithm_, 4);
+    auto* forms = new QWidget;
+    auto* row = new QHBoxLayout(forms);
+    row->setContentsMargins(space::labelToField, 0, space::labelToField, 0);
+    row->setSpacing(10);
+    for (QRadioButton* form : {corrected_, published_}) {
+        form->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(form);
+    }
+    row_->addWidget(forms);
+    connect(algorithm_, &QComboBox::activated, this, [this](int index) {
+        const auto& chosen = clipping::algorithms()[std::size_t(index)];
+        const auto form = microscope_.specimen().clipper.form;
+        drawn_.choose({&chosen, clipping::usesOf(chosen, form) ? form : clipping::Form::Corrected});
+    });
+    connect(corrected_, &QRadioButton::clicked, this,
+            [this] { choose(clipping::Form::Corrected); });
+    connect(published_, &QRadioButton::clicked, this,
+            [this] { choose(clipping::Form::Published); });
+}
+
+void MicroscopeBar::addLine()
+{
+    row_->addSpacing(space::labelToField);
+    addCaption(tr("Line"));
+    line_->setMinimumWidth(150);
+    line_->setMaximumWidth(420);
+    line_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row_->addWidget(line_, 5);
+    QToolButton* swap = addButton("swap", tr("Swap ends"));
+    previous_ = addButton("step-back", tr("Previous line of the drawing (Shift+F8)"));
+    next_ = addButton("step-on", tr("Next line of the drawing (F8)"));
+    connect(line_, &LineField::typed, this, &MicroscopeBar::setLine);
+    connect(line_, &LineField::refused, this, &MicroscopeBar::refused);
+    connect(swap, &QToolButton::clicked, this, [this] {
+        const auto& [a, b] = microscope_.specimen().line;
+        setLine({b, a});
+    });
+    connect(previous_, &QToolButton::clicked, this, [this] { drawn_.go(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { drawn_.go(1); });
+}
+
+void MicroscopeBar::addEnd()
+{
+    row_->addStretch(1);
+    const auto addFramed = [this](const char* key, const QString& text, const QString& tip) {
+        auto* button = new QPushButton(icon(key), text);
+        button->setIconSize({16, 16});
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+        button->setFocusPolicy(Qt::TabFocus);
+        row_->addWidget(button);
+        return button;
+    };
+    export_ = addFramed("export", tr("Export steps…"), tr("Export the steps as pictures"));
+    close_ = addFramed("close", tr("Close"), tr("Back to the drawing (Esc)"));
+    export_->setObjectName(QStringLiteral("export-steps-button"));
+    close_->setObjectName(QStringLiteral("close-microscope"));
+    connect(export_, &QPushButton::clicked, this, &MicroscopeBar::exportWanted);
+    connect(close_, &QPushButton::clicked, this, &MicroscopeBar::closeWanted);
+}
+
+void MicroscopeBar::choose(clipping::Form form)
+{
+    drawn_.choose({microscope_.specimen().clipper.algorithm, form});
+}
+
+void MicroscopeBar::setLine(const clipping::Segment& line)
+{
+    app::Specimen specimen = microscope_.specimen();
+    specimen.line = line;
+    microscope_.setSpecimen(specimen);
+}
+
+void MicroscopeBar::follow()
+{
+    const app::Specimen& specimen = microscope_.specimen();
+    const auto* algorithm = specimen.clipper.algorithm;
+    if (!algorithm)
+        return;
+    algorithm_->setCurrentIndex(int(algorithm - clipping::algorithms().data()));
+    const bool both = algorithm->published;
+    published_->setEnabled(both);
+    published_->setToolTip(both ? tr("As its authors printed it, faults included")
+                                : tr("%1 has no published form: it is always the corrected one")
+                                      .arg(app::latin(algorithm->name)));
+    corrected_->setToolTip(tr("With its published defects mended"));
+    (specimen.clipper.form == clipping::Form::Published ? published_ : corrected_)
+        ->setChecked(true);
+    line_->show(specimen.line);
+    previous_->setEnabled(drawn_.line().has_value());
+    next_->setEnabled(drawn_.line().has_value());
+}
+
+void MicroscopeBar::paintMarkers()
+{
+    const auto rows = clipping::algorithms();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        algorithm_->setItemIcon(
+            int(i), marker(rows[i], clipping::Form::Corrected, palette(), devicePixelRatioF()));
+}
+
+/// The captions go first, then the words on the buttons.
+void MicroscopeBar::arrange()
+{
+    const double scale = fontMetrics().height() / 16.0;
+    const bool words = width() >= 1000 * scale, captions = width() >= 1150 * scale;
+    export_->setText(words ? tr("Export steps…") : QString());
+    close_->setText(words ? tr("Close") : QString());
+    for (QPushButton* button : {export_, close_})
+        button->setMinimumWidth(button->sizeHint().width() + 8);
+    for (QLabel* caption : captions_)
+        caption->setVisible(captions);
+}
+
+void MicroscopeBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().window());
+    painter.fillRect(0, height() - 1, width(), 1, lookOf(palette()).rule);
+}
+
+void MicroscopeBar::resizeEvent(QResizeEvent* event)
+{
+    arrange();
+    QWidget::resizeEvent(event);
+}
+
+void MicroscopeBar::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintMarkers();
+    if (event->type() == QEvent::FontChange && close_)
+        arrange();
+}
+
+} // namespace ui

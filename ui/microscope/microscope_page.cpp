@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/microscope_page.h"
+
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/microscope/code_view.h"
+#include "ui/microscope/heading.h"
+#include "ui/microscope/microscope_bar.h"
+#include "ui/microscope/microscope_view.h"
+#include "ui/microscope/operations_view.h"
+#include "ui/microscope/overview.h"
+#include "ui/microscope/variable_table.h"
+
+#include <QApplication>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr int rightWidth = 428, narrowRight = 300, wide = 1200; // pixels
+constexpr QSize overviewSize(172, 130), smallOverview(116, 88);
+constexpr int corner = 12;
+
+QWidget* underHeading(Heading* heading, QWidget* body)
+{
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(heading);
+    column->addWidget(body, 1);
+    return both;
+}
+
+QSplitter* splitter(Qt::Orientation orientation)
+{
+    auto* made = new QSplitter(orientation);
+    made->setChildrenCollapsible(false);
+    made->setHandleWidth(1);
+    return made;
+}
+
+} // namespace
+
+MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWidget* parent)
+    : QWidget(parent), session_(session), drawn_(drawn),
+      bar_(new MicroscopeBar(session.microscope, drawn)),
+      view_(new MicroscopeView(session.microscope)), steps_(new StepsPanel(session.microscope)),
+      code_(new CodeView), variables_(new VariableTable), operations_(new OperationsView),
+      overview_(new Overview(session, view_)), place_(new QLabel(view_)),
+      back_(new QToolButton(view_)), fit_(new QToolButton(view_)),
+      across_(splitter(Qt::Horizontal)), down_(splitter(Qt::Vertical)),
+      right_(splitter(Qt::Vertical))
+{
+    setAccessibleName(tr("Clip microscope"));
+    place_->setFont(captionFont(font()));
+    place_->setForegroundRole(QPalette::PlaceholderText);
+    place_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    back_->setText(tr("Back to the line of the drawing"));
+    back_->setObjectName(QStringLiteral("back-to-line"));
+    fit_->setText(tr("Fit"));
+    fit_->setToolTip(tr("Show window and line again (double click)"));
+    for (QToolButton* button : {back_, fit_}) {
+        button->setProperty("framed", true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setFont(captionFont(font()));
+        button->setAccessibleName(button->text());
+        button->hide();
+    }
+    down_->addWidget(view_);
+    down_->addWidget(steps_);
+    down_->setStretchFactor(0, 1);
+    across_->addWidget(down_);
+    across_->addWidget(makeRight());
+    across_->setStretchFactor(0, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(bar_);
+    column->addWidget(across_, 1);
+
+    const app::Microscope& microscope = session.microscope;
+    connect(&microscope, &app::Microscope::stepChanged, this, &MicroscopePage::showStep);
+    connect(&microscope, &app::Microscope::specimenChanged, this, [this] {
+        showStep();
+        showPlace();
+        overview_->update();
+    });
+    connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopePage::showPlace);
+    connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
+    connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);
+    connect(bar_, &MicroscopeBar::exportWanted, this, &MicroscopePage::exportWanted);
+    connect(bar_, &MicroscopeBar::refused, this, &MicroscopePage::refused);
+    connect(view_, &MicroscopeView::pointerMoved, this, &MicroscopePage::pointerMoved);
+    connect(view_, &MicroscopeView::hinted, this, &MicroscopePage::hinted);
+    connect(view_, &MicroscopeView::framed, this, &MicroscopePage::placeOverview);
+    connect(back_, &QToolButton::clicked, &drawn, &app::DrawnLine::back);
+    connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
+    for (const QSplitter* parts : {across_, down_})
+        connect(parts, &QSplitter::splitterMoved, this, [this] { ownShares_ = true; });
+    addKeys();
+    showStep();
+    showPlace();
+}
+
+QWidget* MicroscopePage::makeRight()
+{
+    auto* code = new Heading(tr("Pseudo-code"));
+    auto* about = new QToolButton;
+    about->setText(tr("About this algorithm"));
+    about->setAccessibleName(about->text());
+    about->setAutoRaise(true);
+    about->setFocusPolicy(Qt::TabFocus);
+    about->setObjectName(QStringLiteral("about-algorithm-link"));
+    about->setStyleSheet(
+        QStringLiteral("QToolButton { color: palette(link); border: none; padding: 0 4px; }"
+                       "QToolButton:hover, QToolButton:focus { text-decoration: underline; }"));
+    code->add(about);
+    connect(about, &QToolButton::clicked, this,
+            [this] { emit aboutWanted(session_.microscope.specimen().clipper.algorithm); });
+    right_->addWidget(underHeading(code, code_));
+    right_->addWidget(underHeading(new Heading(tr("Variables")), variables_));
+    right_->setStretchFactor(0, 3);
+    right_->setStretchFactor(1, 2);
+    auto* all = new QWidget;
+    all->setBackgroundRole(QPalette::AlternateBase);
+    all->setAutoFillBackground(true);
+    auto* column = new QVBoxLayout(all);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(right_, 1);
+    column->addWidget(new Heading(tr("Operations so far")));
+    column->addWidget(operations_);
+    return all;
+}
+
+void MicroscopePage::addKeys()
+{
+    app::Microscope& microscope = session_.microscope;
+    constexpr std::size_t last = -1;
+    const auto add = [this](int key, auto action) {
+        auto* shortcut = new QShortcut(QKeySequence(key), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, action);
+        return shortcut;
+    };
+    add(Qt::Key_Left, [&microscope] { microscope.previous(); });
+    add(Qt::Key_Right, [&microscope] { microscope.next(); });
+    add(Qt::Key_Home, [&microscope] { microscope.goTo(0); });
+    add(Qt::Key_End, [&microscope] { microscope.goTo(last); });
+    add(Qt::Key_Escape, [this] { emit closeWanted(); });
+    // A button that Tab has led to is pressed by Space, as everywhere.
+    QShortcut* play = add(Qt::Key_Space, [this] { steps_->playback().toggle(); });
+    play->setAutoRepeat(false);
+    connect(qApp, &QApplication::focusChanged, play, [play](QWidget*, const QWidget* now) {
+        play->setEnabled(!qobject_cast<const QAbstractButton*>(now)
+                         && !qobject_cast<const QComboBox*>(now));
+    });
+}
+
+void MicroscopePage::showStep()
+{
+    const app::Microscope& microscope = session_.microscope;
+    const app::Walk& walk = microscope.walk();
+    const app::Moment* moment = microscope.moment();
+    code_->show(walk.code);
+    code_->light(moment ? moment->line : 0);
+    variables_->show(moment ? moment->variables : std::vector<app::Variable>{},
+                     microscope.specimen().y);
+    operations_->show(moment ? moment->cost : clipping::OperationCounts{},
+                      moment ? walk.moments.back().cost : clipping::OperationCounts{});
+}
+
+void MicroscopePage::showPlace()
+{
+    place_->setText(session_.microscope.specimen().origin);
+    overview_->setVisible(drawn_.line().has_value());
+    back_->setVisible(drawn_.changed());
+    placeOverview();
+}
+
+/// In the corner; where there is little room it is smaller.
+void MicroscopePage::placeOverview()
+{
+    const bool small = view_->width() < 560 || view_->height() < 360;
+    const QSize size = overview_->isHidden() ? QSize(0, 0) : small ? smallOverview : overviewSize;
+    overview_->setGeometry(QRect(QPoint(corner, corner), size));
+    place_->adjustSize();
+    place_->move(corner, corner + size.height() + 4);
+    back_->adjustSize();
+    back_->move(corner, place_->geometry().bottom() + 4);
+    QRect taken = overview_->geometry() | place_->geometry();
+    if (!back_->isHidden())
+        taken |= back_->geometry();
+    if (const QRectF place(taken); place != view_->frame().reserved)
+        view_->reserve(place);
+    fit_->adjustSize();
+    fit_->move(view_->width() - fit_->width() - corner, view_->height() - fit_->height() - corner);
+    fit_->setVisible(!view_->fitted());
+}
+
+void MicroscopePage::setSide(QWidget* side)
+{
+    if (side == side_)
+        return;
+    delete std::exchange(side_, side);
+    if (!side)
+        return;
+    across_->insertWidget(0, side);
+    across_->setStretchFactor(0, 0);
+    across_->setStretchFactor(1, 1);
+}
+
+/// The column at the right as wide as the picture of it, where there is room; the steps as high as
+/// they want to be.
+void MicroscopePage::share()
+{
+    const int right = width() < wide ? narrowRight : rightWidth;
+    const int left = side_ ? side_->sizeHint().width() : 0;
+    const int middle = std::max(320, width() - right - left);
+    across_->setSizes(side_ ? QList{left, middle, right} : QList{middle, right});
+    const int all = height() - bar_->height();
+    const int steps = all < 620 ? steps_->minimumSizeHint().height() : steps_->sizeHint().height();
+    down_->setSizes({std::max(180, all - steps), steps});
+}
+
+void MicroscopePage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (!ownShares_)
+        share();
+}
+
+void MicroscopePage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!ownShares_)
+        share();
+    view_->setFocus();
+    emit hinted(tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping."));
+}
+
+void MicroscopePage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        placeOverview();
+}
+
+} // namespace ui

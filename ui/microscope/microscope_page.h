@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/teaching/drawn_line.h"
+#include "ui/microscope/steps_panel.h"
+
+#include <QSplitter>
+
+namespace ui {
+
+class CodeView;
+class MicroscopeBar;
+class MicroscopeView;
+class OperationsView;
+class Overview;
+class VariableTable;
+
+/// The clip microscope: the line enlarged, the steps below, pseudo-code, variables and operations
+/// at the right. Left, Right, Space, Home and End step wherever in it the focus is, except in a
+/// field; Esc leads back to the drawing.
+class MicroscopePage : public QWidget {
+    Q_OBJECT
+
+public:
+    MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWidget* parent = nullptr);
+
+    /// A widget at the left of all else: a lesson. It belongs to the page from then on; the one
+    /// that was there goes. Null: none.
+    void setSide(QWidget* side);
+    QWidget* side() const { return side_; }
+
+    MicroscopeBar& bar() { return *bar_; }
+    MicroscopeView& view() { return *view_; }
+    StepsPanel& steps() { return *steps_; }
+    CodeView& code() { return *code_; }
+    VariableTable& variables() { return *variables_; }
+
+signals:
+    void closeWanted();
+    void refused(const QString& sentence);
+    void exportWanted();
+    void aboutWanted(const clipping::Algorithm* algorithm); ///< its page
+    void pointerMoved(std::optional<app::Point> point);     ///< in the drawing
+    void hinted(const QString& hint);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makeRight();
+    void addKeys();
+    void showStep();
+    void showPlace();
+    void placeOverview();
+    void share();
+
+    app::Session& session_;
+    app::DrawnLine& drawn_;
+    MicroscopeBar* bar_;
+    MicroscopeView* view_;
+    StepsPanel* steps_;
+    CodeView* code_;
+    VariableTable* variables_;
+    OperationsView* operations_;
+    Overview* overview_;
+    QLabel* place_;
+    QToolButton *back_, *fit_;
+    QSplitter *across_, *down_, *right_;
+    QWidget* side_ = nullptr;
+    bool ownShares_ = false; ///< the person moved a splitter
+};
+
+} // namespace ui

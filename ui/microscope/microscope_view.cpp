@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/microscope_view.h"
+
+#include "app/teaching/figure.h"
+#include "ui/look.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <QFontInfo>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double ringRadius = 9, shortLine = 56; // pixels
+
+} // namespace
+
+MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
+    : QWidget(parent), microscope_(microscope)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("Line under the microscope"));
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    connect(&microscope, &app::Microscope::stepChanged, this, qOverload<>(&QWidget::update));
+    connect(&microscope, &app::Microscope::specimenChanged, this, &MicroscopeView::follow);
+}
+
+void MicroscopeView::follow()
+{
+    if (fitted_ && !drag_ && !chosen_)
+        refit();
+    frame_.y = microscope_.specimen().y;
+    update();
+}
+
+void MicroscopeView::refit()
+{
+    QFont body = font();
+    body.setPixelSize(QFontInfo(body).pixelSize());
+    frame_ = app::figureFrame(microscope_.specimen(), QSizeF(size()), body);
+    enlargeShortLine();
+    frame_.reserved = reserved_;
+    update();
+    emit framed();
+}
+
+/// A line that would be a mere dot beside its window fills a good part of the view, with the edges
+/// that it crosses; unless then nothing of the window could be seen.
+void MicroscopeView::enlargeShortLine()
+{
+    const clipping::Segment& line = microscope_.specimen().line;
+    const clipping::Window& window = microscope_.specimen().window;
+    const double length = QLineF(frame_.at(line.a), frame_.at(line.b)).length();
+    const double wanted = 0.4 * std::min(width(), height());
+    if (!(length > 0) || length > shortLine || !frame_.shows(line.a) || !frame_.shows(line.b))
+        return;
+    const app::Point middle = line.a / 2.0 + line.b / 2.0;
+    const app::Point half = (frame_.seen.max / 2.0 - frame_.seen.min / 2.0) * (length / wanted);
+    app::FigureFrame near = frame_;
+    near.seen = {middle - half, middle + half};
+    const auto& edges = near.seen;
+    const bool vertical = (window.min.x > edges.min.x && window.min.x < edges.max.x)
+                          || (window.max.x > edges.min.x && window.max.x < edges.max.x);
+    const bool horizontal = (window.min.y > edges.min.y && window.min.y < edges.max.y)
+                            || (window.max.y > edges.min.y && window.max.y < edges.max.y);
+    const bool overlaps = window.min.x < edges.max.x && window.max.x > edges.min.x
+                          && window.min.y < edges.max.y && window.max.y > edges.min.y;
+    const double size = edges.max.x - edges.min.x;
+    if ((vertical || horizontal) && overlaps && size > 1e-12 * std::abs(middle.x)
+        && size > 1e-12 * std::abs(middle.y))
+        frame_ = near;
+}
+
+void MicroscopeView::reserve(const QRectF& place)
+{
+    reserved_ = frame_.reserved = place;
+    update();
+}
+
+void MicroscopeView::fit()
+{
+    fitted_ = true;
+    refit();
+}
+
+/// Where an end has been moved out of sight, all is shown again.
+void MicroscopeView::keepInSight()
+{
+    const auto& line = microscope_.specimen().line;
+    if (!frame_.shows(line.a) || !frame_.shows(line.b))
+        fit();
+}
+
+void MicroscopeView::moveEnd(LineEnd end, const app::Point& point)
+{
+    app::Specimen specimen = microscope_.specimen();
+    specimen.line = withEnd(specimen.line, end, point);
+    if (specimen != microscope_.specimen())
+        microscope_.setSpecimen(specimen);
+}
+
+void MicroscopeView::choose(std::optional<LineEnd> end)
+{
+    if (end == chosen_)
+        return;
+    chosen_ = end;
+    setAccessibleDescription(end ? hint() : QString());
+    emit hinted(hint());
+    update();
+}
+
+QString MicroscopeView::hint() const
+{
+    if (chosen_)
+        return tr("End %1: arrow keys move it, Shift by ten; Esc gives them back to the steps.")
+            .arg(*chosen_ == LineEnd::One ? 1 : 2);
+    return tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping.");
+}
+
+void MicroscopeView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    app::paintStep(painter, microscope_.specimen(), microscope_.walk(), microscope_.step(), frame_,
+                   app::figureColours(groundOf(palette())));
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (lit_)
+        paintRing(painter, *lit_, 1.5);
+    if (chosen_)
+        paintRing(painter, *chosen_, 2.5);
+    if (hasFocus() && ring_) {
+        painter.setPen(QPen(lookOf(palette()).selection, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+void MicroscopeView::paintRing(QPainter& painter, LineEnd end, double width) const
+{
+    const app::Point& point = endOf(microscope_.specimen().line, end);
+    if (!frame_.shows(point))
+        return;
+    painter.setPen(QPen(lookOf(palette()).selection, width));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(frame_.at(point), ringRadius * frame_.unit(), ringRadius * frame_.unit());
+}
+
+void MicroscopeView::resizeEvent(QResizeEvent*) { fit(); }
+
+void MicroscopeView::hover(const QPointF& place)
+{
+    const auto end = endAt(frame_, microscope_.specimen().line, place);
+    if (end == lit_)
+        return;
+    lit_ = end;
+    setCursor(end ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    update();
+}
+
+void MicroscopeView::mousePressEvent(QMouseEvent* event)
+{
+    const auto& line = microscope_.specimen().line;
+    const QPointF place = event->position();
+    hover(place);
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && !lit_)) {
+        drag_ = Drag{{}, line, place};
+        setCursor(Qt::ClosedHandCursor);
+    } else if (event->button() == Qt::LeftButton) {
+        drag_ = Drag{lit_, line, frame_.at(endOf(line, *lit_)) - place};
+    }
+    if (lit_ != chosen_)
+        choose({});
+}
+
+void MicroscopeView::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF place = event->position();
+    if (!drag_) {
+        hover(place);
+    } else if (drag_->end) {
+        const bool free = event->modifiers() & Qt::ControlModifier;
+        moveEnd(*drag_->end, handPoint(frame_, microscope_.specimen().window, place + drag_->grip,
+                                       free ? Snapping::Off : Snapping::ToWindow));
+    } else {
+        pan(place - drag_->grip);
+        drag_->grip = place;
+    }
+    emit pointerMoved(frame_.pointAt(place));
+}
+
+void MicroscopeView::mouseReleaseEvent(QMouseEvent* event)
+{
+    const bool moved = drag_ && drag_->end;
+    drag_.reset();
+    if (moved)
+        keepInSight();
+    lit_.reset();
+    setCursor(Qt::ArrowCursor);
+    hover(event->position());
+}
+
+void MicroscopeView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton
+        && !endAt(frame_, microscope_.specimen().line, event->position()))
+        fit();
+}
+
+void MicroscopeView::cancelDrag()
+{
+    const auto drag = std::exchange(drag_, std::nullopt);
+    if (!drag || !drag->end)
+        return;
+    moveEnd(*drag->end, endOf(drag->before, *drag->end));
+}
+
+void MicroscopeView::pan(const QPointF& by)
+{
+    const app::Point from = frame_.pointAt({0, 0}), to = frame_.pointAt(by);
+    frame_.seen.min += from - to;
+    frame_.seen.max += from - to;
+    fitted_ = fitted_ && by.isNull();
+    update();
+    emit framed();
+}
+
+void MicroscopeView::zoomAt(const QPointF& place, double factor)
+{
+    const app::Point fixed = frame_.pointAt(place);
+    const clipping::Window seen{fixed + (frame_.seen.min - fixed) / factor,
+                                fixed + (frame_.seen.max - fixed) / factor};
+    const double size = seen.max.x - seen.min.x;
+    const double far = std::max({std::abs(seen.min.x), std::abs(seen.max.x), 1e-290});
+    if (!(size > far * 1e-12) || !std::isfinite(size)) // neighbouring numbers, or none
+        return;
+    frame_.seen = seen;
+    fitted_ = false;
+    update();
+    emit framed();
+}
+
+void MicroscopeView::zoomBy(double factor) { zoomAt(QRectF(rect()).center(), factor); }
+
+void MicroscopeView::wheelEvent(QWheelEvent* event)
+{
+    constexpr double perNotch = 1.25, notch = 120;
+    const int turned = event->angleDelta().y();
+    if (turned != 0)
+        zoomAt(event->position(), std::pow(perNotch, turned / notch));
+    event->accept();
+}
+
+void MicroscopeView::keyPressEvent(QKeyEvent* event)
+{
+    const double step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    const double up = microscope_.specimen().y == app::YAxis::Up ? step : -step;
+    const auto by = [&](double x, double y) {
+        moveEnd(*chosen_, nudged(frame_, endOf(microscope_.specimen().line, *chosen_), x, y));
+        keepInSight();
+    };
+    if (event->key() == Qt::Key_Escape && drag_)
+        return cancelDrag();
+    if (!chosen_)
+        return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return by(-step, 0);
+    case Qt::Key_Right:
+        return by(step, 0);
+    case Qt::Key_Up:
+        return by(0, up);
+    case Qt::Key_Down:
+        return by(0, -up);
+    case Qt::Key_Escape:
+        return choose({});
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+/// Tab goes from the view to End 1, End 2 and on.
+bool MicroscopeView::focusNextPrevChild(bool next)
+{
+    const std::optional<LineEnd> first = next ? LineEnd::One : LineEnd::Two;
+    const std::optional<LineEnd> second = next ? LineEnd::Two : LineEnd::One;
+    if (chosen_ == second)
+        return QWidget::focusNextPrevChild(next);
+    choose(chosen_ ? second : first);
+    return true;
+}
+
+void MicroscopeView::leaveEvent(QEvent*)
+{
+    if (!drag_)
+        lit_.reset();
+    update();
+    emit pointerMoved({});
+}
+
+void MicroscopeView::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    ring_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+}
+
+void MicroscopeView::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    choose({});
+}
+
+void MicroscopeView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        fit();
+}
+
+/// The arrow keys step, unless they move an end.
+bool MicroscopeView::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const bool arrow = key >= Qt::Key_Left && key <= Qt::Key_Down;
+        if ((chosen_ && (arrow || key == Qt::Key_Escape)) || (drag_ && key == Qt::Key_Escape)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+} // namespace ui

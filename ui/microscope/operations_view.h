@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/counted.h"
+
+#include <QWidget>
+
+namespace ui {
+
+/// The operations until now, each beside how many there are in all: "12 of 14 comparisons".
+class OperationsView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OperationsView(QWidget* parent = nullptr);
+
+    void show(const clipping::OperationCounts& now, const clipping::OperationCounts& all);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Cell {
+        QString now, all, word;
+    };
+    int columnsIn(int width) const;
+    int cellWidth() const;
+    int cellHeight() const;
+
+    std::vector<Cell> cells_;
+};
+
+} // namespace ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/overview.h"
+
+#include "ui/look.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t mostLines = 20'000;
+constexpr double margin = 4; // pixels
+
+std::optional<QLineF> onScreen(const clipping::Segment& line, const app::View& view)
+{
+    const auto part = clipping::exactAlgorithm().corrected.clip(line, view.visible());
+    if (!part)
+        return std::nullopt;
+    const app::Point a = view.toScreen(part->a), b = view.toScreen(part->b);
+    return QLineF(a.x, a.y, b.x, b.y);
+}
+
+} // namespace
+
+Overview::Overview(const app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAccessibleName(tr("Overview of the drawing"));
+}
+
+void Overview::forget()
+{
+    drawing_ = {};
+    update();
+}
+
+app::View Overview::view() const
+{
+    const app::Sheet& sheet = session_.sheet();
+    app::View view;
+    view.size = {width(), height()};
+    const app::Point corner = sheet.page.min + sheet.page.size;
+    view.fit({{std::min(sheet.page.min.x, sheet.window.min.x),
+               std::min(sheet.page.min.y, sheet.window.min.y)},
+              {std::max(corner.x, sheet.window.max.x), std::max(corner.y, sheet.window.max.y)}},
+             margin);
+    return view;
+}
+
+QPixmap Overview::drawing(const app::View& view) const
+{
+    const Look& look = lookOf(palette());
+    QPixmap picture(size() * devicePixelRatioF());
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    picture.fill(look.paper);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    // Opaque, so that many lines over each other do not become dark.
+    const auto mixed = [&, share = look.ghost * 0.8](int ink, int paper) {
+        return int(ink * share + paper * (1 - share));
+    };
+    painter.setPen(QPen(QColor(mixed(look.text.red(), look.paper.red()),
+                               mixed(look.text.green(), look.paper.green()),
+                               mixed(look.text.blue(), look.paper.blue())),
+                        0.5));
+    const auto lines = session_.scene.segments();
+    const std::size_t step = lines.size() / mostLines + 1;
+    for (std::size_t i = 0; i < lines.size(); i += step)
+        if (const auto line = onScreen(lines[i], view))
+            painter.drawLine(*line);
+    return picture;
+}
+
+void Overview::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    const app::View seen = view();
+    if (drawing_.isNull())
+        drawing_ = drawing(seen);
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, drawing_);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const app::Specimen& specimen = session_.microscope.specimen();
+    const app::Point a = seen.toScreen(specimen.window.min), b = seen.toScreen(specimen.window.max);
+    QColor inside = look.accent;
+    inside.setAlphaF(0.12F);
+    painter.setPen(QPen(look.accent, 1.5));
+    painter.setBrush(inside);
+    painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
+    painter.setPen(QPen(look.selection, 2, Qt::SolidLine, Qt::RoundCap));
+    if (const auto line = onScreen(specimen.line, seen))
+        painter.drawLine(*line);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(look.border);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void Overview::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        forget();
+}
+
+void Overview::resizeEvent(QResizeEvent*) { forget(); }
+
+} // namespace ui

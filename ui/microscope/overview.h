@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+#include "app/view/view.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+namespace ui {
+
+/// The whole drawing in small, ghosted, with the clip window and the line that is looked at: where
+/// one is. It lets the pointer through. Of a large drawing it paints some of the lines.
+class Overview : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Overview(const app::Session& session, QWidget* parent = nullptr);
+
+    void forget(); ///< the drawing has changed
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    app::View view() const;
+    QPixmap drawing(const app::View& view) const;
+
+    const app::Session& session_;
+    QPixmap drawing_; ///< null: to be painted
+};
+
+} // namespace ui

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/steps_panel.h"
+
+#include "app/view/numbers.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/microscope/heading.h"
+#include "ui/microscope/legend.h"
+#include "ui/microscope/timeline.h"
+
+#include <QAccessible>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr int margin = 16, sentenceLines = 2;
+constexpr std::array speeds{0.5, 1.0, 2.0, 4.0};
+enum Button { First, Previous, Play, Next, Last };
+
+QFont sentenceFont(const QFont& body)
+{
+    QFont font = body;
+    if (body.pixelSize() > 0)
+        font.setPixelSize(qRound(body.pixelSize() * 1.3));
+    else
+        font.setPointSizeF(body.pointSizeF() * 1.3);
+    return font;
+}
+
+} // namespace
+
+StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
+    : QWidget(parent), microscope_(microscope), playback_(microscope), sentence_(new QLabel),
+      count_(new QLabel),
+      keys_(new QLabel(tr("Left and Right step, Space plays, Home and End jump"))),
+      speed_(new QComboBox), timeline_(new Timeline(microscope)), legend_(new Legend),
+      foot_(new QWidget)
+{
+    setBackgroundRole(QPalette::AlternateBase);
+    setAutoFillBackground(true);
+    sentence_->setFont(sentenceFont(font()));
+    sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    sentence_->setAccessibleName(tr("What happens"));
+    sentence_->setMinimumHeight(sentenceLines * QFontMetrics(sentence_->font()).lineSpacing());
+    count_->setAccessibleName(tr("Step"));
+    keys_->setFont(captionFont(font()));
+    keys_->setForegroundRole(QPalette::PlaceholderText);
+    addButton("first", tr("First step"), tr("Home"));
+    addButton("step-back", tr("Previous step"), tr("Left"));
+    addButton("play", tr("Play"), tr("Space"));
+    addButton("step-on", tr("Next step"), tr("Right"));
+    addButton("last", tr("Last step"), tr("End"));
+    addSpeeds();
+    layOut();
+    constexpr std::size_t end = -1;
+    connect(buttons_[First], &QToolButton::clicked, this, [this] { microscope_.goTo(0); });
+    connect(buttons_[Previous], &QToolButton::clicked, this, [this] { microscope_.previous(); });
+    connect(buttons_[Play], &QToolButton::clicked, &playback_, &Playback::toggle);
+    connect(buttons_[Next], &QToolButton::clicked, this, [this] { microscope_.next(); });
+    connect(buttons_[Last], &QToolButton::clicked, this, [this] { microscope_.goTo(end); });
+    connect(&playback_, &Playback::playingChanged, this, &StepsPanel::showPlaying);
+    connect(&microscope, &app::Microscope::stepChanged, this, &StepsPanel::showStep);
+    connect(&microscope, &app::Microscope::specimenChanged, this, &StepsPanel::showStep);
+    showStep();
+}
+
+QToolButton* StepsPanel::addButton(const char* key, const QString& name, const QString& shortcut)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(key));
+    button->setIconSize({18, 18});
+    button->setAutoRaise(true);
+    button->setFixedSize(space::toolButton + 2, space::toolButton + 2);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(name);
+    button->setToolTip(tr("%1 (%2)").arg(name, shortcut));
+    buttons_ << button;
+    return button;
+}
+
+void StepsPanel::addSpeeds()
+{
+    for (const double speed : speeds)
+        speed_->addItem(tr("%1\u00d7").arg(app::numberText(speed, speed < 1 ? 1 : 0)), speed);
+    speed_->setCurrentIndex(1);
+    speed_->setFocusPolicy(Qt::TabFocus);
+    speed_->setAccessibleName(tr("Speed"));
+    speed_->setToolTip(tr("How fast the steps are played"));
+    connect(speed_, &QComboBox::currentIndexChanged, this,
+            [this](int index) { playback_.setSpeed(speeds[std::size_t(index)]); });
+}
+
+void StepsPanel::layOut()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    for (QToolButton* button : buttons_)
+        row->addWidget(button);
+    row->addSpacing(space::labelToField);
+    row->addWidget(speed_);
+    row->addSpacing(space::labelToField);
+    row->addWidget(count_);
+    row->addWidget(timeline_, 1);
+    auto* foot = new QHBoxLayout(foot_);
+    foot->setContentsMargins(0, 0, 0, 0);
+    foot->addWidget(legend_);
+    foot->addStretch();
+    foot->addWidget(keys_);
+    auto* body = new QVBoxLayout;
+    body->setContentsMargins(margin, 6, margin, 6);
+    body->setSpacing(4);
+    body->addWidget(sentence_, 1);
+    body->addLayout(row);
+    body->addWidget(foot_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new Heading(tr("Steps")));
+    column->addLayout(body, 1);
+}
+
+void StepsPanel::showStep()
+{
+    const app::Walk& walk = microscope_.walk();
+    const app::Moment* moment = microscope_.moment();
+    const bool any = moment != nullptr;
+    const QString before = sentence_->text();
+    sentence_->setText(any ? moment->sentence : walk.refusal);
+    const QString total = app::countText(walk.moments.size());
+    count_->setText(any ? tr("<b>%1</b> of %2").arg(app::countText(microscope_.step() + 1), total)
+                        : tr("no steps"));
+    // So wide that nothing moves while one steps.
+    count_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %1").arg(total)) + 10);
+    const bool start = microscope_.step() == 0, end = microscope_.atEnd();
+    for (const int button : {First, Previous})
+        buttons_[button]->setEnabled(any && !start);
+    for (const int button : {Next, Last})
+        buttons_[button]->setEnabled(any && !end);
+    buttons_[Play]->setEnabled(any);
+    speed_->setEnabled(any);
+    legend_->show(walk);
+    if (sentence_->text() != before && isVisible()) {
+        QAccessibleEvent told(sentence_, QAccessible::NameChanged);
+        sentence_->setAccessibleName(sentence_->text());
+        QAccessible::updateAccessibility(&told);
+    }
+}
+
+void StepsPanel::showPlaying()
+{
+    const bool playing = playback_.playing();
+    const QString name = playing ? tr("Pause") : tr("Play");
+    buttons_[Play]->setIcon(icon(playing ? "pause" : "play"));
+    buttons_[Play]->setAccessibleName(name);
+    buttons_[Play]->setToolTip(tr("%1 (%2)").arg(name, tr("Space")));
+}
+
+int StepsPanel::heightWithoutLegend() const
+{
+    const int title = std::max(space::dockTitleHeight, fontMetrics().height() + 8);
+    return title + sentence_->minimumHeight() + timeline_->sizeHint().height() + 12 + 2 * 4;
+}
+
+QSize StepsPanel::minimumSizeHint() const { return {420, heightWithoutLegend()}; }
+
+QSize StepsPanel::sizeHint() const
+{
+    constexpr int usual = 196;
+    return {900, std::max(usual, heightWithoutLegend() + foot_->sizeHint().height() + 4)};
+}
+
+void StepsPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    foot_->setVisible(height() >= heightWithoutLegend() + foot_->sizeHint().height() + 4);
+    keys_->setVisible(legend_->sizeHint().width() + keys_->sizeHint().width() + 3 * margin
+                      <= width());
+}
+
+} // namespace ui

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/timeline.h"
+
+#include "app/view/numbers.h"
+#include "ui/look.h"
+#include "ui/microscope/timeline_mark.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <array>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double side = 14, railY = 28; // pixels
+constexpr double crowded = 9;           // pixels between signs: below, comparisons are mere dashes
+constexpr int notch = 120;
+
+bool telling(app::Mark mark) { return mark != app::Mark::Look && mark != app::Mark::Compare; }
+
+} // namespace
+
+Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
+    : QWidget(parent), microscope_(microscope)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Timeline"));
+    setFont(captionFont(font()));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const auto changed = [this] {
+        const auto& walk = microscope_.walk();
+        if (!walk.moments.empty())
+            setAccessibleDescription(tr("Step %1 of %2: %3")
+                                         .arg(microscope_.step() + 1)
+                                         .arg(walk.moments.size())
+                                         .arg(markWord(microscope_.moment()->mark)));
+        update();
+    };
+    connect(&microscope, &app::Microscope::stepChanged, this, changed);
+    connect(&microscope, &app::Microscope::specimenChanged, this, changed);
+}
+
+QSize Timeline::minimumSizeHint() const
+{
+    return {120, int(railY) + 16 + fontMetrics().height() + 4};
+}
+QSize Timeline::sizeHint() const { return {480, minimumSizeHint().height()}; }
+
+double Timeline::spacing() const
+{
+    const auto count = microscope_.walk().moments.size();
+    return count < 2 ? 0 : std::min((width() - 2 * side) / double(count - 1), 96.0);
+}
+
+QPointF Timeline::placeOf(std::size_t step) const
+{
+    return {side + spacing() * double(step), railY};
+}
+
+std::size_t Timeline::stepAt(double x) const
+{
+    return spacing() > 0 ? std::size_t(std::max(0L, std::lround((x - side) / spacing()))) : 0;
+}
+
+/// So that no two numbers touch: each, each fifth, each tenth, each fiftieth …
+std::size_t Timeline::numberEvery() const
+{
+    const auto count = microscope_.walk().moments.size();
+    const double widest =
+        QFontMetrics(semiBold(font())).horizontalAdvance(QString::number(count)) + 8;
+    for (std::size_t every = 1; every < count; every *= 10)
+        for (const std::size_t times : {1U, 2U, 5U})
+            if (spacing() * double(every * times) >= widest)
+                return every * times;
+    return std::max<std::size_t>(count, 1);
+}
+
+void Timeline::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!microscope_.walk().moments.empty()) {
+        paintRail(painter);
+        paintMarks(painter);
+        paintNumbers(painter);
+        paintNow(painter);
+    }
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(lookOf(palette()).selection, 2));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), space::radius,
+                                space::radius);
+    }
+}
+
+void Timeline::paintRail(QPainter& painter) const
+{
+    const Look& look = lookOf(palette());
+    const auto& moments = microscope_.walk().moments;
+    const QPointF from = placeOf(0), now = placeOf(microscope_.step()),
+                  to = placeOf(moments.size() - 1);
+    painter.setPen(QPen(look.border, 2));
+    painter.drawLine(now, to);
+    painter.setPen(QPen(look.text, 2));
+    painter.drawLine(from, now);
+}
+
+void Timeline::paintMarks(QPainter& painter) const
+{
+    const Look& look = lookOf(palette());
+    const auto& moments = microscope_.walk().moments;
+    // What decides is never hidden under comparisons.
+    for (const bool important : {false, true})
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            if (telling(moments[i].mark) != important || i == microscope_.step())
+                continue;
+            const QColor ink = i > microscope_.step() ? look.muted : look.text;
+            if (!important && spacing() < crowded) {
+                painter.setPen(QPen(ink, 1));
+                painter.drawLine(placeOf(i) - QPointF(0, 3), placeOf(i) + QPointF(0, 3));
+            } else {
+                paintMark(painter, placeOf(i), moments[i].mark, ink, look.panel);
+            }
+        }
+}
+
+void Timeline::paintNumbers(QPainter& painter) const
+{
+    const Look& look = lookOf(palette());
+    const std::size_t count = microscope_.walk().moments.size(), every = numberEvery(),
+                      now = microscope_.step();
+    const QFontMetrics bold(semiBold(font()));
+    const double y = railY + 14, height = bold.height();
+    const auto half = [&](std::size_t i) {
+        return bold.horizontalAdvance(QString::number(i + 1)) / 2.0 + 4;
+    };
+    const auto paint = [&](std::size_t i) {
+        const QPointF place = placeOf(i);
+        painter.drawText(QRectF(place.x() - 40, y, 80, height), Qt::AlignCenter,
+                         QString::number(i + 1));
+    };
+    painter.setFont(font());
+    painter.setPen(look.muted);
+    for (std::size_t i = 0; i < count; ++i)
+        if ((i == 0 || (i + 1) % every == 0)
+            && std::abs(placeOf(i).x() - placeOf(now).x()) > half(i) + half(now) - 8
+            && (i == 0 || placeOf(i).x() - placeOf(0).x() > half(i) + half(0) - 8))
+            paint(i);
+    painter.setFont(semiBold(font()));
+    painter.setPen(look.selection);
+    paint(now);
+}
+
+void Timeline::paintNow(QPainter& painter) const
+{
+    const Look& look = lookOf(palette());
+    const QPointF c = placeOf(microscope_.step());
+    painter.setPen(QPen(look.selection, 2));
+    painter.drawLine(c - QPointF(0, 18), c - QPointF(0, 8));
+    painter.drawLine(c + QPointF(0, 8), c + QPointF(0, 14));
+    painter.setBrush(look.selection);
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(c - QPointF(0, 20), 4.5, 4.5);
+    paintMark(painter, c, microscope_.moment()->mark, look.selection, look.panel);
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        microscope_.goTo(stepAt(event->position().x()));
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons() & Qt::LeftButton)
+        microscope_.goTo(stepAt(event->position().x()));
+}
+
+void Timeline::wheelEvent(QWheelEvent* event)
+{
+    wheel_ += event->angleDelta().y() + event->angleDelta().x();
+    for (; wheel_ >= notch; wheel_ -= notch)
+        microscope_.previous();
+    for (; wheel_ <= -notch; wheel_ += notch)
+        microscope_.next();
+    event->accept();
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event)
+{
+    constexpr std::size_t last = -1;
+    constexpr std::size_t page = 10;
+    const std::size_t now = microscope_.step();
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+        return microscope_.previous();
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+        return microscope_.next();
+    case Qt::Key_PageUp:
+        return microscope_.goTo(now + page);
+    case Qt::Key_PageDown:
+        return microscope_.goTo(now - std::min(now, page));
+    case Qt::Key_Home:
+        return microscope_.goTo(0);
+    case Qt::Key_End:
+        return microscope_.goTo(last);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool Timeline::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto& moments = microscope_.walk().moments;
+        if (const std::size_t step = stepAt(help->pos().x()); step < moments.size())
+            QToolTip::showText(help->globalPos(),
+                               tr("%1. %2").arg(step + 1).arg(moments[step].sentence), this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+} // namespace ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/teaching/walk.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+
+/// The variables after a step: name, value, what it was, and whether that is new.
+class VariableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Value, Before, Change, ColumnCount };
+    enum Role { ChangedRole = Qt::UserRole, ShortRole }; ///< ShortRole: the text in little room
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(std::vector<app::Variable> variables, app::YAxis y);
+    /// The first that the step changed; -1: none.
+    int firstChanged() const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    QString text(const app::Variable& variable, int column) const;
+
+    std::vector<app::Variable> variables_;
+    app::YAxis y_ = app::YAxis::Down;
+};
+
+} // namespace ui

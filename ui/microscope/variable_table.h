@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/microscope/variable_model.h"
+#include "ui/widgets/dense_table.h"
+
+namespace ui {
+
+/// The variables of a step as a table: what the step changed is tinted, semi-bold, and said.
+class VariableTable : public DenseTable {
+    Q_OBJECT
+
+public:
+    explicit VariableTable(QWidget* parent = nullptr);
+
+    void show(std::vector<app::Variable> variables, app::YAxis y);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fitColumns();
+
+    VariableModel model_;
+};
+
+} // namespace ui
