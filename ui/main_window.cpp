@@ -7,7 +7,6 @@
 #include "ui/docks/dock.h"
 #include "ui/files.h"
 #include "ui/keyboard.h"
-#include "ui/keyboard.h"
 #include "ui/look_icon.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
@@ -77,6 +76,8 @@ void MainWindow::rememberPanes()
 
 MainWindow::~MainWindow()
 {
+    if (fontBefore_)
+        QApplication::setFont(*fontBefore_);
     // All that is on the screen looks at the session, which goes with the members: it goes first.
     // What the session says while it goes, nobody is left to hear.
     const QSignalBlocker quiet(this);

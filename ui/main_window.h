@@ -65,6 +65,14 @@ public:
     bool showsPanel(const QString& key) const; ///< perhaps behind another
     void resetLayout();
 
+    /// The lessons, beside the microscope.
+    void showLessons();
+    bool showsLessons() const;
+
+    /// For a projector, or back: the whole screen, no panels, wide strokes, large type.
+    void togglePresenting();
+    bool isPresenting() const { return session_.display().presenting; }
+
     Theme theme() const { return theme_; }
     void setTheme(Theme theme);
 
@@ -86,8 +94,13 @@ private:
     void addCentre();
     void addMicroscope();
     void makeMicroscopePage();
-    void showMicroscope();
-    void hideMicroscope();
+    void remakeMicroscopePage();
+    void followMicroscope();
+    void fitMode();
+    void showInCentre();
+    void makeBare();
+    void endBare();
+    void closeLessons();
     void bringPanelsBack();
     void addTools();
     void addPanels();
@@ -119,16 +132,19 @@ private:
     Canvas* canvas_;
     QStackedWidget* centre_ = nullptr; ///< the canvas, or the microscope
     MicroscopePage* microscopePage_ = nullptr;
-    QByteArray layoutBefore_;       ///< while the microscope is open: of the docks and bars
-    QPointer<QWidget> focusBefore_; ///< the same
-    /// A panel that went to make room for the microscope.
+    QByteArray layoutBefore_; ///< of docks and bars, while there are none: in the microscope, or
+                              ///< presenting
+    QPointer<QWidget> focusBefore_;   ///< while the microscope is open
+    std::optional<QFont> fontBefore_; ///< of the application, while presenting
+    Qt::WindowStates statesBefore_{}; ///< the same
+    /// A panel that went to make room for the microscope, or for those who look on.
     struct HiddenDock {
         QDockWidget* dock;
         QSize size;
         bool inFront; ///< of the others in its tabs
     };
     std::vector<HiddenDock> hiddenDocks_;
-    QList<QToolBar*> hiddenBars_;
+    QList<QToolBar*> barsBefore_; ///< those that were shown then
     MessageStrip* strip_;
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;

@@ -22,10 +22,8 @@ namespace ui {
 
 void MainWindow::addMicroscope()
 {
-    connect(&session_.microscope, &app::Microscope::openChanged, this, [this] {
-        session_.microscope.isOpen() ? showMicroscope() : hideMicroscope();
-        refreshActions();
-    });
+    connect(&session_.microscope, &app::Microscope::openChanged, this,
+            &MainWindow::followMicroscope);
     connect(&session_, &app::Session::loaded, &session_.microscope, &app::Microscope::close);
     connect(findChild<LinePanel*>(), &LinePanel::microscopeWanted, this, [this] {
         if (const auto line = session_.inspected())
@@ -33,6 +31,22 @@ void MainWindow::addMicroscope()
     });
     connect(differencePanel_, &DifferencePanel::lineWanted, this,
             [this](std::size_t line) { drawnLine_.look(line); });
+}
+
+void MainWindow::followMicroscope()
+{
+    const bool open = session_.microscope.isOpen();
+    if (open) {
+        if (!microscopePage_)
+            makeMicroscopePage();
+        focusBefore_ = QApplication::focusWidget();
+    } else {
+        closeLessons();
+    }
+    fitMode();
+    if (!open)
+        (focusBefore_ && focusBefore_->isVisible() ? focusBefore_.data() : canvas_)->setFocus();
+    refreshActions();
 }
 
 void MainWindow::makeMicroscopePage()
@@ -54,11 +68,38 @@ void MainWindow::makeMicroscopePage()
     });
 }
 
-void MainWindow::showMicroscope()
+/// The microscope has a bar of its own and needs the tools; who presents needs the options.
+void MainWindow::fitMode()
+{
+    const bool microscope = session_.microscope.isOpen();
+    if (microscope || isPresenting())
+        makeBare();
+    for (QToolBar* bar : barsBefore_)
+        bar->setVisible(bar->orientation() == Qt::Horizontal ? !microscope : !isPresenting());
+    showInCentre();
+    if (!microscope && !isPresenting())
+        endBare();
+}
+
+/// A stack is at least as large as the largest of its pages, those that are hidden included.
+void MainWindow::showInCentre()
 {
     if (!microscopePage_)
-        makeMicroscopePage();
-    focusBefore_ = QApplication::focusWidget();
+        return;
+    const bool microscope = session_.microscope.isOpen();
+    const auto policy = microscope ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    microscopePage_->setSizePolicy(policy, policy);
+    centre_->setCurrentWidget(microscope ? static_cast<QWidget*>(microscopePage_) : canvas_);
+    for (QLayout* around : {centre_->layout(), centralWidget()->layout(), layout()}) {
+        around->invalidate();
+        around->activate();
+    }
+}
+
+void MainWindow::makeBare()
+{
+    if (!layoutBefore_.isEmpty())
+        return;
     layoutBefore_ = saveState(layoutVersion);
     const QScopedValueRollback quiet(arranging_, true);
     for (auto* dock : findChildren<QDockWidget*>()) {
@@ -69,29 +110,20 @@ void MainWindow::showMicroscope()
     for (const HiddenDock& hidden : hiddenDocks_)
         hidden.dock->hide();
     for (auto* bar : findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
-        if (bar->orientation() == Qt::Horizontal && !bar->isHidden()) {
-            hiddenBars_.append(bar);
-            bar->hide();
-        }
-    microscopePage_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-    centre_->setCurrentWidget(microscopePage_);
+        if (!bar->isHidden())
+            barsBefore_ << bar;
 }
 
-void MainWindow::hideMicroscope()
+void MainWindow::endBare()
 {
-    centre_->setCurrentWidget(canvas_);
-    // A stack is at least as large as the largest of its pages, those that are hidden included.
-    microscopePage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-    for (QLayout* around : {centre_->layout(), centralWidget()->layout(), layout()}) {
-        around->invalidate();
-        around->activate();
-    }
+    if (layoutBefore_.isEmpty())
+        return;
     bringPanelsBack();
     layoutBefore_.clear();
+    barsBefore_.clear();
     if (fittingArrangement() != arrangement_) // the window is another size now, or Start is over
         arrange();
     refreshDockTitles();
-    (focusBefore_ && focusBefore_->isVisible() ? focusBefore_.data() : canvas_)->setFocus();
 }
 
 /// Not by restoreState(), which shows panels, too, that are in no place of the window.
@@ -113,8 +145,6 @@ void MainWindow::bringPanelsBack()
             heights << hidden.size.height();
         }
     }
-    for (QToolBar* bar : std::exchange(hiddenBars_, {}))
-        bar->show();
     resizeDocks(docked, widths, Qt::Horizontal);
     resizeDocks(docked, heights, Qt::Vertical);
 }

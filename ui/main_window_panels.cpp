@@ -82,6 +82,10 @@ void MainWindow::connectStart(StartPanel& start)
     connect(&start, &StartPanel::openWanted, this, [this] { files_->open(); });
     connect(&start, &StartPanel::fileWanted, this,
             [this](const QString& path) { files_->open(path); });
+    connect(&start, &StartPanel::lessonWanted, this, [this] {
+        showLessons();
+        session_.course.begin(0);
+    });
     connect(&start, &StartPanel::paperWanted, this, [this] { showExperiment(*this); });
     connect(&start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
     const auto follow = [this, &start] { start.showRecent(files_->recent()); };
@@ -300,8 +304,8 @@ void MainWindow::saveLayout()
     settings.setValue("geometry", saveGeometry());
     settings.setValue("ownLayout", ownLayout_);
     if (ownLayout_)
-        settings.setValue("layout", layoutBefore_.isEmpty() ? saveState(layoutVersion)
-                                                            : layoutBefore_);
+        settings.setValue("layout",
+                          layoutBefore_.isEmpty() ? saveState(layoutVersion) : layoutBefore_);
 }
 
 void MainWindow::restoreLayout()

@@ -10,12 +10,15 @@
 namespace ui {
 namespace {
 
+constexpr int mostType = 15; // pixels
 constexpr double typeSize = 0.77, numbered = 9, half = 7, fine = 4; // pixels of a tick's length
 
 QFont rulerFont(const QWidget& widget)
 {
     QFont font = widget.font();
     font.setPointSizeF(font.pointSizeF() * typeSize);
+    if (QFontMetrics(font).height() > mostType) // the ruler is not wider for those who see little
+        font.setPixelSize(mostType * 3 / 4);
     return font;
 }
 

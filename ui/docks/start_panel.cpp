@@ -90,8 +90,8 @@ StartPanel::StartPanel(QWidget* parent)
 {
     auto* draw = new StartButton("pencil", tr("Draw"), tr("a new A3 sheet"));
     auto* open = new StartButton("folder", tr("Open…"), readableFormats());
-    auto* paper = new StartButton("chart", tr("Reproduce the paper…"),
-                                  tr("which way of cutting is the fastest"));
+    auto* lesson = new StartButton("book", tr("First lesson"), tr("why clip a line?"));
+    auto* paper = new StartButton("chart", tr("The paper…"), tr("which way is fastest"));
     recent_->setAccessibleName(tr("Recent drawings"));
     recent_->setFrameShape(QFrame::NoFrame);
     recent_->setMouseTracking(true);
@@ -117,8 +117,12 @@ StartPanel::StartPanel(QWidget* parent)
     column->addWidget(noRecent_);
     column->addWidget(recent_);
     column->addSpacing(6);
-    column->addLayout(heading(tr("The paper"), {}));
-    column->addWidget(paper);
+    auto* further = new QHBoxLayout;
+    further->setSpacing(10);
+    further->addWidget(lesson);
+    further->addWidget(paper);
+    column->addLayout(heading(tr("Learn"), {}));
+    column->addLayout(further);
     column->addStretch();
     auto* scroll = new QScrollArea;
     scroll->setWidget(body);
@@ -136,6 +140,7 @@ StartPanel::StartPanel(QWidget* parent)
 
     connect(draw, &QAbstractButton::clicked, this, &StartPanel::drawWanted);
     connect(open, &QAbstractButton::clicked, this, &StartPanel::openWanted);
+    connect(lesson, &QAbstractButton::clicked, this, &StartPanel::lessonWanted);
     connect(paper, &QAbstractButton::clicked, this, &StartPanel::paperWanted);
     connect(gallery_, &Gallery::chosen, this, &StartPanel::sampleWanted);
     connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {

@@ -27,6 +27,7 @@ signals:
     void sampleWanted(const app::Sample& sample);
     void fileWanted(const QString& path);
     void paperWanted();
+    void lessonWanted(); ///< the first
 
 private:
     Gallery* gallery_;

@@ -163,6 +163,7 @@ void LessonPanel::turn(int pages)
 void LessonPanel::showPage()
 {
     setCurrentIndex(course_.lesson() ? 1 : 0);
+    setFocusProxy(course_.lesson() ? static_cast<QWidget*>(next_) : list_->buttons().front());
     list_->refresh();
     if (!course_.lesson())
         return;

@@ -49,12 +49,12 @@ void addThemes(MainWindow& window, QMenu& menu)
     }
 }
 
-/// Theme and panels come before "Full screen".
+/// Theme and panels come before "Presentation".
 void complete(MainWindow& window, QMenu& menu)
 {
     QAction* before = nullptr;
     for (QAction* action : menu.actions())
-        if (action->objectName() == QStringLiteral("full-screen"))
+        if (action->objectName() == QStringLiteral("presentation"))
             before = action;
     auto* themes = new QMenu(tr("T&heme"), &menu);
     addThemes(window, *themes);
@@ -134,9 +134,17 @@ MenuInfo viewMenu()
                  nullptr,
                  [](const MainWindow& w) { return w.session().display().asPrinted; }},
                 {},
+                {"presentation",
+                 tr("P&resentation"),
+                 {K("F11")},
+                 Reach::Window,
+                 {},
+                 [](MainWindow& w) { w.togglePresenting(); },
+                 nullptr,
+                 [](const MainWindow& w) { return w.isPresenting(); }},
                 {"full-screen",
                  tr("F&ull screen"),
-                 keys(K::FullScreen, {K("F11")}),
+                 {K("Shift+F11")},
                  Reach::Window,
                  {},
                  [](MainWindow& w) { w.setWindowState(w.windowState() ^ Qt::WindowFullScreen); },
