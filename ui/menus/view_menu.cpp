@@ -135,7 +135,7 @@ MenuInfo viewMenu()
                  [](const MainWindow& w) { return w.session().display().asPrinted; }},
                 {},
                 {"presentation",
-                 tr("P&resentation"),
+                 tr("Pres&entation"),
                  {K("F11")},
                  Reach::Window,
                  {},
