@@ -107,11 +107,40 @@ std::map<QString, Heading> explanationHeadings()
     };
 }
 
+/// Columns of a verdict on somebody's own algorithm.
+std::map<QString, Heading> verdictHeadings()
+{
+    return {
+        {"category", {Headings::tr("Asked about"), {}}},
+        {"lines", {Headings::tr("Lines"), {}}},
+        {"meaning", {Headings::tr("What that is"), {}}},
+        {"judged",
+         {Headings::tr("Judged"), Headings::tr("Lines that it was asked about in the end.")}},
+        {"wrong", {Headings::tr("Wrong"), {}}},
+        {"rounded_outside",
+         {Headings::tr("Rounded\noutside"),
+          Headings::tr("Right, but for an end that rounding left some ulps outside the window.")}},
+        {"fault", {Headings::tr("What is wrong"), {}}},
+        {"line", {Headings::tr("Line, End 1 → End 2"), {}}},
+        {"window", {Headings::tr("Window, min … max"), {}}},
+        {"expected", {Headings::tr("Visible is"), Headings::tr("What exact arithmetic says.")}},
+        {"got", {Headings::tr("It returned"), {}}},
+        {"ulps",
+         {Headings::tr("Off by\nulps"),
+          Headings::tr(
+              "In units in the last place of the largest coordinate of line and window.")}},
+        {"ratio",
+         {Headings::tr("Yours\ntakes ×"),
+          Headings::tr("How many times as long as this one your algorithm takes.")}},
+    };
+}
+
 } // namespace
 
 Heading headingOf(const QString& name)
 {
-    static const std::array all{timeHeadings(), againstHeadings(), explanationHeadings()};
+    static const std::array all{timeHeadings(), againstHeadings(), explanationHeadings(),
+                                verdictHeadings()};
     for (const auto& headings : all)
         if (const auto found = headings.find(name); found != headings.end())
             return found->second;

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <ctime>
+#include <map>
 
 namespace app::plug_in {
 namespace {
@@ -90,23 +91,18 @@ ChildProcess::News ChildProcess::waitForLine(const Patience& patience, const std
 
 QString signalText(int signal)
 {
-    switch (signal) {
-    case SIGSEGV:
-        return PlugIn::tr("it used memory that is not its own, or called itself without end "
-                          "(SIGSEGV)");
-    case SIGBUS:
-        return PlugIn::tr("it used memory that is not there (SIGBUS)");
-    case SIGFPE:
-        return PlugIn::tr("it divided a whole number by zero (SIGFPE)");
-    case SIGABRT:
-        return PlugIn::tr("it gave up: abort, a failed assert or an exception (SIGABRT)");
-    case SIGILL:
-        return PlugIn::tr("it came to an instruction that this processor does not have (SIGILL)");
-    case SIGXCPU:
-        return PlugIn::tr("it used up its time (SIGXCPU)");
-    default:
-        return PlugIn::tr("signal %1").arg(signal);
-    }
+    static const std::map<int, QString> words{
+        {SIGSEGV, PlugIn::tr("it used memory that is not its own, or called itself without end "
+                             "(SIGSEGV)")},
+        {SIGBUS, PlugIn::tr("it used memory that is not there (SIGBUS)")},
+        {SIGFPE, PlugIn::tr("it divided a whole number by zero (SIGFPE)")},
+        {SIGABRT, PlugIn::tr("it gave up: abort, a failed assert or an exception (SIGABRT)")},
+        {SIGILL, PlugIn::tr("it came to an instruction that this processor does not have "
+                            "(SIGILL)")},
+        {SIGXCPU, PlugIn::tr("it used up its time (SIGXCPU)")},
+    };
+    const auto found = words.find(signal);
+    return found != words.end() ? found->second : PlugIn::tr("signal %1").arg(signal);
 }
 
 } // namespace app::plug_in

@@ -15,9 +15,10 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr std::size_t atOnce = 1024;  ///< questions on their way
-constexpr int mostDeaths = 4;         ///< crashes and lines without end, before it is given up
-constexpr std::size_t mostShown = 20; ///< findings of a category
+constexpr std::size_t atOnce = 1024; ///< questions on their way
+constexpr int mostDeaths = 6;        ///< crashes and lines without end, before it is given up
+constexpr int mostOfACategory = 2;   ///< of them, before the next category is asked about
+constexpr std::size_t mostShown = 8; ///< findings of a category
 
 /// Why there was no answer.
 QString deathText(const ChildProcess& child)
@@ -94,7 +95,7 @@ Examination::Went Examination::open()
     child_ = std::make_unique<ChildProcess>(
         programOf(case_), QStringList{QLatin1StringView(childKey), QStringLiteral("answer"), path});
     // The child's own start takes some, too.
-    const auto news = child_->waitForLine({2, 30}, follower_.stop);
+    const auto news = child_->waitForLine({4, 30}, follower_.stop);
     if (news == ChildProcess::News::Stopped)
         return Went::Stopped;
     if (news == ChildProcess::News::Stuck)
@@ -116,7 +117,8 @@ Examination::Went Examination::open()
 
 Examination::Went Examination::ask(std::size_t category, std::span<const Question> questions)
 {
-    while (!questions.empty()) {
+    const int enough = deaths_ + mostOfACategory;
+    while (!questions.empty() && deaths_ < enough) {
         if (isTimeUp())
             return Went::Over;
         std::size_t answered = 0;

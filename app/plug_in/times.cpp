@@ -73,6 +73,12 @@ Table tableOf(const Times& times, const QString& key, const QString& title,
     return table;
 }
 
+QString nameFor(Reader reader, const Contender& one)
+{
+    return reader == Reader::Person && one.key == QLatin1StringView(ownKey) ? PlugIn::tr("▸  Yours")
+                                                                            : one.key;
+}
+
 QString nanoseconds(double time) { return QString::number(time, 'f', 2); }
 
 } // namespace
@@ -116,7 +122,7 @@ double ratioOf(const Times& times, std::size_t to)
            / summaryOf(times.contenders[to].times).median;
 }
 
-Table raceTable(const Times& times)
+Table raceTable(const Times& times, Reader reader)
 {
     Table table = tableOf(times, QStringLiteral("race"),
                           PlugIn::tr("Race on the paper's scene: nanoseconds a line"),
@@ -129,8 +135,8 @@ Table raceTable(const Times& times)
         const auto bound = [&](double time) {
             return std::isfinite(time) ? nanoseconds(std::max(time, 0.0)) : QString();
         };
-        table.rows.push_back({one.key, placeText(places[i]), nanoseconds(summaries[i].median),
-                              bound(summaries[i].confidence.low),
+        table.rows.push_back({nameFor(reader, one), placeText(places[i]),
+                              nanoseconds(summaries[i].median), bound(summaries[i].confidence.low),
                               bound(summaries[i].confidence.high), nanoseconds(ratioOf(times, i)),
                               QString::number(one.found.visible), QString::number(one.found.lost),
                               QString::number(one.found.shown)});
@@ -139,14 +145,14 @@ Table raceTable(const Times& times)
     return table;
 }
 
-Table classTable(const Times& times)
+Table classTable(const Times& times, Reader reader)
 {
     Table table = tableOf(
         times, QStringLiteral("classes"), PlugIn::tr("By class of line: nanoseconds a line"),
         {"algorithm", "inside_ns", "rejected_ns", "cut_ns", "missed_ns", "weighted_ns"});
     for (const std::size_t i : sortedByMedian(summariesOf(times))) {
         const Contender& one = times.contenders[i];
-        QStringList row{one.key};
+        QStringList row{nameFor(reader, one)};
         double weighted = 0;
         for (std::size_t c = 0; c < one.byClass.size(); ++c) {
             row << nanoseconds(one.byClass[c]);

@@ -34,10 +34,13 @@ std::optional<Times> timesOf(const QByteArray& json);
 /// How many times as long as the other the first one takes, by medians.
 double ratioOf(const Times& times, std::size_t to);
 
+/// Whom a table is for: a file holds keys, a person reads words and numbers of the locale.
+enum class Reader : std::uint8_t { File, Person };
+
 /// One row each, the fastest first: place, time, and how many times as long as it the library
 /// takes.
-Table raceTable(const Times& times);
+Table raceTable(const Times& times, Reader reader = Reader::File);
 /// One row each in the same order: nanoseconds a line, class by class.
-Table classTable(const Times& times);
+Table classTable(const Times& times, Reader reader = Reader::File);
 
 } // namespace app::plug_in

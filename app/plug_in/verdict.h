@@ -58,9 +58,11 @@ QStringList remarks(const Verdict& verdict);
 
 /// The verdict in one row of facts, a row a category, a row a line that is wrong.
 Table summaryTable(const Verdict& verdict);
-Table categoryTable(const Verdict& verdict);
-Table findingTable(const Verdict& verdict);
+Table categoryTable(const Verdict& verdict, Reader reader = Reader::File);
+Table findingTable(const Verdict& verdict, Reader reader = Reader::File);
 /// All there are, with those of the race.
 std::vector<Table> tablesOf(const Verdict& verdict);
+/// The same for a window, which says the verdict itself; all findings of `findingTable` in order.
+std::vector<Table> shownTables(const Verdict& verdict);
 
 } // namespace app::plug_in

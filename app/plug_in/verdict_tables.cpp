@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/record.h"
 #include "app/plug_in/verdict.h"
+#include "app/teaching/walk.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -34,6 +34,23 @@ QString numbers(const std::optional<clipping::Segment>& piece)
     return piece ? numbers(piece->a, piece->b) : PlugIn::tr("nothing");
 }
 
+/// "(−0.5, 3)"; "(−0,5; 3)" where a comma is part of a number.
+QString words(const glm::dvec2& p)
+{
+    const bool comma = QLocale().decimalPoint() == u",";
+    return QStringLiteral("(%1%2 %3)").arg(shortText(p.x), comma ? u";" : u",", shortText(p.y));
+}
+
+QString words(const glm::dvec2& p, const glm::dvec2& q, const QString& between)
+{
+    return QStringList{words(p), between, words(q)}.join(u' ');
+}
+
+QString words(const std::optional<clipping::Segment>& piece)
+{
+    return piece ? words(piece->a, piece->b, QStringLiteral("→")) : PlugIn::tr("nothing");
+}
+
 QString outcomeWord(const Verdict& v)
 {
     return v.unusable      ? QStringLiteral("unusable")
@@ -62,31 +79,44 @@ Table summaryTable(const Verdict& v)
     return table;
 }
 
-Table categoryTable(const Verdict& v)
+Table categoryTable(const Verdict& v, Reader reader)
 {
+    const bool person = reader == Reader::Person;
     Table table{.names = {"category", "lines", "judged", "wrong", "rounded_outside"},
                 .title = PlugIn::tr("What was asked"),
                 .key = QStringLiteral("categories")};
+    if (person)
+        table.names << QStringLiteral("meaning");
     for (std::size_t i = 0; i < v.categories.size(); ++i) {
         const CategoryCount& one = v.categories[i];
-        table.rows.push_back({categories()[i].key, QString::number(one.lines),
+        const Category& asked = categories()[i];
+        table.rows.push_back({person ? asked.name : asked.key, QString::number(one.lines),
                               QString::number(one.judged), QString::number(one.wrong),
                               QString::number(one.outside)});
+        if (person)
+            table.rows.back() << asked.meaning;
     }
     return table;
 }
 
-Table findingTable(const Verdict& v)
+Table findingTable(const Verdict& v, Reader reader)
 {
+    const bool person = reader == Reader::Person;
+    const auto ends = [&](const std::optional<clipping::Segment>& piece) {
+        return person ? words(piece) : numbers(piece);
+    };
     Table table{.names = {"category", "fault", "line", "window", "expected", "got", "ulps"},
                 .title = PlugIn::tr("Lines that are wrong, the first of each category"),
                 .key = QStringLiteral("findings")};
     for (const Finding& one : v.findings) {
-        const bool answered = !infoOf(one.fault).fatal;
-        table.rows.push_back({categories()[one.category].key, infoOf(one.fault).key,
-                              numbers(one.question.line.a, one.question.line.b),
-                              numbers(one.question.window.min, one.question.window.max),
-                              numbers(one.expected), answered ? numbers(one.got) : one.more,
+        const auto& [line, window] = one.question;
+        const FaultInfo& info = infoOf(one.fault);
+        const Category& asked = categories()[one.category];
+        table.rows.push_back({person ? asked.name : asked.key, person ? info.name : info.key,
+                              ends(line),
+                              person ? words(window.min, window.max, QStringLiteral("…"))
+                                     : numbers(window.min, window.max),
+                              ends(one.expected), info.fatal ? one.more : ends(one.got),
                               one.ulps > 0 ? QString::number(one.ulps, 'g', 4) : QString()});
     }
     return table;
@@ -102,6 +132,20 @@ std::vector<Table> tablesOf(const Verdict& v)
     if (v.times) {
         all.push_back(raceTable(*v.times));
         all.push_back(classTable(*v.times));
+    }
+    return all;
+}
+
+std::vector<Table> shownTables(const Verdict& v)
+{
+    std::vector<Table> all;
+    if (!v.categories.empty())
+        all.push_back(categoryTable(v, Reader::Person));
+    if (!v.findings.empty())
+        all.push_back(findingTable(v, Reader::Person));
+    if (v.times) {
+        all.push_back(raceTable(*v.times, Reader::Person));
+        all.push_back(classTable(*v.times, Reader::Person));
     }
     return all;
 }

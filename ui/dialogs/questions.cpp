@@ -101,6 +101,29 @@ QString Questions::filesToWrite(const QString& title, const QString& proposal, c
     return pathToWrite(window_, title, proposal, kind, ending, QFileDialog::DontConfirmOverwrite);
 }
 
+QString Questions::folderToWrite(const QString& title, const QString& folder)
+{
+    return QFileDialog::getExistingDirectory(&window_, title, folder);
+}
+
+QString Questions::libraryToOpen(const QString& folder)
+{
+    return QFileDialog::getOpenFileName(
+        &window_, tr("Choose library"), folder,
+        tr("Shared libraries (%1)").arg(QStringLiteral("*.so *.so.*")) + QStringLiteral(";;")
+            + tr("All files (%1)").arg(QStringLiteral("*")));
+}
+
+bool Questions::trustLibrary(const QString& path)
+{
+    return ask(window_, tr("Run %1?").arg(QFileInfo(path).fileName()),
+               tr("A library is a program. It runs in a process of its own, so a crash harms "
+                  "nothing, but with all your rights: run only what you or people you trust have "
+                  "written."),
+               {tr("Run")})
+           == 0;
+}
+
 bool Questions::overwriteFiles(const QStringList& existing, int all)
 {
     constexpr int mostNamed = 3;

@@ -32,6 +32,12 @@ public:
     /// none is asked about.
     virtual QString filesToWrite(const QString& title, const QString& proposal, const QString& kind,
                                  const QString& ending);
+    /// A folder to write files of given names to; empty: cancelled.
+    virtual QString folderToWrite(const QString& title, const QString& folder);
+    /// A shared library; empty: cancelled.
+    virtual QString libraryToOpen(const QString& folder);
+    /// It is about to be run for the first time, with all rights of the person; true: do it.
+    virtual bool trustLibrary(const QString& path);
     /// Some of the files that are about to be written exist; true: overwrite them.
     virtual bool overwriteFiles(const QStringList& existing, int all);
     virtual Answer saveChanges(const QString& name);

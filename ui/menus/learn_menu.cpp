@@ -2,6 +2,7 @@
 #include "ui/actions.h"
 #include "ui/main_window.h"
 #include "ui/zoo/zoo_window.h"
+#include "ui/plug_in/judge_window.h"
 
 #include <QCoreApplication>
 
@@ -56,6 +57,12 @@ MenuInfo learnMenu()
                  Reach::Window,
                  {},
                  [](MainWindow& w) { showZoo(w); }},
+                {"judge",
+                 tr("&Judge your own algorithm…"),
+                 {QKeySequence("Ctrl+F3")},
+                 Reach::Window,
+                 {},
+                 showJudge},
             }};
 }
 

@@ -66,7 +66,7 @@ QVariant TableModel::contestant(const QModelIndex& index) const
 
 bool TableModel::isFault(const QModelIndex& index) const
 {
-    static const QStringList counted{"lost", "shown", "outside"};
+    static const QStringList counted{"lost", "shown", "outside", "wrong"};
     return counted.contains(table_.names[index.column()]) && field(index) != u"0";
 }
 

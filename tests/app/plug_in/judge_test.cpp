@@ -94,6 +94,7 @@ private slots:
             QVERIFY(one.question.line.b.x < one.question.window.min.x);
         }
         QVERIFY(verdict.judged() < verdict.lines());
+        QVERIFY(verdict.categories[2].judged > 0); // the others are asked about, too
     }
 
     void theLineThatItCrashesOnIsNamed()
