@@ -155,6 +155,20 @@ Questions directions(std::uint64_t seed, Strictness)
     return all;
 }
 
+/// Through the lower left corner or an ulp beside it, in tenths, which no double holds: where a
+/// textbook's Cohen-Sutherland cuts at one edge for ever, because its sum is never the edge.
+void addTenths(Questions& to)
+{
+    for (int corner = 1; corner <= 9; ++corner)
+        for (int across = 1; across <= 9; ++across)
+            for (int up = 1; up <= 9; ++up) {
+                const glm::dvec2 at{0.1 * corner, 0.1 * up}, way{0.1 * across, 0.1 * up};
+                to.push_back({{at + 0.3 * way, at - way}, {at, {30, 30}}});
+                to.push_back({{{0.1 * across, 0.1 * across}, {-up, -up}},
+                              {{0.1 * corner, 0.1 * corner}, {30, 30}}});
+            }
+}
+
 /// Past a corner, a little inside or outside of it, at both sides of what a float can tell.
 Questions nearCorners(std::uint64_t seed, Strictness)
 {
@@ -169,6 +183,7 @@ Questions nearCorners(std::uint64_t seed, Strictness)
         const glm::dvec2 way{dice.between(1, 90) * right, -dice.between(1, 90) * top};
         all.push_back({{past - way, past + dice.between(0.5, 2) * way}, w});
     }
+    addTenths(all);
     return all;
 }
 
@@ -250,7 +265,8 @@ std::span<const Category> categories()
          PlugIn::tr("Each line from both of its ends; level and upright ones too."), usual,
          directions},
         {"near-corners", PlugIn::tr("Near corners"),
-         PlugIn::tr("Lines that pass a corner by a hair, inside or outside."), usual, nearCorners},
+         PlugIn::tr("Lines that pass a corner by a hair, inside or outside; corners in tenths."),
+         usual, nearCorners},
         {"sizes", PlugIn::tr("Huge and tiny"),
          PlugIn::tr("The same lines 2¹⁰⁰ times as large and as small; ends that are far away."),
          usual, sizes},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 #include "ui/main_window.h"
-#include "ui/zoo/zoo_window.h"
 #include "ui/plug_in/judge_window.h"
+#include "ui/zoo/zoo_window.h"
 
 #include <QCoreApplication>
 

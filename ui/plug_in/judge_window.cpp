@@ -235,7 +235,7 @@ void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& ver
 {
     view_->show(verdict);
     stack_->setCurrentWidget(view_);
-    state_->setText(tr("Judged at %1.").arg(QLocale().toString(QTime::currentTime())));
+    state_->setText(tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
     showState();
 }
 

@@ -51,6 +51,7 @@ private slots:
         QTest::addColumn<QString>("category"); // of the first finding
         QTest::newRow("lost_corner") << Fault::Lost << "corners";
         QTest::newRow("endless_loop") << Fault::DidNotEnd << "regions";
+        QTest::newRow("textbook") << Fault::DidNotEnd << "near-corners";
         QTest::newRow("not_a_number") << Fault::NotANumber << "corners";
         QTest::newRow("crash") << Fault::Crashed << "regions";
         QTest::newRow("outside") << Fault::Outside << "regions";
