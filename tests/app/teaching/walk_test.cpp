@@ -31,6 +31,28 @@ QByteArray told(const app::Specimen& specimen)
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
 
+/// Random lines; a third of them has ends on the edges' lines, or is axis-parallel, or a point.
+class Lines {
+public:
+    explicit Lines(std::uint64_t seed) : random_(seed) {}
+    clipping::Segment next()
+    {
+        const bool onEdges = count_++ % 3 == 0;
+        const auto point = [&] {
+            return onEdges ? app::Point(50 * onGrid_(random_), 37.5 * onGrid_(random_))
+                           : app::Point(anywhere_(random_), anywhere_(random_));
+        };
+        const app::Point a = point();
+        return {a, point()};
+    }
+
+private:
+    std::mt19937_64 random_;
+    std::uniform_real_distribution<double> anywhere_{-250, 250};
+    std::uniform_int_distribution<int> onGrid_{-3, 3};
+    int count_ = 0;
+};
+
 } // namespace
 
 class WalkTest : public QObject {
@@ -39,31 +61,43 @@ class WalkTest : public QObject {
 private slots:
     void endsWithWhatClipGives() // 10,000 random lines, every form of every row
     {
-        std::mt19937_64 random(5);
-        std::uniform_real_distribution<double> anywhere(-250, 250);
-        std::uniform_int_distribution<int> onGrid(-3, 3);
+        Lines lines(5);
         for (int i = 0; i < 10'000; ++i) {
-            // A third of them has ends on the edges' lines, or is axis-parallel, or a point.
-            const auto point = [&] {
-                return i % 3 ? app::Point(anywhere(random), anywhere(random))
-                             : app::Point(50 * onGrid(random), 37.5 * onGrid(random));
-            };
-            const clipping::Segment line{point(), point()};
+            const clipping::Segment line = lines.next();
             for (const app::Clipper& clipper : app::clippers()) {
                 if (clipper.exhibit)
                     continue;
                 const app::Specimen specimen{clipper, line, window, app::YAxis::Up, {}};
-                const app::Walk walk = app::walkOf(specimen);
+                const auto trace =
+                    clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
                 const auto piece = app::clipped(clipper, line, window);
-                QVERIFY2(walk.visible.has_value() == piece.has_value(), told(specimen));
-                QVERIFY2(!piece || sameBits(*piece, *walk.visible), told(specimen));
-                QVERIFY2(!walk.moments.empty(), told(specimen));
-                const app::Moment& last = walk.moments.back();
-                const app::Mark mark = piece                                ? app::Mark::Accept
-                                       : walk.outcome == Outcome::DidNotEnd ? app::Mark::GiveUp
-                                                                            : app::Mark::Reject;
-                QVERIFY2(last.mark == mark, told(specimen));
-                QVERIFY2(!piece || sameBits(*piece, last.left), told(specimen));
+                QVERIFY2(!trace.steps.empty(), told(specimen));
+                QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), told(specimen));
+                QVERIFY2(!piece || sameBits(*piece, trace.visible), told(specimen));
+                QVERIFY2(!piece || sameBits(*piece, trace.steps.back().segment), told(specimen));
+            }
+        }
+    }
+    void isTheTraceInWords()
+    {
+        Lines lines(7);
+        for (int i = 0; i < 300; ++i) {
+            const clipping::Segment line = lines.next();
+            for (const app::Clipper& clipper : app::clippers()) {
+                if (clipper.exhibit)
+                    continue;
+                const app::Specimen specimen{clipper, line, window, app::YAxis::Up, {}};
+                const auto trace =
+                    clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
+                const app::Walk walk = app::walkOf(specimen);
+                QCOMPARE(walk.moments.size(), trace.steps.size());
+                for (std::size_t step = 0; step < trace.steps.size(); ++step)
+                    QVERIFY2(sameBits(walk.moments[step].left, trace.steps[step].segment),
+                             told(specimen));
+                const app::Mark mark = trace.outcome == Outcome::Visible     ? app::Mark::Accept
+                                       : trace.outcome == Outcome::DidNotEnd ? app::Mark::GiveUp
+                                                                             : app::Mark::Reject;
+                QVERIFY2(walk.moments.back().mark == mark, told(specimen));
             }
         }
     }
