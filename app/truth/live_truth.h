@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/scene.h"
+#include "app/truth/error_class.h"
+
+#include <QTimer>
+
+namespace app {
+
+/// How right an algorithm is about every line of an open drawing, while somebody looks. It is found
+/// between events, some milliseconds at a time.
+class LiveTruth : public QObject {
+    Q_OBJECT
+
+public:
+    LiveTruth(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
+
+    struct Question {
+        Clipper clipper;
+        Yardstick yardstick = Yardstick::Largest;
+        friend bool operator==(const Question&, const Question&) = default;
+    };
+    /// Nothing: nobody looks, and nothing is computed.
+    void ask(const std::optional<Question>& question);
+    const std::optional<Question>& asked() const { return asked_; }
+
+    /// What was found last. While not up to date, of a drawing that has changed since.
+    const Truths& found() const { return found_; }
+    const TruthCounts& counts() const { return counts_; }
+    bool upToDate() const { return upToDate_; }
+    double progress() const; ///< of what is being found: 0 to 1
+    void finish();           ///< now, not soon
+
+    /// Most lines that are judged within a frame.
+    static constexpr std::size_t mostAtOnce = 2'000;
+    /// What to colour, by errorClasses(), where the window lies now, in the middle of a gesture
+    /// too; nothing if nobody looks, or if there are too many lines to say it at once. Valid until
+    /// the next call or change.
+    std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window);
+
+signals:
+    void changed();    ///< the question, or what was found
+    void progressed(); ///< some more was judged
+
+private:
+    using Pieces = std::vector<std::vector<clipping::Clipped>>;
+
+    void outdate(const Change& change);
+    void restart();
+    void begin();
+    void work();
+    void keep(Truths found);
+    Pieces piecesOf(const Truths& truths) const;
+
+    const Drawing& drawing_;
+    const Scene& scene_;
+    std::optional<Question> asked_;
+    Truths found_;
+    TruthCounts counts_;
+    Pieces pieces_;
+    std::optional<Truths> growing_;
+    std::optional<std::pair<clipping::Window, Pieces>> passing_; ///< where a gesture moves it
+    bool upToDate_ = true;
+    QTimer soon_, work_;
+};
+
+} // namespace app
