@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 preset=${1:-release}
 shift || true
 
-# The program's own packages; boost: the oracle's exact numbers; xvfb, xauth: tests with OpenGL;
+# The program's own packages (boost: also the oracle's exact numbers); xvfb, xauth: tests with OpenGL;
 # librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
 bash "$root/app/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libglm-dev \
     libboost-dev xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended

@@ -22,6 +22,7 @@ class AlgorithmPanel;
 class CostMapPanel;
 class DifferencePanel;
 class Dock;
+class ExactnessPanel;
 class Files;
 class MicroscopePage;
 class StartPanel;
@@ -48,6 +49,7 @@ public:
     AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
     DifferencePanel& differencePanel() { return *differencePanel_; }
     CostMapPanel& costMapPanel() { return *costMapPanel_; }
+    ExactnessPanel& exactnessPanel() { return *exactnessPanel_; }
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
     /// The microscope's place in the window; made when it is opened first, null before.
@@ -150,6 +152,7 @@ private:
     AlgorithmPanel* algorithmPanel_ = nullptr;
     DifferencePanel* differencePanel_ = nullptr;
     CostMapPanel* costMapPanel_ = nullptr;
+    ExactnessPanel* exactnessPanel_ = nullptr;
     std::unique_ptr<Files> files_;
     QList<Dock*> docks_;    ///< Start first, then as they are stacked
     QList<Dock*> wide_;     ///< to compare: above the others, in a wider column

@@ -4,6 +4,7 @@
 #include "ui/docks/cost_map_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/dock.h"
+#include "ui/docks/exactness_panel.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
 
@@ -22,12 +23,15 @@ void MainWindow::addWide()
     auto* dock = new Dock("compare", tr("Compare"), compare);
     differencePanel_ = new DifferencePanel(session_);
     costMapPanel_ = new CostMapPanel(session_.sheet().window);
+    exactnessPanel_ = new ExactnessPanel(session_);
     wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_),
-             new Dock("cost-map", tr("Cost map"), costMapPanel_)};
-    connect(differencePanel_, &DifferencePanel::placeWanted, this,
-            [this](const clipping::Window& place) {
-                canvas_->go(app::lookingAt(canvas_->view(), place, canvas_->window()));
-            });
+             new Dock("cost-map", tr("Cost map"), costMapPanel_),
+             new Dock("exactness", tr("Exactness"), exactnessPanel_)};
+    const auto look = [this](const clipping::Window& place) {
+        canvas_->go(app::lookingAt(canvas_->view(), place, canvas_->window()));
+    };
+    connect(differencePanel_, &DifferencePanel::placeWanted, this, look);
+    connect(exactnessPanel_, &ExactnessPanel::placeWanted, this, look);
     connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
     connect(canvas_, &Canvas::frameShown, compare,
             [this, compare] { compare->frameShown(canvas_->window()); });

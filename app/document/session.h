@@ -6,6 +6,7 @@
 #include "app/document/scene.h"
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
+#include "app/truth/live_truth.h"
 
 #include <QUndoStack>
 
@@ -51,6 +52,7 @@ public:
     QUndoStack history;
     Scene scene{drawing};
     LiveDifferences differences{drawing, scene}; ///< of two algorithms, while somebody looks
+    LiveTruth truth{drawing, scene};             ///< how exact an algorithm is, while somebody looks
     Microscope microscope;                       ///< one line, step by step
     Course course{microscope};                   ///< a lesson, if one is being read
     Pen pen;

@@ -84,7 +84,7 @@ QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong)
     const std::size_t last = errorClasses().size() - 1;
     if (errorClass == last)
         return wrong;
-    constexpr double palest = 0.2; // thin lines must be seen
+    constexpr double palest = 0.3; // thin lines must be seen
     return sequentialColour(palest + (1 - palest) * double(errorClass) / double(last - 1), ground);
 }
 

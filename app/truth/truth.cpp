@@ -64,7 +64,14 @@ std::array<EndTruth, 2> endTruths(const Segment& piece, const TruePart& part, co
     return worse(turned) < worse(straight) ? turned : straight;
 }
 
-using Piece = std::optional<Segment>;
+/// As an optional, of which g++ 12 believes that it is read where there is none.
+struct Piece {
+    Segment segment{};
+    bool visible = false;
+
+    explicit operator bool() const { return visible; }
+    const Segment& operator*() const { return segment; }
+};
 
 /// Whether the answers from both ends are one.
 bool agree(const Piece& piece, const Piece& other, Ends ends)
@@ -118,8 +125,8 @@ public:
     Piece of(std::uint32_t line)
     {
         if (next_ == end_ || next_->source != line)
-            return std::nullopt;
-        return (next_++)->segment;
+            return {};
+        return {(next_++)->segment, true};
     }
 
 private:

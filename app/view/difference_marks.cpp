@@ -28,11 +28,12 @@ bool isSeen(const Clipped& piece, const clipping::Window& view)
 }
 
 /// Those in the view, of lines that are still there.
-std::vector<Clipped> seenOf(const Scene& scene, const PictureOptions& options)
+std::vector<Clipped> seenOf(const Scene& scene, const PictureOptions& options,
+                            std::span<const Clipped> pieces)
 {
     const clipping::Window view = options.view.visible();
     std::vector<Clipped> seen;
-    std::ranges::copy_if(options.differing, std::back_inserter(seen), [&](const Clipped& piece) {
+    std::ranges::copy_if(pieces, std::back_inserter(seen), [&](const Clipped& piece) {
         return piece.source < scene.segments().size() && isSeen(piece, view);
     });
     return seen;
@@ -87,22 +88,18 @@ private:
     std::size_t shape_ = 0; // mostly that of the line before
 };
 
-} // namespace
-
-Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+/// In one colour, each as thick as its line wants.
+void addMarks(Plating& plating, const Sheet& sheet, const Scene& scene, double zoom,
+              std::span<const Clipped> seen, Shape mark)
 {
-    const std::vector<Clipped> seen = seenOf(scene, options);
-    Plating plating(options, 2 * seen.size());
-    Shape mark;
-    mark.style.stroke = options.marked;
     std::vector<Segment> alike; // as thick as each other
     const auto paint = [&](double pixels) {
-        mark.style.width = pixels / options.view.zoom;
+        mark.style.width = pixels / zoom;
         if (!alike.empty())
             plating.add(mark, alike, 0, untouched(alike));
         alike.clear();
     };
-    Widths widths(sheet, scene, options.view.zoom);
+    Widths widths(sheet, scene, zoom);
     double width = 0;
     for (const Clipped& piece : seen) {
         if (const double wanted = widths.of(piece.source); wanted != width) {
@@ -112,9 +109,54 @@ Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptio
         alike.push_back(piece.segment);
     }
     paint(width);
-    alike = ticksOf(seen, options);
-    paint(leastWidth);
+}
+
+void append(Plate& to, Plate plate)
+{
+    const auto chains = std::uint32_t(to.chains.size()), points = std::uint32_t(to.points.size());
+    for (Coat& coat : plate.coats) {
+        coat.firstChain += chains;
+        to.coats.push_back(coat);
+    }
+    for (Chain& chain : plate.chains) {
+        chain.first += points;
+        to.chains.push_back(chain);
+    }
+    to.points.insert(to.points.end(), plate.points.begin(), plate.points.end());
+}
+
+Plate gradedMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+{
+    PictureOptions asTheyAre = options; // their colours are for the page
+    asTheyAre.page.reset();
+    Plating plating(asTheyAre, 0);
+    for (const PictureOptions::Graded& group : options.graded) {
+        Shape mark;
+        mark.style.stroke = group.colour;
+        addMarks(plating, sheet, scene, options.view.zoom, seenOf(scene, options, group.pieces),
+                 std::move(mark));
+    }
     return plating.take();
+}
+
+} // namespace
+
+Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+{
+    const std::vector<Clipped> seen = seenOf(scene, options, options.differing);
+    Plating plating(options, 2 * seen.size());
+    Shape mark;
+    mark.style.stroke = options.marked;
+    addMarks(plating, sheet, scene, options.view.zoom, seen, mark);
+    if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
+        mark.style.width = leastWidth / options.view.zoom;
+        plating.add(mark, ticks, 0, untouched(ticks));
+    }
+    if (options.graded.empty())
+        return plating.take();
+    Plate plate = gradedMarks(sheet, scene, options);
+    append(plate, plating.take());
+    return plate;
 }
 
 } // namespace app

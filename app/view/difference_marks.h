@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// What `options.differing` looks like: always thicker than the lines that it lies upon, with ticks
+/// What `options.graded`, and over it `options.differing`, look like: always thicker than the lines that it lies upon, with ticks
 /// where they help.
 Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options);
 

@@ -86,6 +86,12 @@ struct PictureOptions {
     /// would hide the others.
     enum class Ticks : std::uint8_t { WhereShort, Everywhere };
     Ticks ticks = Ticks::WhereShort;
+    /// Pieces to draw over all but what differs, each group in a colour that is seen on the page.
+    struct Graded {
+        std::span<const clipping::Clipped> pieces;
+        Colour colour;
+    };
+    std::vector<Graded> graded{};
 };
 
 /// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never

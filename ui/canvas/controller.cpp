@@ -10,6 +10,11 @@ namespace ui {
 
 constexpr double snapReach = 8; // pixels
 
+static app::Colour colourOf(const QColor& c)
+{
+    return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+}
+
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.drawing, session.scene),
       shown_(session.display()),
@@ -21,6 +26,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::outdate);
+    connect(&session.truth, &app::LiveTruth::changed, this, &Controller::outdate);
     connect(&session, &app::Session::loaded, this, [this] {
         tool_->cancel(bench_);
         fitDrawing();
@@ -133,30 +139,44 @@ const app::Differences* Controller::differing(const Pane& pane) const
     return pane.fromExact->upToDate() && found.window == window() ? &found : nullptr;
 }
 
+/// Lines in the colours of their errors; those that are wrong differ.
+void Controller::addErrors(app::PictureOptions& options) const
+{
+    const auto pieces = session_.truth.piecesAt(window());
+    if (pieces.empty())
+        return;
+    const app::Ground ground =
+        look_.dark && !session_.display().asPrinted ? app::Ground::Dark : app::Ground::Light;
+    for (std::size_t row = 0; row + 1 < pieces.size(); ++row)
+        options.graded.push_back(
+            {pieces[row], colourOf(app::errorColour(row, ground, look_.differs))});
+    if (options.differing.empty())
+        options.differing = pieces.back();
+}
+
 app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const
 {
     const app::Display& display = session_.display();
-    const auto colour = [](const QColor& c) {
-        return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
-    };
     app::PictureOptions options;
     options.view = view();
     options.keep = display.keep;
     options.removed = display.removed;
     if (look_.dark && !display.asPrinted)
-        options.page = colour(look_.paper);
+        options.page = colourOf(look_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
     if (display.presenting) {
         options.strokes = 2;
-        options.ghosting = app::Ghosting{colour(pageColour()), look_.ghost};
+        options.ghosting = app::Ghosting{colourOf(pageColour()), look_.ghost};
     }
     options.selection = session_.selection();
-    options.light = colour(look_.selection);
+    options.light = colourOf(look_.selection);
     if (const app::Differences* differences = differing(pane))
         options.differing = differences->pieces;
     else if (pane.among == 1)
         options.differing = session_.differences.piecesAt(window());
-    options.marked = colour(look_.differs);
+    if (pane.among == 1)
+        addErrors(options);
+    options.marked = colourOf(look_.differs);
     if (look_.dark) // magenta is near the selection's blue there
         options.ticks = app::PictureOptions::Ticks::Everywhere;
     return app::picture(session_.sheet(), session_.scene, frame, options);

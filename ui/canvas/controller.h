@@ -88,6 +88,7 @@ signals:
     void hintChanged();
 
 private:
+    void addErrors(app::PictureOptions& options) const;
     void outdate();
     void followDisplay();
     bool mayDraw() const;

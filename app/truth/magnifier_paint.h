@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/charts/chart_look.h"
+#include "app/truth/magnified.h"
+
+#include <QPointF>
+#include <QRectF>
+
+class QPainter;
+
+namespace app {
+
+/// How a magnified end is looked at.
+struct MagnifierView {
+    double pixelsPerUnit = 1;
+    QPointF middle{}; ///< where the centre is, from the middle of the picture
+    Lattice lattice = Lattice::Double;
+};
+/// With the true end in sight, and if possible the numbers around it.
+MagnifierView usualView(const Magnified& seen, const QSizeF& size);
+/// Zooms about a point, counted from the middle of the picture, as far as there is anything to see.
+MagnifierView zoomed(MagnifierView view, const Magnified& seen, double factor,
+                     const QPointF& about);
+
+struct MagnifierLook {
+    ChartLook chart;
+    QColor window, chosen, differs,
+        outside; ///< the clip window; the end; one that is wrong; ground
+};
+
+/// The lattice of numbers, the line, the edges, the true end and the algorithm's, each with its
+/// name. `name` is the algorithm's.
+void paintMagnified(QPainter& painter, const QRectF& area, const Magnified& seen,
+                    const MagnifierView& view, const QString& name, const MagnifierLook& look);
+
+/// What is seen, in words: both ends with all digits, and how far they are apart.
+QString magnifiedText(const Magnified& seen, const QString& name);
+
+} // namespace app

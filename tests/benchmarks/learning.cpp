@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures what the panels of Learn compute: cost maps, coarse as while an end is dragged and fine,
+// and the exactness of 100,000 lines of the paper's scene.
+#include "app/cost_map/live_cost_map.h"
+#include "app/experiment/paper_scene.h"
+#include "app/truth/truth.h"
+
+#include <QElapsedTimer>
+#include <QTextStream>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+template <class Work>
+double milliseconds(const Work& work)
+{
+    std::vector<double> times;
+    for (int i = 0; i < 5; ++i) {
+        QElapsedTimer clock;
+        clock.start();
+        work();
+        times.push_back(double(clock.nsecsElapsed()) / 1e6);
+    }
+    std::ranges::sort(times);
+    return times[times.size() / 2];
+}
+
+app::CostPlan planOf(std::optional<app::Clipper> shown, int cells)
+{
+    app::CostPlan plan = app::usualCostPlan(app::paperWindow);
+    plan.shown = std::move(shown);
+    plan.columns = 4 * cells;
+    plan.rows = 3 * cells;
+    return plan;
+}
+
+} // namespace
+
+int main()
+{
+    QTextStream out(stdout);
+    constexpr int fine = 60, coarse = fine / app::LiveCostMap::coarseness;
+    const auto row = [&](const QString& name, const std::optional<app::Clipper>& shown) {
+        out << name.leftJustified(24) << Qt::fixed << qSetRealNumberPrecision(2)
+            << milliseconds([&] { app::costMap(planOf(shown, coarse)); }) << " ms coarse, "
+            << milliseconds([&] { app::costMap(planOf(shown, fine)); }) << " ms fine (240 x 180)\n";
+        out.flush();
+    };
+    for (const app::Clipper& clipper : app::costContestants(clipping::Form::Corrected))
+        row(app::nameOf(clipper), clipper);
+    row(QStringLiteral("which is cheapest"), std::nullopt);
+
+    std::vector<clipping::Segment> lines(100'000);
+    app::PaperScene(1).fill(lines);
+    for (const char* key : {"exact", "md", "lb:published"}) {
+        const double time = milliseconds([&] {
+            app::extended({app::paperWindow}, *app::findClipper(QString::fromLatin1(key)), lines,
+                          lines.size());
+        });
+        out << key << ": judged 100,000 lines in " << time << " ms\n";
+    }
+}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/ulps.h"
+#include "ui/docks/exactness_panel.h"
+#include "ui/widgets/error_histogram.h"
+#include "ui/widgets/magnifier_view.h"
+
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <set>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+constexpr clipping::Window window{{0, 0}, {100, 100}};
+
+/// Ten lines across the window: numbers 2, 5 and 8 are lost by published KWC; the others leave it
+/// where a third of a unit is not a double.
+app::Sheet tenLines()
+{
+    app::Sheet sheet;
+    sheet.window = window;
+    for (int i = 0; i < 10; ++i) {
+        app::Shape line;
+        const double x = 10. + 8 * i, lean = i % 3 == 2 ? 0.5 : 20 + i;
+        line.paths = {{{x, 40}, {{{x + lean, 90. + (i % 3 == 2 ? 0 : 37)}}}}};
+        line.style.stroke = app::Colour{};
+        sheet.shapes.push_back(std::move(line));
+    }
+    return sheet;
+}
+
+struct Stage {
+    Stage()
+    {
+        applyTheme(*qApp, Theme::Light);
+        session.drawing.load(tenLines());
+        panel.resize(572, 620);
+        table = panel.findChild<DenseTable*>();
+        algorithm = panel.findChild<QComboBox*>();
+    }
+    void show()
+    {
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTRY_VERIFY(session.truth.upToDate());
+    }
+    void choose(const QString& key)
+    {
+        algorithm->setCurrentIndex(algorithm->findText(app::titleOf(*app::findClipper(key))));
+        QTRY_VERIFY(session.truth.upToDate());
+    }
+    QString cell(int row, int column) const
+    {
+        return table->model()->index(row, column).data().toString();
+    }
+    QPoint place(int row) const
+    {
+        return table->visualRect(table->model()->index(row, 0)).center();
+    }
+
+    app::Session session;
+    ExactnessPanel panel{session};
+    DenseTable* table;
+    QComboBox* algorithm;
+};
+
+} // namespace
+
+class ExactnessPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingIsComputedWhileItIsHidden()
+    {
+        Stage stage;
+        QTest::qWait(30);
+        QVERIFY(!stage.session.truth.asked());
+        stage.show();
+        QCOMPARE(stage.session.truth.found().list.size(), std::size_t(10));
+        QVERIFY(!stage.session.truth.piecesAt(window).empty());
+        stage.panel.hide();
+        QVERIFY(!stage.session.truth.asked());
+        QVERIFY(stage.session.truth.piecesAt(window).empty());
+        QVERIFY(stage.session.truth.found().list.empty());
+    }
+
+    void itSaysWhatIsWrongAndListsTheWorstFirst()
+    {
+        Stage stage;
+        stage.show();
+        QVERIFY2(stage.panel.summary().startsWith("exact is right about all 10 visible lines"),
+                 qPrintable(stage.panel.summary()));
+        stage.choose("kwc:published");
+        QVERIFY2(stage.panel.summary().startsWith(
+                     "KWC as published is wrong about 3 of 10 visible lines: 3 lost"),
+                 qPrintable(stage.panel.summary()));
+        QCOMPARE(stage.table->model()->rowCount(), 10);
+        for (int row = 0; row < 3; ++row)
+            QVERIFY2(stage.cell(row, 1).startsWith("lost: "), qPrintable(stage.cell(row, 1)));
+        const auto& last = stage.session.truth.piecesAt(window).back();
+        QCOMPARE(last.size(), std::size_t(3)); // painted as what differs
+        QVERIFY(
+            stage.panel.findChild<ErrorHistogram*>()->accessibleDescription().endsWith("wrong: 3"));
+    }
+
+    void theYardstickCanBeChanged()
+    {
+        Stage stage;
+        stage.show();
+        stage.choose("md");
+        const QString before = stage.panel.summary();
+        for (QToolButton* button : stage.panel.findChildren<QToolButton*>())
+            if (button->text() == "its own")
+                QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(stage.session.truth.asked()->yardstick, app::Yardstick::Own);
+        QTRY_VERIFY(stage.panel.summary() != before);
+    }
+
+    void aClickInspectsAndShowsTheLine()
+    {
+        Stage stage;
+        stage.show();
+        stage.choose("kwc:published");
+        QSignalSpy wanted(&stage.panel, &ExactnessPanel::placeWanted);
+        QTest::mouseClick(stage.table->viewport(), Qt::LeftButton, {}, stage.place(0));
+        QVERIFY(stage.session.inspected());
+        QCOMPARE(*stage.session.inspected() % 3, std::size_t(2));
+        QCOMPARE(wanted.size(), 1);
+    }
+
+    void aDoubleClickMagnifiesTheWorseEnd()
+    {
+        Stage stage;
+        stage.show();
+        stage.choose("lb:published");
+        QTest::mouseClick(stage.table->viewport(), Qt::LeftButton, {}, stage.place(0));
+        QTest::mouseDClick(stage.table->viewport(), Qt::LeftButton, {}, stage.place(0));
+        QVERIFY(stage.panel.magnifies());
+        const std::size_t line = *stage.session.inspected();
+        const auto truth = app::truthOf(*app::findClipper("lb:published"),
+                                        stage.session.scene.segments()[line], window);
+        const app::Magnified& seen = stage.panel.magnifier().seen();
+        QVERIFY(seen.returned && seen.truth);
+        const double off = std::max(std::abs(seen.truth->x), std::abs(seen.truth->y));
+        QCOMPARE(off / seen.largestUlp, app::errorOf(*truth, app::Yardstick::Largest));
+        QTest::keyClick(&stage.panel.magnifier(), Qt::Key_Escape);
+        QVERIFY(!stage.panel.magnifies());
+    }
+
+    void theMagnifierZoomsByWheelAndKeys()
+    {
+        Stage stage;
+        stage.show();
+        stage.panel.magnify(0, 1);
+        QVERIFY(stage.panel.magnifies());
+        Magnifier& magnifier = stage.panel.magnifier();
+        const double first = magnifier.view().pixelsPerUnit;
+        QTest::keyClick(&magnifier, Qt::Key_PageDown);
+        QCOMPARE(magnifier.view().pixelsPerUnit, first / 16);
+        QTest::keyClick(&magnifier, Qt::Key_Plus);
+        QCOMPARE(magnifier.view().pixelsPerUnit, first / 8);
+        QTest::keyClick(&magnifier, Qt::Key_Minus);
+        QTest::keyClick(&magnifier, Qt::Key_PageUp);
+        QCOMPARE(magnifier.view().pixelsPerUnit, first);
+        const QPointF about = QRectF(magnifier.rect()).center() + QPointF(50, 20);
+        QWheelEvent wheel(about, magnifier.mapToGlobal(about), {}, {0, -120}, {}, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&magnifier, &wheel);
+        QCOMPARE(magnifier.view().pixelsPerUnit, first / 1.5);
+        QTest::keyClick(&magnifier, Qt::Key_Right);
+        QTest::keyClick(&magnifier, Qt::Key_Home);
+        QCOMPARE(magnifier.view().pixelsPerUnit, first);
+        QVERIFY(!magnifier.grab().toImage().isNull());
+    }
+
+    void anEndThatIsNoNumberIsSaidInWords()
+    {
+        Stage stage;
+        app::Sheet sheet;
+        sheet.window = {{0, 0}, {2, 2}};
+        app::Shape line;
+        line.paths = {{{2, 1}, {{{2, -1}}}}};
+        sheet.shapes.push_back(line);
+        stage.session.drawing.load(sheet);
+        stage.show();
+        stage.choose("sb:published");
+        QVERIFY2(stage.panel.summary().contains("1 with an end that is no number"),
+                 qPrintable(stage.panel.summary()));
+        QCOMPARE(stage.cell(0, 1).left(18), "an end is no numbe");
+        stage.panel.magnify(0, 1);
+        QVERIFY(!stage.panel.magnifier().isVisible());
+        bool said = false;
+        for (const QLabel* label : stage.panel.findChildren<QLabel*>())
+            said = said || label->text().contains("an end is no number");
+        QVERIFY(said);
+    }
+
+    void theLensIsInTheWindow()
+    {
+        TestWindow test;
+        test.show();
+        test.window->files().open(test.twoLines());
+        QTRY_COMPARE(test.window->session().scene.segments().size(), std::size_t(2));
+        QTest::keyClick(test.window.get(), Qt::Key_F3, Qt::ShiftModifier);
+        QTRY_VERIFY(test.window->session().truth.asked());
+        QTRY_VERIFY(test.window->session().truth.upToDate());
+        QVERIFY(test.window->exactnessPanel().summary().startsWith("exact is right"));
+        QTest::keyClick(test.window.get(), Qt::Key_F3, Qt::ShiftModifier);
+        QTRY_VERIFY(!test.window->session().truth.asked());
+    }
+
+    void linesAreColouredByTheirError()
+    {
+        TestWindow test;
+        test.show();
+        test.window->files().open(test.twoLines());
+        QTRY_COMPARE(test.window->session().scene.segments().size(), std::size_t(2));
+        const auto colours = [&] {
+            test.window->canvas().settle();
+            const QImage image = test.drawingArea()->grab().toImage();
+            std::set<QRgb> found;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    found.insert(image.pixel(x, y));
+            return found;
+        };
+        const QRgb exact =
+            app::errorColour(0, app::Ground::Light, lookOf(qApp->palette()).differs).rgb();
+        QVERIFY(!colours().contains(exact));
+        test.action("exactness")->trigger();
+        QTRY_VERIFY(test.window->session().truth.upToDate());
+        QTRY_VERIFY(colours().contains(exact));
+    }
+};
+
+QTEST_MAIN(ExactnessPanelTest)
+#include "exactness_panel_test.moc"

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/exactness_panel.h"
+
+#include "app/comparison/live_differences.h"
+#include "app/view/numbers.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/error_histogram.h"
+#include "ui/widgets/magnifier_view.h"
+#include "ui/widgets/segments.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QToolButton>
+
+namespace ui {
+
+namespace {
+
+constexpr int markerSize = 12;
+
+QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
+{
+    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
+                     clipper.form, groundOf(palette));
+    return picture;
+}
+
+QLabel* quiet(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+QHBoxLayout* within()
+{
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    row->setSpacing(space::labelToField);
+    return row;
+}
+
+} // namespace
+
+ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), model_(session), algorithm_(new QComboBox),
+      yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("its own")})),
+      end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
+      lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
+      heading_(new QLabel), magnified_(new QLabel), histogram_(new ErrorHistogram),
+      table_(new DenseTable), magnifier_(new Magnifier), pages_(new QStackedWidget)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->setSpacing(6);
+    addChoosers();
+    pages_->addWidget(listPage());
+    pages_->addWidget(magnifierPage());
+    column->addWidget(pages_, 1);
+    connect(&session.truth, &app::LiveTruth::changed, this, &ExactnessPanel::follow);
+    connect(&session.truth, &app::LiveTruth::progressed, this, &ExactnessPanel::paintSummary);
+    connect(&session, &app::Session::displayChanged, this, [this] {
+        if (isVisible())
+            ask();
+    });
+    follow();
+}
+
+void ExactnessPanel::addChoosers()
+{
+    fillAlgorithms();
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    grid->addWidget(quiet(tr("Algorithm")), 0, 0);
+    grid->addWidget(algorithm_, 0, 1);
+    grid->addWidget(quiet(tr("Ulps of")), 1, 0);
+    grid->addWidget(yardstick_, 1, 1, Qt::AlignLeft);
+    grid->setColumnStretch(1, 1);
+    static_cast<QVBoxLayout*>(layout())->addLayout(grid);
+    yardstick_->setToolTip(tr("A unit in the last place of the largest coordinate of line and clip "
+                              "window, as in the library's contract, or of the coordinate itself"));
+    connect(algorithm_, &QComboBox::currentIndexChanged, this, &ExactnessPanel::ask);
+    connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
+}
+
+/// First that which clips, whatever it is.
+void ExactnessPanel::fillAlgorithms()
+{
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    algorithm_->setMinimumContentsLength(12);
+    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
+    algorithm_->setMaxVisibleItems(30);
+    algorithm_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    algorithm_->addItem(tr("The one that clips"));
+    const auto all = app::clippers();
+    for (const app::Clipper& clipper : all)
+        algorithm_->addItem(marker(clipper, palette(), devicePixelRatioF()), app::titleOf(clipper));
+}
+
+QWidget* ExactnessPanel::listPage()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    summary_->setWordWrap(true);
+    summary_->setAccessibleName(tr("Exactness"));
+    auto* sentence = within();
+    sentence->addWidget(summary_);
+    auto* bars = within();
+    bars->addWidget(histogram_);
+    table_->setModel(&model_);
+    table_->setAccessibleName(tr("Lines, the worst first"));
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(2, Qt::DescendingOrder);
+    table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
+    table_->setColumnWidth(1, 220);
+    auto* hint = quiet(tr("Double click or Enter magnifies the worse end."));
+    hint->setFont(captionFont(font()));
+    auto* below = within();
+    below->addWidget(hint);
+    column->addLayout(sentence);
+    column->addLayout(bars);
+    column->addWidget(table_, 1);
+    column->addLayout(below);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& now) {
+                if (!following_ && now.isValid())
+                    showRow(now.row());
+            });
+    connect(table_, &QTableView::activated, this,
+            [this](const QModelIndex& index) { magnifyRow(index.row()); });
+    connect(table_, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { magnifyRow(index.row()); });
+    return page;
+}
+
+QWidget* ExactnessPanel::magnifierPage()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(space::dockMargin, 0, space::dockMargin, 8);
+    column->setSpacing(6);
+    auto* back = new QToolButton;
+    back->setObjectName(QStringLiteral("leave-magnifier"));
+    back->setIcon(icon("step-back"));
+    back->setToolTip(tr("Back to the list (Esc)"));
+    back->setAccessibleName(back->toolTip());
+    back->setAutoRaise(true);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(space::labelToField);
+    row->addWidget(back);
+    row->addWidget(heading_);
+    row->addWidget(end_);
+    row->addStretch();
+    row->addWidget(lattice_);
+    auto* hint =
+        quiet(tr("Wheel, + and −, Page Up and Page Down zoom; Home shows it as at first."));
+    hint->setFont(captionFont(font()));
+    magnified_->setWordWrap(true);
+    magnified_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addLayout(row);
+    column->addWidget(magnifier_, 1);
+    column->addWidget(magnified_);
+    column->addWidget(hint);
+    connect(back, &QToolButton::clicked, this, &ExactnessPanel::leaveMagnifier);
+    connect(end_, &Segments::picked, this, &ExactnessPanel::showEnd);
+    connect(lattice_, &Segments::picked, this, [this](int index) {
+        magnifier_->setLattice(index == 0 ? app::Lattice::Double : app::Lattice::Single);
+    });
+    return page;
+}
+
+app::LiveTruth::Question ExactnessPanel::wanted() const
+{
+    const app::Display& display = session_.display();
+    app::Clipper clipper{display.algorithm, display.usedForm()};
+    if (const int index = algorithm_->currentIndex(); index > 0)
+        clipper = app::clippers()[std::size_t(index - 1)];
+    return {clipper, yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
+}
+
+void ExactnessPanel::ask()
+{
+    if (isVisible())
+        session_.truth.ask(wanted());
+}
+
+void ExactnessPanel::follow()
+{
+    const QScopedValueRollback quietly(following_, true);
+    histogram_->show(session_.truth.counts());
+    paintSummary();
+    const auto line = session_.inspected();
+    const int row = line ? model_.rowOf(*line) : -1;
+    if (row >= 0)
+        table_->setCurrentIndex(model_.index(row, 0));
+    if (magnifies())
+        line_ < session_.scene.segments().size() ? showEnd() : leaveMagnifier();
+}
+
+void ExactnessPanel::paintSummary()
+{
+    const app::LiveTruth& truth = session_.truth;
+    const Look& look = lookOf(palette());
+    const bool known = truth.asked() && truth.upToDate();
+    const bool wrong = known && truth.counts().classes.back() > 0;
+    summary_->setText(
+        known ? app::sentence(truth.asked()->clipper, truth.counts(), truth.asked()->yardstick)
+              : tr("Judging %1 lines… %2")
+                    .arg(app::countText(session_.scene.segments().size()),
+                         app::percentText(truth.progress())));
+    const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
+    summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
+}
+
+void ExactnessPanel::showRow(int row)
+{
+    const app::LineTruth* truth = model_.truthOf(row);
+    if (!truth)
+        return;
+    const std::size_t line = truth->source;
+    session_.inspect(line);
+    emit placeWanted(
+        app::placeOf({wanted().clipper}, session_.scene.segments()[line], session_.sheet().window));
+}
+
+void ExactnessPanel::magnifyRow(int row)
+{
+    const app::LineTruth* truth = model_.truthOf(row);
+    if (truth)
+        magnify(truth->source, truth->ends[1].ulps > truth->ends[0].ulps ? 1 : 0);
+}
+
+void ExactnessPanel::magnify(std::size_t line, int end)
+{
+    line_ = line;
+    end_->choose(end);
+    heading_->setText(tr("Line %1").arg(app::countText(line + 1)));
+    pages_->setCurrentIndex(1);
+    showEnd();
+    magnifier_->setFocus();
+}
+
+void ExactnessPanel::showEnd()
+{
+    const app::Clipper clipper = wanted().clipper;
+    const auto seen = app::magnified(clipper, session_.scene.segments()[line_],
+                                     session_.sheet().window, end_->chosen());
+    magnifier_->setVisible(seen.has_value());
+    if (!seen)
+        return magnified_->setText(
+            tr("%1 leaves nothing of this line that could be magnified: nothing is visible, or an "
+               "end is no number.")
+                .arg(app::nameOf(clipper)));
+    magnifier_->show(*seen, app::nameOf(clipper));
+    magnified_->setText(app::magnifiedText(*seen, app::nameOf(clipper)));
+}
+
+void ExactnessPanel::leaveMagnifier()
+{
+    pages_->setCurrentIndex(0);
+    table_->setFocus();
+}
+
+/// With room for some ten rows.
+QSize ExactnessPanel::sizeHint() const
+{
+    return {QWidget::sizeHint().width(), 320 + 10 * space::denseRowHeight};
+}
+
+void ExactnessPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    ask();
+}
+
+void ExactnessPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    session_.truth.ask(std::nullopt);
+}
+
+void ExactnessPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange)
+        return;
+    const auto all = app::clippers();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        algorithm_->setItemIcon(int(i) + 1, marker(all[i], palette(), devicePixelRatioF()));
+    paintSummary();
+}
+
+void ExactnessPanel::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && magnifies())
+        return leaveMagnifier();
+    QWidget::keyPressEvent(event);
+}
+
+} // namespace ui
