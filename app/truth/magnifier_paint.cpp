@@ -119,7 +119,8 @@ public:
                 const QPointF nearest = at(seen_.nearest);
                 painter_.setPen(QPen(look_.chart.muted, 1.5, Qt::DotLine));
                 painter_.drawRect(QRectF(nearest - QPointF(7, 7), QSizeF(14, 14)));
-                label(nearest + QPointF(-labelGap, labelGap + 12), Magnifier::tr("nearest double"),
+                const QString text = Magnifier::tr("nearest double");
+                label(nearest + QPointF(-labelGap - width(text), labelGap + 12), text,
                       look_.chart.muted);
             }
         }
@@ -178,10 +179,10 @@ private:
         return QFontMetricsF(look_.chart.font).horizontalAdvance(text);
     }
 
-    /// On a ground that keeps it apart from lines; within the picture. A negative x ends it there.
+    /// On a ground that keeps it apart from lines, and within the picture.
     void label(QPointF at, const QString& text, const QColor& colour)
     {
-        if (!area_.contains(at))
+        if (!area_.adjusted(-width(text), -20, width(text), 20).contains(at))
             return;
         const QFontMetricsF metrics(look_.chart.font);
         at.setX(std::clamp(at.x(), area_.left() + 4, area_.right() - 4 - width(text)));

@@ -28,14 +28,14 @@ QString errorCell(const LineTruth& line)
 template <Yardstick yardstick>
 double errorKey(const LineTruth& line)
 {
-    constexpr double worst = std::numeric_limits<double>::max();
+    constexpr double most = 1e100, fault = 1e150;
     switch (line.fault) {
     case Fault::None:
-        return std::min(errorOf(line, yardstick), worst / 4);
+        return std::min(errorOf(line, yardstick), most);
     case Fault::NotFinite:
-        return worst;
+        return std::numeric_limits<double>::max();
     default:
-        return worst / 4 + std::min(line.lost, 1e300) * 1e6;
+        return fault * (1 + std::min(line.lost, most));
     }
 }
 

@@ -16,6 +16,7 @@ using Ticks = PictureOptions::Ticks;
 namespace {
 
 constexpr double leastWidth = 2.25, thicker = 1.5; // pixels
+constexpr double leastGraded = 1;                  // pixels: all lines are, so none stands out
 constexpr double tickLength = 8;                   // pixels
 constexpr double tooShort = 6, withRoom = 16;      // to be seen; for a tick among many
 constexpr std::size_t severalPieces = 300; // in the view: with a tick on each nothing else is seen
@@ -68,8 +69,8 @@ std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions
 /// How thick the marks of lines are, in pixels; asked line by line.
 class Widths {
 public:
-    Widths(const Sheet& sheet, const Scene& scene, double zoom)
-        : sheet_(sheet), scene_(scene), zoom_(zoom)
+    Widths(const Sheet& sheet, const Scene& scene, double zoom, double least, double more)
+        : sheet_(sheet), scene_(scene), zoom_(zoom), least_(least), more_(more)
     {
     }
 
@@ -78,19 +79,19 @@ public:
         if (line < scene_.firstSegmentOf(shape_) || line >= scene_.firstSegmentOf(shape_ + 1))
             shape_ = scene_.shapeOf(line);
         const Style& style = sheet_.shapes[shape_].style;
-        return std::max(leastWidth, (style.stroke ? style.width * zoom_ : 0) + thicker);
+        return std::max(least_, (style.stroke ? style.width * zoom_ : 0) + more_);
     }
 
 private:
     const Sheet& sheet_;
     const Scene& scene_;
-    double zoom_;
+    double zoom_, least_, more_;
     std::size_t shape_ = 0; // mostly that of the line before
 };
 
 /// In one colour, each as thick as its line wants.
-void addMarks(Plating& plating, const Sheet& sheet, const Scene& scene, double zoom,
-              std::span<const Clipped> seen, Shape mark)
+void addMarks(Plating& plating, Widths widths, double zoom, std::span<const Clipped> seen,
+              Shape mark)
 {
     std::vector<Segment> alike; // as thick as each other
     const auto paint = [&](double pixels) {
@@ -99,7 +100,6 @@ void addMarks(Plating& plating, const Sheet& sheet, const Scene& scene, double z
             plating.add(mark, alike, 0, untouched(alike));
         alike.clear();
     };
-    Widths widths(sheet, scene, zoom);
     double width = 0;
     for (const Clipped& piece : seen) {
         if (const double wanted = widths.of(piece.source); wanted != width) {
@@ -133,8 +133,8 @@ Plate gradedMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& 
     for (const PictureOptions::Graded& group : options.graded) {
         Shape mark;
         mark.style.stroke = group.colour;
-        addMarks(plating, sheet, scene, options.view.zoom, seenOf(scene, options, group.pieces),
-                 std::move(mark));
+        addMarks(plating, {sheet, scene, options.view.zoom, leastGraded, 0}, options.view.zoom,
+                 seenOf(scene, options, group.pieces), std::move(mark));
     }
     return plating.take();
 }
@@ -147,7 +147,8 @@ Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptio
     Plating plating(options, 2 * seen.size());
     Shape mark;
     mark.style.stroke = options.marked;
-    addMarks(plating, sheet, scene, options.view.zoom, seen, mark);
+    addMarks(plating, {sheet, scene, options.view.zoom, leastWidth, thicker}, options.view.zoom,
+             seen, mark);
     if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
         mark.style.width = leastWidth / options.view.zoom;
         plating.add(mark, ticks, 0, untouched(ticks));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/ulps.h"
 #include "app/experiment/paper_scene.h"
-#include "app/truth/truth.h"
+#include "app/truth/truth_row.h"
 
 #include <QTest>
 
@@ -236,6 +236,41 @@ private slots:
              extended({paperWindow}, *findClipper("lb:published"), lines, lines.size()).list)
             outside += line.outside();
         QVERIFY2(outside > 100, qPrintable(QString::number(outside))); // 8 % of what is visible
+    }
+
+    void theWorstComeFirst()
+    {
+        std::vector<LineTruth> list(6);
+        for (std::uint32_t i = 0; i < 6; ++i)
+            list[i].source = i;
+        list[1].ends[1].ulps = 3;
+        list[2].fault = Fault::NotFinite;
+        list[3].fault = Fault::Lost;
+        list[3].lost = 5e13;
+        list[4].fault = Fault::Invented;
+        list[4].lost = 6e13;
+        list[5].ends[0].ulps = 1e300;
+        const auto rows =
+            sortedBy(list, truthColumns()[std::size_t(errorColumn)], Qt::DescendingOrder);
+        QCOMPARE(rows, std::vector<std::uint32_t>({2, 4, 3, 5, 1, 0}));
+    }
+
+    void everyErrorHasItsClass()
+    {
+        LineTruth line{};
+        const auto classOf = [&](double ulps) {
+            line.ends[0].ulps = ulps;
+            return errorClasses()[errorClassOf(line, Yardstick::Largest)].name;
+        };
+        QCOMPARE(classOf(0), "exact");
+        QCOMPARE(classOf(0.5), "≤ ½ ulp");
+        QCOMPARE(classOf(0.51), "≤ 1 ulp");
+        QCOMPARE(classOf(64), "≤ 64 ulps");
+        QCOMPARE(classOf(1e300), "more");
+        line.ends[0].outside = true;
+        QCOMPARE(classOf(0.1), "wrong");
+        line = {.source = 0, .fault = Fault::Lost};
+        QCOMPARE(classOf(0), "wrong");
     }
 
     void badInputIsNoTruth()
