@@ -23,7 +23,7 @@ struct Display {
     Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm; ///< of rulers, labels and fields; a drawing that is opened brings its own
-    bool regions = false; ///< the nine outcodes over the drawing
+    bool overlay = false; ///< what the algorithm sees, over the drawing
     bool asPrinted = false;  ///< dark theme: the true page and inks
     bool presenting = false; ///< for a projector: strokes twice as wide, ghosts that can be seen
 

@@ -89,7 +89,20 @@ Moment momentOf(const Telling& telling, const Teller* teller, const Moment* earl
     return moment;
 }
 
-/// Why there is nothing to trace; empty: nobody knows of a reason.
+} // namespace
+
+std::optional<double> Telling::value(std::string_view name) const
+{
+    const auto found = std::ranges::find(step.values, name, &clipping::NamedValue::name);
+    return found == step.values.end() ? std::nullopt : std::optional(found->value);
+}
+
+QString Telling::text(std::string_view name) const
+{
+    const auto number = value(name);
+    return number ? shortText(*number) : QString();
+}
+
 QString refusalOf(const Specimen& specimen)
 {
     if (specimen.clipper.exhibit)
@@ -109,20 +122,6 @@ QString refusalOf(const Specimen& specimen)
     if (min.x > max.x || min.y > max.y)
         return tr("The window's minimum lies beyond its maximum: nothing is clipped. Swap them.");
     return {};
-}
-
-} // namespace
-
-std::optional<double> Telling::value(std::string_view name) const
-{
-    const auto found = std::ranges::find(step.values, name, &clipping::NamedValue::name);
-    return found == step.values.end() ? std::nullopt : std::optional(found->value);
-}
-
-QString Telling::text(std::string_view name) const
-{
-    const auto number = value(name);
-    return number ? shortText(*number) : QString();
 }
 
 Walk walkOf(const Specimen& specimen)

@@ -61,6 +61,8 @@ struct Walk {
     QString refusal{}; ///< why there are no steps: "x1 is not a number", "the window …"
 };
 Walk walkOf(const Specimen& specimen);
+/// Why there is nothing to trace, and what to do; empty: there is.
+QString refusalOf(const Specimen& specimen);
 
 /// "the top edge", as it is seen; empty for no edge.
 QString edgeWords(clipping::Edge edge, YAxis y);

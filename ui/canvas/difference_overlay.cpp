@@ -38,6 +38,12 @@ Words wordsOf(const app::DifferenceCounts& counts)
 
 } // namespace
 
+double differenceLabelHeight(const Controller& controller, const Pane& pane)
+{
+    const app::Differences* differences = controller.differing(pane);
+    return differences && !differences->list.empty() ? height + inset : 0;
+}
+
 void paintDifferenceLabel(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     const app::Differences* differences = controller.differing(pane);

@@ -2,6 +2,7 @@
 #include "ui/canvas/overlay.h"
 
 #include "ui/canvas/difference_overlay.h"
+#include "ui/canvas/seen_overlay.h"
 #include "ui/canvas/window_overlay.h"
 
 #include <QCoreApplication>
@@ -130,12 +131,10 @@ void paintPaper(QPainter& painter, const Controller& controller)
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.save();
-    if (controller.session().display().regions)
-        paintRegions(painter, controller);
-    painter.restore();
     paintLit(painter, controller);
     paintInspected(painter, controller, pane);
+    if (controller.session().display().overlay)
+        paintWhatIsSeen(painter, controller, pane);
     painter.save();
     paintDifferenceLabel(painter, controller, pane);
     painter.restore();

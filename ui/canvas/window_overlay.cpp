@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace ui {
 namespace {
@@ -48,15 +47,16 @@ QString labelText(const Controller& controller)
         app::lengthText(window.min.y, unit, page.millimetresPerUnit()));
 }
 
-void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)
+QFont labelFont(QFont font)
 {
-    const Look& look = controller.look();
-    QFont font = painter.font();
     font.setWeight(QFont::DemiBold);
     font.setPointSizeF(font.pointSizeF() * 0.92);
-    painter.setFont(font);
-    const QString text = labelText(controller);
-    const QRectF size = QFontMetricsF(font).boundingRect(text);
+    return font;
+}
+
+QRectF labelPlace(const Controller& controller, const QRectF& window, const QFont& font)
+{
+    const QRectF size = QFontMetricsF(font).boundingRect(labelText(controller));
     QRectF label(0, 0, size.width() + 16, size.height() + 4);
     label.moveCenter({window.center().x(), 0});
     label.moveTop(window.bottom() + labelGap);
@@ -64,11 +64,27 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
     if (label.bottom() > room.y - 4)
         label.moveBottom(std::min(window.bottom() - labelGap, room.y - 4));
     label.moveLeft(std::clamp(label.left(), 4.0, std::max(4.0, room.x - 4 - label.width())));
+    return label;
+}
+
+void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)
+{
+    const Look& look = controller.look();
+    painter.setFont(labelFont(painter.font()));
+    const QRectF label = labelPlace(controller, window, painter.font());
     painter.setPen(Qt::NoPen);
     painter.setBrush(look.accent);
     painter.drawRoundedRect(label, 3, 3);
     painter.setPen(look.onAccent);
-    painter.drawText(label, Qt::AlignCenter, text);
+    painter.drawText(label, Qt::AlignCenter, labelText(controller));
+}
+
+// Whether the window has handles and a label: in one pane, where its outline is in sight.
+bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& window)
+{
+    const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
+    return pane.active && controller.tool().showsGrips() && seen.intersects(window)
+           && !window.contains(seen);
 }
 
 } // namespace
@@ -89,51 +105,23 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     pen.setWidthF(width);
     painter.setPen(pen);
     painter.drawRect(window);
-    const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
-    const bool edgeSeen = seen.intersects(window) && !window.contains(seen);
-    if (!pane.active || !controller.tool().showsGrips() || !edgeSeen)
+    if (!isFurnished(controller, pane, window))
         return;
     paintHandles(painter, controller, look);
     paintLabel(painter, controller, window);
 }
 
-// Columns and rows from the upper left of the screen. The outcode is written as in the paper: top,
-// bottom, right, left, where "top" is the edge that is on top on the screen.
-void paintRegions(QPainter& painter, const Controller& controller)
+std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pane,
+                                    const QFont& font)
 {
-    const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
-    const app::Point size = controller.view().size;
-    const std::array xs{0.0, window.left(), window.right(), size.x};
-    const std::array ys{0.0, window.top(), window.bottom(), size.y};
-    painter.setPen(QPen(look.accent, 0, Qt::DashLine));
-    for (int i = 1; i < 3; ++i) {
-        painter.drawLine(QPointF(xs[i], 0), QPointF(xs[i], size.y));
-        painter.drawLine(QPointF(0, ys[i]), QPointF(size.x, ys[i]));
-    }
-    QFont font = painter.font();
-    font.setWeight(QFont::DemiBold);
-    font.setPointSizeF(font.pointSizeF() * 1.3);
-    painter.setFont(font);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) {
-            const QRectF cell(QPointF(xs[column], ys[row]), QPointF(xs[column + 1], ys[row + 1]));
-            const QString code = QStringLiteral("%1%2%3%4")
-                                     .arg(row == 0)
-                                     .arg(row == 2)
-                                     .arg(column == 2)
-                                     .arg(column == 0);
-            const QRectF text = QFontMetricsF(font).boundingRect(code).adjusted(-6, -2, 6, 2);
-            if (cell.width() < text.width() || cell.height() < text.height())
-                continue;
-            QRectF ground = text;
-            ground.moveCenter(cell.center());
-            QColor veil = controller.pageColour();
-            veil.setAlphaF(0.85F);
-            painter.fillRect(ground, veil);
-            painter.setPen(look.accent);
-            painter.drawText(ground, Qt::AlignCenter, code);
-        }
+    std::vector<QRectF> places;
+    if (!isFurnished(controller, pane, window))
+        return places;
+    for (const auto& [grip, at] : app::placedGrips(controller.window(), controller.view()))
+        places.push_back(QRectF(at.x - handle / 2, at.y - handle / 2, handle, handle));
+    places.push_back(labelPlace(controller, window, labelFont(font)));
+    return places;
 }
 
 } // namespace ui

@@ -21,6 +21,13 @@ void toggleMicroscope(MainWindow& window)
         window.drawnLine().look();
 }
 
+void toggleOverlay(MainWindow& window)
+{
+    app::Display display = window.session().display();
+    display.overlay = !display.overlay;
+    window.session().setDisplay(display);
+}
+
 } // namespace
 
 MenuInfo learnMenu()
@@ -35,6 +42,14 @@ MenuInfo learnMenu()
                  toggleMicroscope,
                  nullptr,
                  [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
+                {"overlay",
+                 tr("What the algorithm &sees"),
+                 {QKeySequence("F3"), QKeySequence("Ctrl+R")},
+                 Reach::Window,
+                 "regions",
+                 toggleOverlay,
+                 nullptr,
+                 [](const MainWindow& w) { return w.session().display().overlay; }},
                 {"lessons",
                  tr("&Lessons"),
                  {QKeySequence("Ctrl+F1")},

@@ -28,6 +28,10 @@ public:
     void cancel(Workbench&) override { from_.reset(); }
     bool busy() const override { return from_.has_value(); }
     bool draws() const override { return true; }
+    std::optional<clipping::Segment> lineInHand() const override
+    {
+        return from_ ? std::optional(clipping::Segment{from_->position, to_}) : std::nullopt;
+    }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (from_)

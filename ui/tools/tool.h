@@ -76,6 +76,8 @@ public:
     virtual std::optional<app::Grip> litGrip() const { return std::nullopt; }
     /// The segment that a press would take: it is lit.
     virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
+    /// A line that is being drawn.
+    virtual std::optional<clipping::Segment> lineInHand() const { return std::nullopt; }
     /// What to say in the status bar just now; empty: the tool's usual hint.
     virtual QString hint(const Workbench&) const { return {}; }
     virtual bool draws() const { return false; } ///< new shapes, in the session's pen

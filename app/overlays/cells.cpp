@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/half_plane.h"
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+constexpr unsigned centre = 4;
+
+/// Slater and Barsky's cell of a point: 3 * row + column, where row 0 is that of ymin. Nothing:
+/// right of the window, where there is nothing to find.
+std::optional<unsigned> cellOf(const Point& p, const clipping::Window& window)
+{
+    if (p.x > window.max.x)
+        return std::nullopt;
+    const unsigned row = p.y < window.min.y ? 0 : p.y > window.max.y ? 2 : 1;
+    return 3 * row + (p.x < window.min.x ? 0 : 1);
+}
+
+OverlayArea cellArea(unsigned cell, const Seeing& seeing)
+{
+    const auto side = [&](Edge edge) { return beyond(edge, seeing.window); };
+    std::vector<HalfPlane> halves{side(Edge::Right).other()};
+    halves.push_back(cell % 3 == 0 ? side(Edge::Left) : side(Edge::Left).other());
+    if (cell / 3 == 0)
+        halves.push_back(side(Edge::Bottom));
+    else if (cell / 3 == 2)
+        halves.push_back(side(Edge::Top));
+    else {
+        halves.push_back(side(Edge::Bottom).other());
+        halves.push_back(side(Edge::Top).other());
+    }
+    return {.corners = common(seeing.seen, halves), .label = QString::number(cell)};
+}
+
+/// The walk goes right: from the end that is further left.
+clipping::Segment walked(const clipping::Segment& line)
+{
+    return line.a.x > line.b.x ? clipping::Segment{line.b, line.a} : line;
+}
+
+/// The cells that the walk came through, in order.
+std::vector<unsigned> visited(const Seeing& seeing)
+{
+    std::vector<unsigned> cells;
+    const auto visit = [&](unsigned cell) {
+        if (cells.empty() || cells.back() != cell)
+            cells.push_back(cell);
+    };
+    for (const clipping::Step& step : seeing.trace.steps)
+        for (const clipping::NamedValue& value : step.values)
+            if (value.name == "cell")
+                visit(unsigned(value.value));
+    if (seeing.trace.outcome == clipping::Outcome::Visible
+        && std::ranges::find(cells, centre) == cells.end())
+        visit(centre);
+    return cells;
+}
+
+QString caption(const Seeing& seeing, std::span<const unsigned> cells)
+{
+    if (!seeing.line)
+        return tr("The walk goes from cell to cell, to the right. %1").arg(pointAtALine());
+    if (cells.empty())
+        return tr("Both ends are beyond one edge: there is no walk, nothing is visible.");
+    QStringList names;
+    for (const unsigned cell : cells)
+        names << QString::number(cell);
+    const QString walk =
+        tr("From the left end through cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
+    return walk + QStringLiteral(" ")
+           + (seeing.trace.outcome == clipping::Outcome::Visible
+                  ? tr("What lies in cell 4 is visible.")
+                  : tr("It does not come to cell 4: nothing is visible."));
+}
+
+} // namespace
+
+Overlay cellOverlay(const Seeing& seeing)
+{
+    std::vector<unsigned> cells;
+    if (seeing.line)
+        cells = visited(seeing);
+    Overlay overlay{.lines = regionBorders(seeing), .caption = caption(seeing, cells)};
+    for (const unsigned cell : {0U, 1U, 3U, 4U, 6U, 7U}) {
+        OverlayArea area = cellArea(cell, seeing);
+        area.pointed = seeing.pointer && cellOf(*seeing.pointer, seeing.window) == cell;
+        if (std::ranges::find(cells, cell) != cells.end())
+            area.emphasis = Emphasis::Lit;
+        overlay.areas.push_back(std::move(area));
+    }
+    overlay.areas.push_back(
+        {.corners = common(seeing.seen, std::array{beyond(Edge::Right, seeing.window)}),
+         .ground = OverlayArea::Ground::Hatched});
+    if (!seeing.line)
+        return overlay;
+    const clipping::Segment line = walked(*seeing.line);
+    std::vector<EndMove> moves = movesOf(seeing.trace, line);
+    for (EndMove& move : moves)
+        move.ofB = move.ofB != (line != *seeing.line);
+    overlay.marks = moveMarks(seeing, moves);
+    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+        overlay.marks.push_back(std::move(mark));
+    return overlay;
+}
+
+} // namespace app

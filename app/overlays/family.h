@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/overlays/overlay.h"
+
+#include <span>
+
+// The families of overlays: a file each, and a row in catalogue.cpp for every algorithm.
+
+namespace app {
+
+/// What a family is given: all numbers are finite, and the window's min <= max.
+struct Seeing : OverlaySubject {
+    clipping::Trace trace{}; ///< of the line, if there is one
+
+    /// How this form runs on another line.
+    clipping::Trace traceOf(const clipping::Segment& other) const
+    {
+        return clipping::usesOf(*clipper.algorithm, clipper.form)->trace(other, window);
+    }
+};
+
+struct OverlayFamily {
+    std::string_view key; ///< of the algorithm
+    Overlay (*overlay)(const Seeing&);
+};
+std::span<const OverlayFamily> overlayFamilies();
+
+Overlay outcodeOverlay(const Seeing& seeing);   ///< Cohen-Sutherland
+Overlay scriptOverlay(const Seeing& seeing);    ///< Sobkow-Pospisil-Yang
+Overlay midpointOverlay(const Seeing& seeing);  ///< Midpoint subdivision
+Overlay signOverlay(const Seeing& seeing);      ///< Skala
+Overlay sectorOverlay(const Seeing& seeing);    ///< Nicholl-Lee-Nicholl
+Overlay parameterOverlay(const Seeing& seeing); ///< Liang-Barsky, Cyrus-Beck
+Overlay pushOverlay(const Seeing& seeing);      ///< Kodituwakku…, Matthes-Drakopoulos
+Overlay cellOverlay(const Seeing& seeing);      ///< Slater-Barsky
+Overlay turnOverlay(const Seeing& seeing);      ///< Exact
+
+} // namespace app

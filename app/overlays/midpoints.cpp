@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/midpoints.h"
+
+#include "app/overlays/parts.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+constexpr std::size_t shownHalvings = 6; // the next ones are less than a pixel apart, as a rule
+
+void search(bool forB, const clipping::Segment& line, const clipping::Window& window,
+            std::size_t most, std::vector<Halving>& all)
+{
+    const Point d = line.b - line.a;
+    // As the library has it: the way from a is compared with the ways to the edges.
+    const clipping::Window gaps{window.min - line.a, window.max - line.a};
+    const auto codeAt = [&](double t) { return clipping::outcodeOf(t * d, gaps); };
+    double near = forB ? 0 : 1, far = forB ? 1 : 0;
+    unsigned nearCode = clipping::outcodeOf(forB ? line.a : line.b, window);
+    unsigned farCode = clipping::outcodeOf(forB ? line.b : line.a, window);
+    for (std::size_t i = 0; i < most && farCode != 0 && (nearCode & farCode) == 0; ++i) {
+        const double middle = (near + far) / 2;
+        const unsigned code = codeAt(middle);
+        const bool drop = (code & farCode) != 0;
+        (drop ? far : near) = middle;
+        (drop ? farCode : nearCode) = code;
+        all.push_back({forB, middle, nearCode, farCode});
+    }
+}
+
+QString caption(const Seeing& seeing)
+{
+    if (!seeing.line)
+        return tr("Outcodes tell which half cannot hold the end that is looked for. %1")
+            .arg(pointAtALine());
+    const auto [a, b] = codesOf(seeing);
+    if ((a & b) != 0 || (a | b) == 0)
+        return codeWords(seeing);
+    return seeing.trace.outcome == clipping::Outcome::Visible
+               ? tr("The first midpoints are numbered: each halves what may hold the end.")
+               : tr("Halving finds two points beyond one edge: nothing is visible.");
+}
+
+} // namespace
+
+std::vector<Halving> halvings(const clipping::Segment& line, const clipping::Window& window,
+                              std::size_t most)
+{
+    std::vector<Halving> all;
+    if (clipping::outcodeOf(line.a, window) & clipping::outcodeOf(line.b, window))
+        return all;
+    search(true, line, window, most, all);
+    if (all.empty() || (all.back().nearCode & all.back().farCode) == 0)
+        search(false, line, window, most, all);
+    return all;
+}
+
+Overlay midpointOverlay(const Seeing& seeing)
+{
+    Overlay overlay{.areas = outcodeRegions(seeing),
+                    .lines = regionBorders(seeing),
+                    .caption = caption(seeing)};
+    if (!seeing.line)
+        return overlay;
+    const auto& [a, b] = *seeing.line;
+    int number = 0;
+    bool forB = true;
+    for (const Halving& halving : halvings(*seeing.line, seeing.window, shownHalvings)) {
+        number = halving.forB == forB ? number + 1 : 1;
+        forB = halving.forB;
+        overlay.marks.push_back(
+            {.at = a + halving.t * (b - a),
+             .symbol = forB ? OverlayMark::Symbol::Filled : OverlayMark::Symbol::Hollow,
+             .label = QString::number(number),
+             .emphasis = Emphasis::Lit});
+    }
+    const auto [codeA, codeB] = codesOf(seeing);
+    for (OverlayMark& mark :
+         endMarks(*seeing.line, outcodeText(codeA, seeing.y), outcodeText(codeB, seeing.y)))
+        overlay.marks.push_back(std::move(mark));
+    overlay.table = codeTable(seeing);
+    return overlay;
+}
+
+} // namespace app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// None, left, right, bottom, top, as they are seen.
+std::size_t seenEdge(Edge edge, YAxis y)
+{
+    const auto at = std::size_t(edge);
+    return y == YAxis::Down && at >= 3 ? 7 - at : at;
+}
+
+} // namespace
+
+QString edgeName(Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> names{
+        QT_TRANSLATE_NOOP("Overlay", "none"), QT_TRANSLATE_NOOP("Overlay", "left"),
+        QT_TRANSLATE_NOOP("Overlay", "right"), QT_TRANSLATE_NOOP("Overlay", "bottom"),
+        QT_TRANSLATE_NOOP("Overlay", "top")};
+    return tr(names[seenEdge(edge, y)]);
+}
+
+QString edgeLetter(Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> letters{"", "L", "R", "B", "T"};
+    return QString::fromLatin1(letters[seenEdge(edge, y)]);
+}
+
+QString endName(bool ofB) { return ofB ? tr("End 2") : tr("End 1"); }
+
+QString pointAtALine() { return tr("Point at a line, select one, or draw one to see its way."); }
+
+} // namespace app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+QString caption(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    if (!seeing.line)
+        return tr("A bit for each edge that a point is beyond: above, below, right, left. %1")
+            .arg(pointAtALine());
+    QString text = codeWords(seeing);
+    if (moves.empty())
+        return text;
+    text += QStringLiteral(" ")
+            + tr("%1 is cut at %2 first.")
+                  .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, seeing.y));
+    if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
+        text += QStringLiteral(" ") + tr("Its codes go round and round: it is stopped.");
+    return text;
+}
+
+} // namespace
+
+Overlay outcodeOverlay(const Seeing& seeing)
+{
+    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    std::vector<EndMove> moves;
+    if (seeing.line) {
+        moves = movesOf(seeing.trace, *seeing.line);
+        constexpr std::size_t enough = 4; // no form that ends has more
+        if (moves.size() > enough)
+            moves.resize(enough);
+        const auto [a, b] = codesOf(seeing);
+        for (OverlayLine& line : moveLines(seeing, moves))
+            overlay.lines.push_back(std::move(line));
+        overlay.marks = moveMarks(seeing, moves);
+        for (OverlayMark& mark :
+             endMarks(*seeing.line, outcodeText(a, seeing.y), outcodeText(b, seeing.y)))
+            overlay.marks.push_back(std::move(mark));
+        overlay.table = codeTable(seeing);
+    }
+    overlay.caption = caption(seeing, moves);
+    return overlay;
+}
+
+} // namespace app

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/half_plane.h"
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// Where the line meets the line of an edge.
+struct Crossing {
+    Edge edge = Edge::None;
+    double t = 0;
+    bool enters = false;
+    Point at{};
+};
+
+/// The parameter that the algorithm found for an edge; nothing: it had no need to.
+std::optional<double> found(const clipping::Trace& trace, Edge edge)
+{
+    for (const clipping::Step& step : trace.steps)
+        for (const clipping::NamedValue& value : step.values)
+            if (step.edge == edge && (value.name == "r" || value.name == "t"))
+                return value.value;
+    return std::nullopt;
+}
+
+/// Nothing where the line runs along the edge, or comes near it nowhere that a number can name.
+std::optional<Crossing> crossing(Edge edge, const Seeing& seeing)
+{
+    const auto axis = clipping::axisOf(edge);
+    const auto& [a, b] = *seeing.line;
+    const Point d = b - a;
+    if (d[axis] == 0)
+        return std::nullopt;
+    const double level = clipping::levelOf(edge, seeing.window);
+    const double t = found(seeing.trace, edge).value_or((level - a[axis]) / d[axis]);
+    Point at = a + t * d;
+    at[axis] = level;
+    const bool low = edge == clipping::lowerEdge(axis);
+    if (!std::isfinite(t) || !std::isfinite(at.x) || !std::isfinite(at.y))
+        return std::nullopt;
+    return Crossing{edge, t, low == (d[axis] > 0), at};
+}
+
+/// The last entry and the first exit: what bounds the visible part. None: the line's own end does.
+struct Bounds {
+    Edge enter = Edge::None, leave = Edge::None;
+    double from = 0, to = 1;
+    bool has(Edge edge) const { return edge == enter || edge == leave; }
+};
+Bounds boundsOf(std::span<const Crossing> crossings)
+{
+    Bounds bounds;
+    for (const Crossing& c : crossings)
+        if (c.enters && c.t > bounds.from)
+            bounds.from = c.t, bounds.enter = c.edge;
+        else if (!c.enters && c.t < bounds.to)
+            bounds.to = c.t, bounds.leave = c.edge;
+    return bounds;
+}
+
+/// The edge along which the line runs outside the window.
+Edge shutOut(const Seeing& seeing)
+{
+    const auto& [a, b] = *seeing.line;
+    for (const Edge edge : windowEdges) {
+        const auto axis = clipping::axisOf(edge);
+        const double level = clipping::levelOf(edge, seeing.window);
+        if (a[axis] == b[axis]
+            && (edge == clipping::lowerEdge(axis) ? a[axis] < level : a[axis] > level))
+            return edge;
+    }
+    return Edge::None;
+}
+
+QString caption(const Seeing& seeing, const Bounds& bounds)
+{
+    if (!seeing.line)
+        return tr("Four half-planes, kept on the side without hatching. %1").arg(pointAtALine());
+    const auto words = [&](Edge edge) { return edgeWords(edge, seeing.y); };
+    if (const Edge edge = shutOut(seeing); edge != Edge::None)
+        return tr("The line runs along %1, outside it: nothing is visible.").arg(words(edge));
+    const QString start = bounds.enter == Edge::None
+                              ? tr("It starts inside all four half-planes")
+                              : tr("It enters the last half-plane at t = %1, %2")
+                                    .arg(shortText(bounds.from), words(bounds.enter));
+    const QString stop = bounds.leave == Edge::None
+                             ? tr("leaves none before its end")
+                             : tr("leaves the first one at t = %1, %2")
+                                   .arg(shortText(bounds.to), words(bounds.leave));
+    const QString end = bounds.from > bounds.to
+                            ? tr("It leaves before it has entered: nothing is visible.")
+                            : tr("What is between is visible.");
+    return tr("%1 and %2. %3").arg(start, stop, end);
+}
+
+void addHalfPlanes(Overlay& overlay, const Seeing& seeing, const Bounds& bounds)
+{
+    for (const Edge edge : windowEdges)
+        if (auto line = border(edge, seeing)) {
+            line->label = edgeName(edge, seeing.y);
+            line->outwards = beyond(edge, seeing.window).normal;
+            line->emphasis = bounds.has(edge) ? Emphasis::Lit : Emphasis::Quiet;
+            overlay.lines.push_back(*line);
+        }
+}
+
+} // namespace
+
+Overlay parameterOverlay(const Seeing& seeing)
+{
+    std::vector<Crossing> crossings;
+    if (seeing.line)
+        for (const Edge edge : windowEdges)
+            if (const auto found = crossing(edge, seeing))
+                crossings.push_back(*found);
+    std::ranges::stable_sort(crossings, {}, &Crossing::t);
+    const Bounds bounds = boundsOf(crossings);
+    Overlay overlay{.caption = caption(seeing, bounds)};
+    addHalfPlanes(overlay, seeing, bounds);
+    if (!seeing.line)
+        return overlay;
+    OverlayAxis axis{.from = bounds.from, .to = bounds.to};
+    if (shutOut(seeing) != Edge::None)
+        axis.from = 1, axis.to = 0;
+    for (const Crossing& c : crossings) {
+        const auto emphasis = bounds.has(c.edge) ? Emphasis::Lit : Emphasis::Quiet;
+        using Symbol = OverlayMark::Symbol;
+        overlay.marks.push_back(
+            {.at = c.at,
+             .symbol = c.enters ? Symbol::Filled : Symbol::Hollow,
+             .label = (c.enters ? tr("enters  t = %1") : tr("leaves  t = %1")).arg(shortText(c.t)),
+             .emphasis = emphasis});
+        axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, seeing.y), emphasis});
+    }
+    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+        overlay.marks.push_back(std::move(mark));
+    overlay.axis = std::move(axis);
+    return overlay;
+}
+
+} // namespace app

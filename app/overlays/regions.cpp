@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/half_plane.h"
+#include "app/overlays/parts.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// The rectangle with that outcode, as far as it is seen.
+std::vector<Point> regionCorners(unsigned code, const clipping::Window& window,
+                                 const clipping::Window& seen)
+{
+    clipping::Window region = window;
+    for (const Edge edge : windowEdges) {
+        const auto axis = clipping::axisOf(edge);
+        if (!(code & bitOf(edge)))
+            continue;
+        const bool low = edge == clipping::lowerEdge(axis);
+        (low ? region.max : region.min)[axis] = clipping::levelOf(edge, window);
+        (low ? region.min : region.max)[axis] = (low ? seen.min : seen.max)[axis];
+    }
+    return common({glm::max(region.min, seen.min), glm::min(region.max, seen.max)}, {});
+}
+
+std::uint32_t setBits(const QString& code)
+{
+    std::uint32_t bits = 0;
+    for (qsizetype i = 0; i < code.size(); ++i)
+        bits |= std::uint32_t(code[i] == u'1') << i;
+    return bits;
+}
+
+} // namespace
+
+std::vector<OverlayArea> regionsNamed(const Seeing& seeing, QString (*name)(unsigned code, YAxis y))
+{
+    std::optional<unsigned> pointed;
+    if (seeing.pointer)
+        pointed = clipping::outcodeOf(*seeing.pointer, seeing.window);
+    std::vector<OverlayArea> areas;
+    for (const unsigned code : {5U, 4U, 6U, 1U, 0U, 2U, 9U, 8U, 10U})
+        areas.push_back({.corners = regionCorners(code, seeing.window, seeing.seen),
+                         .label = name(code, seeing.y),
+                         .pointed = code == pointed});
+    return areas;
+}
+
+std::vector<OverlayArea> outcodeRegions(const Seeing& seeing)
+{
+    std::vector<OverlayArea> areas = regionsNamed(seeing, outcodeText);
+    for (OverlayArea& area : areas)
+        area.strong = setBits(area.label);
+    return areas;
+}
+
+std::optional<OverlayLine> border(Edge edge, const Seeing& seeing)
+{
+    const auto axis = clipping::axisOf(edge);
+    const double level = clipping::levelOf(edge, seeing.window);
+    if (level < seeing.seen.min[axis] || level > seeing.seen.max[axis])
+        return std::nullopt;
+    clipping::Segment line{seeing.seen.min, seeing.seen.max};
+    line.a[axis] = line.b[axis] = level;
+    return OverlayLine{.segment = line};
+}
+
+std::vector<OverlayLine> regionBorders(const Seeing& seeing)
+{
+    std::vector<OverlayLine> lines;
+    for (const Edge edge : windowEdges)
+        if (const auto line = border(edge, seeing))
+            lines.push_back(*line);
+    return lines;
+}
+
+std::vector<OverlayMark> endMarks(const clipping::Segment& line, const QString& ofA,
+                                  const QString& ofB)
+{
+    const auto mark = [](const Point& at, bool isB, const QString& word) {
+        return OverlayMark{.at = at,
+                           .label = word.isEmpty() ? endName(isB)
+                                                   : endName(isB) + QStringLiteral("  ") + word};
+    };
+    return {mark(line.a, false, ofA), mark(line.b, true, ofB)};
+}
+
+CodePair codesOf(const Seeing& seeing)
+{
+    return {clipping::outcodeOf(seeing.line->a, seeing.window),
+            clipping::outcodeOf(seeing.line->b, seeing.window)};
+}
+
+OverlayTable codeTable(const Seeing& seeing)
+{
+    const auto [a, b] = codesOf(seeing);
+    const auto text = [&](unsigned code) { return outcodeText(code, seeing.y); };
+    OverlayTable table{{QString(), tr("code")},
+                       {{endName(false), text(a)},
+                        {endName(true), text(b)},
+                        {QStringLiteral("AND"), text(a & b)},
+                        {QStringLiteral("OR"), text(a | b)}}};
+    if ((a & b) != 0)
+        table.lit = 2;
+    else if ((a | b) == 0)
+        table.lit = 3;
+    return table;
+}
+
+QString codeWords(const Seeing& seeing)
+{
+    const auto [a, b] = codesOf(seeing);
+    if ((a | b) == 0)
+        return tr("Both codes are 0000: the whole line is inside.");
+    if ((a & b) == 0)
+        return tr("The codes share no bit and are not both 0000: they do not decide.");
+    QStringList names;
+    for (const Edge edge : windowEdges)
+        if (a & b & bitOf(edge))
+            names << edgeWords(edge, seeing.y);
+    return tr("The codes share a bit: both ends are beyond %1, nothing is visible.")
+        .arg(names.join(tr(" and ")));
+}
+
+} // namespace app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// C, L, R, B, T and two letters at the corners, as in the authors' table.
+QString regionName(unsigned code, YAxis y)
+{
+    QString name;
+    for (const Edge edge : windowEdges)
+        if (code & bitOf(edge))
+            name += edgeLetter(edge, y);
+    return name.isEmpty() ? QStringLiteral("C") : name;
+}
+
+OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    const auto [a, b] = codesOf(seeing);
+    OverlayTable table{
+        {tr("case"), tr("%1 to %2").arg(regionName(a, seeing.y), regionName(b, seeing.y))}, {}, {}};
+    for (const EndMove& move : moves)
+        table.rows.push_back(
+            {QString::number(table.rows.size() + 1),
+             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, seeing.y))});
+    const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
+    table.rows.push_back({{}, visible ? tr("visible") : tr("rejected")});
+    table.lit = table.rows.size() - 1;
+    return table;
+}
+
+QString caption(const Seeing& seeing)
+{
+    if (!seeing.line)
+        return tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
+    const auto [a, b] = codesOf(seeing);
+    const QString pair =
+        tr("End 1 in %1, End 2 in %2").arg(regionName(a, seeing.y), regionName(b, seeing.y));
+    if ((a & b) != 0)
+        return tr("%1: the script of this case rejects at once.").arg(pair);
+    if ((a | b) == 0)
+        return tr("%1: the script of this case is empty, the line is inside.").arg(pair);
+    return seeing.trace.outcome == clipping::Outcome::Visible
+               ? tr("%1: the script of this case leaves a visible part.").arg(pair)
+               : tr("%1: the script of this case finds that nothing is visible.").arg(pair);
+}
+
+} // namespace
+
+Overlay scriptOverlay(const Seeing& seeing)
+{
+    Overlay overlay{.areas = regionsNamed(seeing, regionName),
+                    .lines = regionBorders(seeing),
+                    .caption = caption(seeing)};
+    if (!seeing.line)
+        return overlay;
+    const auto [a, b] = codesOf(seeing);
+    for (OverlayArea& area : overlay.areas)
+        if (area.label == regionName(a, seeing.y) || area.label == regionName(b, seeing.y))
+            area.emphasis = Emphasis::Lit;
+    const auto moves = movesOf(seeing.trace, *seeing.line);
+    for (OverlayLine& line : moveLines(seeing, moves))
+        overlay.lines.push_back(std::move(line));
+    overlay.marks = moveMarks(seeing, moves);
+    for (OverlayMark& mark :
+         endMarks(*seeing.line, regionName(a, seeing.y), regionName(b, seeing.y)))
+        overlay.marks.push_back(std::move(mark));
+    overlay.table = table(seeing, moves);
+    return overlay;
+}
+
+} // namespace app

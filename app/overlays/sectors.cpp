@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/half_plane.h"
+#include "app/overlays/parts.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// By which edges a line that starts at the first end comes into the window and leaves it.
+struct Sector {
+    Edge enter = Edge::None, leave = Edge::None;
+    friend bool operator==(const Sector&, const Sector&) = default;
+};
+
+/// As Nicholl, Lee and Nicholl name it: "LT"; inside without a cut: "in".
+QString labelOf(const Sector& sector, YAxis y)
+{
+    const QString text = edgeLetter(sector.enter, y) + edgeLetter(sector.leave, y);
+    return text.isEmpty() ? tr("in") : text;
+}
+
+/// What the library did: nothing if nothing was visible.
+std::optional<Sector> sectorOf(const clipping::Trace& trace, const clipping::Segment& line)
+{
+    if (trace.outcome != clipping::Outcome::Visible)
+        return std::nullopt;
+    Sector sector;
+    for (const EndMove& move : movesOf(trace, line))
+        (move.ofB ? sector.leave : sector.enter) = move.edge;
+    return sector;
+}
+
+/// The plane as it is seen from the first end.
+class Around {
+public:
+    Around(const Point& eye, const Seeing& seeing) : eye_(eye), seeing_(seeing)
+    {
+        for (const Edge edge : windowEdges)
+            if (isBeyond(edge))
+                facing_.push_back(edge);
+    }
+
+    std::vector<OverlayArea> sectors() const
+    {
+        std::vector<OverlayArea> areas = blind();
+        const std::vector<Edge> entries = facing_.empty() ? std::vector{Edge::None} : facing_;
+        for (const Edge enter : entries) {
+            areas.push_back(sector({enter, Edge::None}));
+            for (const Edge leave : windowEdges)
+                if (std::ranges::find(facing_, leave) == facing_.end())
+                    areas.push_back(sector({enter, leave}));
+        }
+        return areas;
+    }
+
+    std::vector<OverlayLine> rays() const
+    {
+        const auto& [min, max] = seeing_.window;
+        static const auto* const ray = clipping::findAlgorithm("liang-barsky")->ray;
+        std::vector<OverlayLine> lines;
+        for (const Point& corner : {min, Point(max.x, min.y), max, Point(min.x, max.y)})
+            if (const auto part = ray->clip({eye_, corner}, seeing_.seen))
+                lines.push_back({.segment = *part, .kind = OverlayLine::Kind::Ray});
+        return lines;
+    }
+
+private:
+    bool isBeyond(Edge edge) const
+    {
+        const auto axis = clipping::axisOf(edge);
+        const double level = clipping::levelOf(edge, seeing_.window);
+        return edge == clipping::lowerEdge(axis) ? eye_[axis] < level : eye_[axis] > level;
+    }
+    /// The wedge in which the eye sees an edge.
+    void addWedge(std::vector<HalfPlane>& halves, Edge edge) const
+    {
+        const auto [one, other] = cornersOf(edge, seeing_.window);
+        halves.push_back(sideOf(eye_, one, other));
+        halves.push_back(sideOf(eye_, other, one));
+    }
+    OverlayArea sector(const Sector& of) const
+    {
+        std::vector<HalfPlane> halves;
+        if (of.enter != Edge::None)
+            addWedge(halves, of.enter);
+        if (of.leave != Edge::None) {
+            addWedge(halves, of.leave);
+            halves.push_back(beyond(of.leave, seeing_.window));
+        } else
+            for (const Edge edge : windowEdges)
+                halves.push_back(beyond(edge, seeing_.window).other());
+        return {.corners = common(seeing_.seen, halves), .label = labelOf(of, seeing_.y)};
+    }
+    OverlayArea hatched(std::span<const HalfPlane> halves) const
+    {
+        return {.corners = common(seeing_.seen, halves), .ground = OverlayArea::Ground::Hatched};
+    }
+    /// Where a line from the eye ends without having met the window: beside it, and in front.
+    std::vector<OverlayArea> blind() const
+    {
+        std::vector<OverlayArea> areas;
+        if (facing_.empty())
+            return areas;
+        const auto [one, other] = outermost();
+        const HalfPlane in = sideOf(eye_, one, other), too = sideOf(eye_, other, one);
+        areas.push_back(hatched(std::array{in.other()}));
+        areas.push_back(hatched(std::array{in, too.other()}));
+        for (const Edge edge : facing_) {
+            std::vector<HalfPlane> halves{beyond(edge, seeing_.window)};
+            addWedge(halves, edge);
+            areas.push_back(hatched(halves));
+        }
+        return areas;
+    }
+    /// The corners between which the eye sees the window: of one edge, or of two, which meet.
+    EdgeCorners outermost() const
+    {
+        const EdgeCorners first = cornersOf(facing_.front(), seeing_.window);
+        if (facing_.size() == 1)
+            return first;
+        const EdgeCorners second = cornersOf(facing_.back(), seeing_.window);
+        const Point shared =
+            first.one == second.one || first.one == second.other ? first.one : first.other;
+        return {first.one == shared ? first.other : first.one,
+                second.one == shared ? second.other : second.one};
+    }
+
+    Point eye_;
+    const Seeing& seeing_;
+    std::vector<Edge> facing_; ///< the edges that the eye is beyond
+};
+
+OverlayArea* areaOf(std::vector<OverlayArea>& areas, const std::optional<Sector>& sector, YAxis y)
+{
+    if (!sector)
+        return nullptr;
+    const auto area = std::ranges::find(areas, labelOf(*sector, y), &OverlayArea::label);
+    return area == areas.end() ? nullptr : &*area;
+}
+
+QString placeWords(const Point& eye, const Seeing& seeing)
+{
+    const unsigned code = clipping::outcodeOf(eye, seeing.window);
+    return code == 0             ? tr("inside the window")
+           : (code & (code - 1)) ? tr("beyond a corner")
+                                 : tr("beyond an edge");
+}
+
+QString caption(const Seeing& seeing, const Point& eye, const std::optional<Sector>& sector)
+{
+    const QString place = placeWords(eye, seeing);
+    if (!seeing.line)
+        return tr("These are the sectors of a line whose End 1 is here, %1. %2")
+            .arg(place, pointAtALine());
+    if (!sector)
+        return tr("End 1 lies %1, and End 2 where no line from there has met the window: "
+                  "nothing is visible.")
+            .arg(place);
+    if (*sector == Sector{})
+        return tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
+    const auto words = [&](Edge edge) { return edgeWords(edge, seeing.y); };
+    const QString text =
+        sector->enter == Edge::None   ? tr("the line leaves through %1").arg(words(sector->leave))
+        : sector->leave == Edge::None ? tr("the line enters through %1").arg(words(sector->enter))
+                                      : tr("the line enters through %1 and leaves through %2")
+                                            .arg(words(sector->enter), words(sector->leave));
+    return tr("End 1 lies %1, End 2 in sector %2: %3.")
+        .arg(place, labelOf(*sector, seeing.y), text);
+}
+
+} // namespace
+
+Overlay sectorOverlay(const Seeing& seeing)
+{
+    if (!seeing.line && !seeing.pointer)
+        return {.areas = outcodeRegions(seeing),
+                .lines = regionBorders(seeing),
+                .caption = pointAtALine()};
+    const Point eye = seeing.line ? seeing.line->a : *seeing.pointer;
+    const Around around(eye, seeing);
+    Overlay overlay{.areas = around.sectors(), .lines = around.rays()};
+    std::optional<Sector> sector;
+    if (seeing.line) {
+        sector = sectorOf(seeing.trace, *seeing.line);
+        if (OverlayArea* area = areaOf(overlay.areas, sector, seeing.y))
+            area->emphasis = Emphasis::Lit;
+        overlay.marks = endMarks(*seeing.line, {}, sector ? labelOf(*sector, seeing.y) : QString());
+    }
+    if (seeing.pointer) {
+        const clipping::Segment there{eye, *seeing.pointer};
+        const auto to = sectorOf(seeing.traceOf(there), there);
+        if (OverlayArea* area = areaOf(overlay.areas, to, seeing.y))
+            area->pointed = true;
+    }
+    overlay.caption = caption(seeing, eye, sector);
+    return overlay;
+}
+
+} // namespace app

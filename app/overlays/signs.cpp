@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// Skala's edges e0 to e3; edge k joins corner k to the next.
+constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
+
+/// The corners whose bits are set lie on the line's left, where y points up. Nothing: it was not
+/// asked, because the outcodes had decided.
+std::optional<unsigned> patternOf(const clipping::Trace& trace)
+{
+    std::optional<unsigned> pattern; // the last: a doubtful one is asked again
+    for (const clipping::Step& step : trace.steps)
+        for (const clipping::NamedValue& value : step.values)
+            if (value.name == "c")
+                pattern = unsigned(value.value);
+    return pattern;
+}
+
+QString bitsOf(unsigned pattern)
+{
+    return QStringLiteral("%1").arg(pattern, 4, 2, QLatin1Char('0'));
+}
+
+/// Whether two opposite corners have one sign and the others the other: no line does that.
+constexpr bool isImpossible(unsigned pattern) { return pattern == 5 || pattern == 10; }
+
+/// The edges whose corners have different signs, and so are crossed.
+QString crossedBy(unsigned pattern, YAxis y)
+{
+    if (isImpossible(pattern))
+        return tr("impossible");
+    QStringList crossed;
+    for (unsigned k = 0; k < 4; ++k)
+        if ((pattern >> k & 1U) != (pattern >> (k + 1) % 4 & 1U))
+            crossed << edgeName(edges[k], y);
+    return crossed.isEmpty() ? tr("none") : crossed.join(tr(", "));
+}
+
+OverlayTable table(std::optional<unsigned> pattern, YAxis y)
+{
+    OverlayTable table{{tr("c"), tr("signs"), tr("crosses")}, {}, pattern};
+    for (unsigned c = 0; c < 16; ++c)
+        table.rows.push_back({QString::number(c), bitsOf(c), crossedBy(c, y)});
+    return table;
+}
+
+void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& window)
+{
+    const auto& [min, max] = window;
+    const std::array<Point, 4> corners{min, {max.x, min.y}, max, {min.x, max.y}};
+    using Symbol = OverlayMark::Symbol;
+    for (unsigned k = 0; k < 4; ++k)
+        overlay.marks.push_back({.at = corners[k],
+                                 .symbol = pattern >> k & 1U ? Symbol::Plus : Symbol::Minus,
+                                 .label = QStringLiteral("x%1").arg(k),
+                                 .emphasis = Emphasis::Lit});
+}
+
+/// The whole line, beyond its ends: it is what the corners are asked about.
+std::optional<OverlayLine> endless(const Seeing& seeing)
+{
+    const auto& [a, b] = *seeing.line;
+    const auto part = clipping::findAlgorithm("liang-barsky")->line->clip({a, b}, seeing.seen);
+    if (!part)
+        return std::nullopt;
+    return OverlayLine{.segment = *part, .kind = OverlayLine::Kind::Ray};
+}
+
+QString caption(const Seeing& seeing, std::optional<unsigned> pattern)
+{
+    if (!seeing.line)
+        return tr("First the outcodes are asked; then on which side of the line each corner of "
+                  "the window lies. %1")
+            .arg(pointAtALine());
+    if (!pattern)
+        return tr("%1 No corner had to be asked.").arg(codeWords(seeing));
+    const QString signs = tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
+                              .arg(*pattern)
+                              .arg(bitsOf(*pattern));
+    if (isImpossible(*pattern))
+        return signs + tr("no line does that, only rounding.");
+    return signs
+           + (crossedBy(*pattern, seeing.y) == crossedBy(0, seeing.y)
+                  ? tr("all corners lie on one side, nothing is visible.")
+                  : tr("the line crosses %1.").arg(crossedBy(*pattern, seeing.y)));
+}
+
+} // namespace
+
+Overlay signOverlay(const Seeing& seeing)
+{
+    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    std::optional<unsigned> pattern;
+    if (seeing.line) {
+        pattern = patternOf(seeing.trace);
+        if (const auto line = endless(seeing))
+            overlay.lines.push_back(*line);
+        if (pattern)
+            addCorners(overlay, *pattern, seeing.window);
+        const auto [a, b] = codesOf(seeing);
+        for (OverlayMark& mark :
+             endMarks(*seeing.line, outcodeText(a, seeing.y), outcodeText(b, seeing.y)))
+            overlay.marks.push_back(std::move(mark));
+    }
+    overlay.table = table(pattern, seeing.y);
+    overlay.caption = caption(seeing, pattern);
+    return overlay;
+}
+
+} // namespace app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+#include "clipping/exact/turn.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// What `exact` asks about: the edges that the line comes to first and last on each axis, and
+/// whether it has to cross them.
+struct Way {
+    Edge near[2], far[2];
+    bool enters[2], leaves[2];
+};
+Way wayOf(const clipping::Segment& s, const clipping::Window& w)
+{
+    Way way{};
+    const unsigned a = clipping::outcodeOf(s.a, w), b = clipping::outcodeOf(s.b, w);
+    for (glm::length_t k = 0; k < 2; ++k) {
+        const bool up = s.a[k] < s.b[k];
+        way.near[k] = up ? clipping::lowerEdge(k) : clipping::upperEdge(k);
+        way.far[k] = up ? clipping::upperEdge(k) : clipping::lowerEdge(k);
+        way.enters[k] = (a & bitOf(way.near[k])) != 0;
+        way.leaves[k] = (b & bitOf(way.far[k])) != 0;
+    }
+    return way;
+}
+
+/// One question: on which side of the line that corner lies, between two edges.
+struct Question {
+    Edge edge[2];
+    bool decides; ///< whether the line misses the window, or only by which edge it comes and goes
+};
+std::vector<Question> questionsOf(const Way& way)
+{
+    std::vector<Question> questions;
+    for (const int k : {0, 1})
+        if (way.enters[k] && way.leaves[1 - k])
+            questions.push_back(
+                {{k == 0 ? way.near[0] : way.far[0], k == 0 ? way.far[1] : way.near[1]}, true});
+    if (way.enters[0] && way.enters[1])
+        questions.push_back({{way.near[0], way.near[1]}, false});
+    if (way.leaves[0] && way.leaves[1])
+        questions.push_back({{way.far[0], way.far[1]}, false});
+    return questions;
+}
+
+Point cornerOf(const Question& question, const clipping::Window& w)
+{
+    return {clipping::levelOf(question.edge[0], w), clipping::levelOf(question.edge[1], w)};
+}
+
+/// Whether the line passes a corner outside, with the corner and the opposite one on one side.
+bool passesOutside(const clipping::Segment& s, const Point& corner, const clipping::Window& w)
+{
+    const Point opposite(corner.x == w.min.x ? w.max.x : w.min.x,
+                         corner.y == w.min.y ? w.max.y : w.min.y);
+    const int here = clipping::turnInIntegers(s.a, s.b, s.a, corner);
+    return here != 0 && here == clipping::turnInIntegers(s.a, s.b, s.a, opposite);
+}
+
+QString caption(const Seeing& seeing, std::span<const EndMove> moves, std::size_t questions)
+{
+    if (!seeing.line)
+        return tr("Only the corners that can decide are asked on which side of the line they lie. "
+                  "%1")
+            .arg(pointAtALine());
+    const auto [a, b] = codesOf(seeing);
+    if ((a & b) != 0 || (a | b) == 0)
+        return (a & b) != 0 ? tr("Both ends are beyond one edge: nothing is visible, and no "
+                                 "corner is asked.")
+                            : tr("Both ends are inside: nothing is cut, and no corner is asked.");
+    if (seeing.trace.outcome != clipping::Outcome::Visible)
+        return tr("The line passes a corner on the outside: nothing is visible.");
+    QStringList ways;
+    for (const EndMove& move : moves)
+        ways << (move.ofB ? tr("leaves through %1") : tr("enters through %1"))
+                    .arg(edgeWords(move.edge, seeing.y));
+    const QString asked =
+        questions == 0 ? tr("No corner has to be asked") : tr("The corners decide");
+    return tr("%1: the line %2.").arg(asked, ways.join(tr(" and ")));
+}
+
+/// "left, not top": by which of two edges the line comes or goes.
+QString choiceWords(const Question& question, std::span<const EndMove> moves, YAxis y)
+{
+    for (const EndMove& move : moves)
+        for (const int k : {0, 1})
+            if (move.edge == question.edge[k])
+                return tr("%1, not %2")
+                    .arg(edgeName(move.edge, y), edgeName(question.edge[1 - k], y));
+    return {};
+}
+
+/// A mark at every corner that is asked; after one that the line passes outside none is.
+std::vector<OverlayMark> corners(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    using Symbol = OverlayMark::Symbol;
+    std::vector<OverlayMark> marks;
+    for (const Question& question : questionsOf(wayOf(*seeing.line, seeing.window))) {
+        const Point corner = cornerOf(question, seeing.window);
+        const bool missed = question.decides && passesOutside(*seeing.line, corner, seeing.window);
+        marks.push_back({.at = corner,
+                         .symbol = missed ? Symbol::Hollow : Symbol::Filled,
+                         .label = missed             ? tr("passed outside: missed")
+                                  : question.decides ? tr("passed inside: met")
+                                                     : choiceWords(question, moves, seeing.y),
+                         .emphasis = Emphasis::Lit});
+        if (missed)
+            break;
+    }
+    return marks;
+}
+
+} // namespace
+
+Overlay turnOverlay(const Seeing& seeing)
+{
+    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    std::vector<EndMove> moves;
+    if (seeing.line) {
+        moves = movesOf(seeing.trace, *seeing.line);
+        if (const auto [a, b] = codesOf(seeing); (a & b) == 0)
+            overlay.marks = corners(seeing, moves);
+    }
+    overlay.caption = caption(seeing, moves, overlay.marks.size());
+    if (seeing.line) {
+        for (OverlayMark& mark : moveMarks(seeing, moves))
+            overlay.marks.push_back(std::move(mark));
+        for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+            overlay.marks.push_back(std::move(mark));
+    }
+    return overlay;
+}
+
+} // namespace app

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/overlays/overlay_cases.h"
+
+using app::Clipper;
+using app::Emphasis;
+using app::Overlay;
+using app::OverlayArea;
+using app::OverlayMark;
+using app::Point;
+using app::YAxis;
+using clipping::Edge;
+using clipping::Segment;
+using clipping::Window;
+
+namespace {
+
+constexpr int cases = 3000;
+
+QString letters(Edge enter, Edge leave)
+{
+    const auto letter = [](Edge edge) {
+        return QString(std::array{"", "L", "R", "B", "T"}[std::size_t(edge)]);
+    };
+    const QString both = letter(enter) + letter(leave);
+    return both.isEmpty() ? QStringLiteral("in") : both;
+}
+
+bool isCorner(const Point& p, const Window& w)
+{
+    return (p.x == w.min.x || p.x == w.max.x) && (p.y == w.min.y || p.y == w.max.y);
+}
+
+Overlay of(const Clipper& clipper, const Window& w, const Segment& line,
+           std::optional<Point> pointer = {}, YAxis y = YAxis::Up)
+{
+    return app::overlayOf({clipper, w, line, pointer, everything, y});
+}
+
+} // namespace
+
+class LinesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // By another way: which edges cut is what clipAll writes beside each piece.
+    void theSectorUnderThePointerIsTheLibrarysBranch()
+    {
+        Cases some(1);
+        for (int i = 0; i < 2 * cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.pointNear(w), some.pointNear(w)};
+            for (const Clipper& clipper : formsOf({"NLN"})) {
+                const QByteArray what = said(clipper, w, line);
+                clipping::Clipped piece[1];
+                const bool visible = app::clipAll(clipper, {&line, 1}, w, piece) == 1;
+                const auto areas = pointed(of(clipper, w, {line.a, line.a}, line.b));
+                const auto lit = of(clipper, w, line).areas;
+                const auto isLit = [](const OverlayArea& a) { return a.emphasis == Emphasis::Lit; };
+                QVERIFY2(areas.size() == (visible ? 1 : 0), what);
+                QVERIFY2(std::ranges::count_if(lit, isLit) == (visible ? 1 : 0), what);
+                if (!visible)
+                    continue;
+                QVERIFY2(std::ranges::find_if(lit, isLit)->label == areas[0].label, what);
+                const auto& [a, b] = piece[0].segment;
+                if (isCorner(a, w) || isCorner(b, w)) // two edges are right
+                    continue;
+                const QString name =
+                    letters(clipping::cutEdgeOfA(piece[0].cut), clipping::cutEdgeOfB(piece[0].cut));
+                QVERIFY2(areas[0].label == name, what + " " + areas[0].label.toUtf8());
+            }
+        }
+    }
+
+    void sectorsCoverThePlaneOnce()
+    {
+        Cases some(2);
+        const Clipper nln{clipping::findAlgorithm("NLN")};
+        int inside = 0;
+        for (int i = 0; i < 2 * cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.point(), some.point()};
+            if (w.min.x == w.max.x || w.min.y == w.max.y || isCorner(line.a, w))
+                continue;
+            const bool visible = nln.algorithm->corrected.clip(line, w).has_value();
+            int here = 0;
+            bool onBorder = false;
+            for (const OverlayArea& area : of(nln, w, {line.a, line.a}, line.b).areas) {
+                const double d = depth(area.corners, line.b);
+                onBorder = onBorder || std::abs(d) < 1e-9;
+                if (d < 1e-9)
+                    continue;
+                ++here;
+                const bool hatched = area.ground == OverlayArea::Ground::Hatched;
+                QVERIFY2(hatched != visible, said(nln, w, line));
+                QVERIFY2(visible == area.pointed, said(nln, w, line));
+            }
+            QVERIFY2(onBorder || here == 1, said(nln, w, line));
+            inside += !onBorder;
+        }
+        QVERIFY(inside > cases);
+    }
+
+    void parametersAreTheLibrarys()
+    {
+        Cases some(3);
+        for (int i = 0; i < cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.pointNear(w), some.pointNear(w)};
+            for (const Clipper& clipper : formsOf({"LB", "CB"})) {
+                if (w.min.x == w.max.x || w.min.y == w.max.y)
+                    if (clipper.form == clipping::Form::Published)
+                        continue; // CB's normals vanish, and with them what it could see
+                const QByteArray what = said(clipper, w, line);
+                const auto trace = traceOf(clipper, line, w);
+                const Overlay overlay = of(clipper, w, line);
+                QVERIFY2((overlay.axis->from <= overlay.axis->to)
+                             == (trace.outcome == clipping::Outcome::Visible),
+                         what);
+                for (const clipping::Step& step : trace.steps)
+                    for (const clipping::NamedValue& value : step.values)
+                        if (step.edge != Edge::None && (value.name == "r" || value.name == "t")) {
+                            const QString name = std::array{"", "left", "right", "bottom",
+                                                            "top"}[std::size_t(step.edge)];
+                            const auto tick = std::ranges::find(overlay.axis->ticks, name,
+                                                                &app::OverlayAxis::Tick::edge);
+                            QVERIFY2(tick != overlay.axis->ticks.end(), what);
+                            QVERIFY2(tick->t == value.value, what);
+                        }
+                if (trace.outcome != clipping::Outcome::Visible)
+                    continue;
+                const Point d = line.b - line.a, a = line.a + overlay.axis->from * d,
+                            b = line.a + overlay.axis->to * d;
+                const auto near = [](const Point& p, const Point& q) {
+                    return std::abs(p.x - q.x) < 1e-12 && std::abs(p.y - q.y) < 1e-12;
+                };
+                QVERIFY2(near(a, trace.visible.a) && near(b, trace.visible.b), what);
+            }
+        }
+    }
+
+    void entriesAndExitsAreMarkedOnTheirEdges()
+    {
+        Cases some(4);
+        const Clipper lb{clipping::findAlgorithm("LB")};
+        for (int i = 0; i < cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.point(), some.point()};
+            const Overlay overlay = of(lb, w, line);
+            const Point d = line.b - line.a;
+            for (const app::OverlayAxis::Tick& tick : overlay.axis->ticks) {
+                const auto way = tick.edge == "left"     ? d.x
+                                 : tick.edge == "right"  ? -d.x
+                                 : tick.edge == "bottom" ? d.y
+                                                         : -d.y;
+                QVERIFY2(tick.enters == (way > 0), said(lb, w, line));
+            }
+            QCOMPARE(overlay.axis->ticks.size(),
+                     std::size_t((d.x != 0 ? 2 : 0) + (d.y != 0 ? 2 : 0)));
+        }
+    }
+
+    // The corners' signs against whole numbers; the lit row against the trace.
+    void signsAreTheLibrarys()
+    {
+        Cases some(5);
+        int asked = 0;
+        for (int i = 0; i < 4 * cases; ++i) {
+            const auto whole = [](const Point& p) {
+                return Point(std::round(p.x), std::round(p.y));
+            };
+            Window w = some.window();
+            w = {whole(w.min), whole(w.max)};
+            const Segment line{whole(some.pointNear(w)), whole(some.pointNear(w))};
+            for (const Clipper& clipper : formsOf({"Skala"})) {
+                const auto patterns = valuesNamed(traceOf(clipper, line, w), "c");
+                const Overlay overlay = of(clipper, w, line);
+                QVERIFY2(overlay.table->lit.has_value() == !patterns.empty(),
+                         said(clipper, w, line));
+                std::vector<OverlayMark> signs = overlay.marks;
+                std::erase_if(signs, [](const OverlayMark& m) { return !m.label.startsWith('x'); });
+                QVERIFY2(signs.size() == (patterns.empty() ? 0 : 4), said(clipper, w, line));
+                if (patterns.empty())
+                    continue;
+                ++asked;
+                QVERIFY2(*overlay.table->lit == std::size_t(patterns.back()),
+                         said(clipper, w, line));
+                bool allLeft = true;
+                const auto side = [&](const Point& p) {
+                    const Point d = line.b - line.a, e = p - line.a;
+                    return d.x * e.y - d.y * e.x;
+                };
+                for (const OverlayMark& mark : signs)
+                    allLeft = allLeft && side(mark.at) >= 0;
+                const bool strict = allLeft && clipper.form == clipping::Form::Corrected;
+                for (const OverlayMark& mark : signs)
+                    QVERIFY2((mark.symbol == OverlayMark::Symbol::Plus)
+                                 == (strict ? side(mark.at) > 0 : side(mark.at) >= 0),
+                             said(clipper, w, line));
+            }
+        }
+        QVERIFY(asked > cases);
+    }
+
+    void theTableOfSignsIsTheAlgorithms()
+    {
+        const Clipper skala{clipping::findAlgorithm("Skala")};
+        const auto rows = of(skala, {{0, 0}, {4, 3}}, {{1, 1}, {5, 2}}).table->rows;
+        QCOMPARE(rows.size(), std::size_t(16));
+        QCOMPARE(rows[3], (QStringList{"3", "0011", "right, left"}));
+        QCOMPARE(rows[8], (QStringList{"8", "1000", "top, left"}));
+        QCOMPARE(rows[5][2], QString("impossible"));
+        QCOMPARE(rows[15][2], QString("none"));
+        for (std::size_t c = 0; c < 16; ++c)
+            QCOMPARE(rows[c][2], rows[15 - c][2]);
+    }
+
+    void exactSaysWhichCornerDecides()
+    {
+        Cases some(6);
+        const Clipper exact = app::exactClipper();
+        for (int i = 0; i < 2 * cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.pointNear(w), some.pointNear(w)};
+            const Overlay overlay = of(exact, w, line);
+            const auto missed = std::ranges::count(overlay.marks, OverlayMark::Symbol::Hollow,
+                                                   &OverlayMark::symbol);
+            const auto beyondOne = [&](glm::length_t k) {
+                return (line.a[k] < w.min[k] && line.b[k] < w.min[k])
+                       || (line.a[k] > w.max[k] && line.b[k] > w.max[k]);
+            };
+            const bool visible = exact.algorithm->corrected.clip(line, w).has_value();
+            QVERIFY2((missed > 0) == (!visible && !beyondOne(0) && !beyondOne(1)),
+                     said(exact, w, line));
+        }
+    }
+
+    // What the pushes leave is what is visible, and the marks are where the trace has been.
+    void pushesEndWhereTheTraceEnds()
+    {
+        Cases some(7);
+        for (int i = 0; i < cases; ++i) {
+            const Window w = some.window();
+            const Segment line{some.pointNear(w), some.pointNear(w)};
+            for (const Clipper& clipper : formsOf({"KWC", "MD", "CS", "SPY"})) {
+                const auto trace = traceOf(clipper, line, w);
+                const Overlay overlay = of(clipper, w, line);
+                for (const OverlayMark& mark : overlay.marks) {
+                    if (mark.symbol != OverlayMark::Symbol::Diamond)
+                        continue;
+                    const auto was = [&](const clipping::Step& step) {
+                        return step.segment.a == mark.at || step.segment.b == mark.at;
+                    };
+                    QVERIFY2(std::ranges::any_of(trace.steps, was), said(clipper, w, line));
+                }
+                if (clipper.algorithm->abbreviation == "MD" && !trace.steps.empty())
+                    QCOMPARE(overlay.table->rows.back()[0],
+                             QString(trace.outcome == clipping::Outcome::Visible ? "visible"
+                                                                                 : "rejected"));
+            }
+        }
+    }
+
+    void badInputIsASentence()
+    {
+        const double nan = std::nan(""), huge = 1e300;
+        const Window w{{0, 0}, {4, 3}};
+        for (const Clipper& clipper : everyForm()) {
+            for (const auto& [window, line] : {std::pair{w, Segment{{nan, 0}, {1, 1}}},
+                                               {Window{{4, 3}, {0, 0}}, {{0, 0}, {1, 1}}},
+                                               {Window{{0, 0}, {INFINITY, 1}}, {{0, 0}, {1, 1}}}}) {
+                const Overlay overlay = of(clipper, window, line, Point(1, 1));
+                QVERIFY(!overlay.caption.isEmpty() && overlay.areas.empty());
+            }
+            for (const auto& [window, line] :
+                 {std::pair{Window{{2, 2}, {2, 2}}, Segment{{-huge, -huge}, {huge, huge}}},
+                  {w, {{-huge, 1}, {huge, 2}}},
+                  {w, {{1, 1}, {1, 1}}},
+                  {Window{{-huge, -huge}, {huge, huge}}, {{0, 0}, {huge, 1}}}}) {
+                const Overlay overlay = of(clipper, window, line, Point(nan, 1));
+                QVERIFY(!overlay.caption.isEmpty());
+                for (const OverlayArea& area : overlay.areas)
+                    for (const Point& corner : area.corners)
+                        QVERIFY2(depth({{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}, corner) > -1e-6,
+                                 said(clipper, window, line));
+            }
+            QVERIFY(!of(clipper, w, {{0, 0}, {1, 1}}, Point(nan, 1)).areas.empty()
+                    || clipper.algorithm->abbreviation == "LB"
+                    || clipper.algorithm->abbreviation == "CB");
+        }
+        for (const Clipper& clipper : app::clippers())
+            if (clipper.exhibit)
+                QVERIFY(!of(clipper, w, {{0, 0}, {9, 9}}).caption.isEmpty());
+    }
+
+    // Where y grows downwards on the screen, its top edge is the library's bottom.
+    void namesAreAsTheyAreSeen()
+    {
+        const Window w{{0, 0}, {4, 3}};
+        const Segment line{{1, -5}, {1, 2}};
+        const Clipper md{clipping::findAlgorithm("MD")};
+        QVERIFY(of(md, w, line, {}, YAxis::Down).caption.contains("the top edge"));
+        QVERIFY(of(md, w, line, {}, YAxis::Up).caption.contains("the bottom edge"));
+        const Clipper nln{clipping::findAlgorithm("NLN")};
+        const auto label = [&](YAxis y) {
+            return pointed(of(nln, w, {{1, 1}, {1, 1}}, Point(1, 9), y)).at(0).label;
+        };
+        QCOMPARE(label(YAxis::Up), QString("T"));
+        QCOMPARE(label(YAxis::Down), QString("B"));
+    }
+};
+
+QTEST_GUILESS_MAIN(LinesTest)
+#include "lines_test.moc"

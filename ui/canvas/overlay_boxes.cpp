@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/overlay_boxes.h"
+
+#include "app/overlays/label_places.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+using app::Emphasis;
+using app::OverlayAxis;
+using app::OverlayTable;
+
+constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
+constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 72, axisMargin = 52;
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+double rowHeight(const QFont& font) { return std::ceil(QFontMetricsF(font).height()) + 3; }
+
+std::vector<double> columnWidths(const OverlayTable& table, const QFont& font)
+{
+    const QFontMetricsF metrics(semiBold(font));
+    std::vector<double> widths(std::size_t(table.heading.size()), 0);
+    const auto widen = [&](const QStringList& cells) {
+        for (qsizetype i = 0; i < cells.size(); ++i)
+            widths[std::size_t(i)] =
+                std::max(widths[std::size_t(i)], std::ceil(metrics.horizontalAdvance(cells[i])));
+    };
+    widen(table.heading);
+    for (const QStringList& row : table.rows)
+        widen(row);
+    return widths;
+}
+
+// At the upper right; of a table that is too long the rows about the lit one.
+void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& room,
+                const QFont& font)
+{
+    double width = 2 * padding + columnGap * double(table.heading.size() - 1);
+    for (const double column : columnWidths(table, font))
+        width += column;
+    const double row = rowHeight(font), free = room.height() - 2 * padding - row;
+    if (width > room.width() || free < row)
+        return;
+    boxes.rows = std::min(table.rows.size(), std::size_t(free / row));
+    const std::size_t middle = table.lit.value_or(0), half = boxes.rows / 2;
+    boxes.firstRow = std::min(middle > half ? middle - half : 0, table.rows.size() - boxes.rows);
+    const double height = 2 * padding + row * double(boxes.rows + 1);
+    boxes.table = QRectF(room.right() - width, room.top(), width, height);
+}
+
+void placeCaption(OverlayBoxes& boxes, const QString& caption, const QRectF& room,
+                  const QFont& font)
+{
+    double width = std::min(widestCaption, room.width());
+    double top = room.top();
+    if (!boxes.table.isEmpty()) {
+        if (boxes.table.left() - inset - room.left() >= narrowestCaption)
+            width = std::min(width, boxes.table.left() - inset - room.left());
+        else
+            top = boxes.table.bottom() + inset;
+    }
+    const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0, 0, width - 2 * padding, 1e4),
+                                                         Qt::TextWordWrap | Qt::AlignLeft, caption);
+    const QRectF box(room.left(), top, std::ceil(text.width()) + 2 * padding + 1,
+                     std::ceil(text.height()) + 2 * padding - 4);
+    if (box.bottom() <= room.bottom())
+        boxes.caption = box;
+}
+
+void frame(QPainter& painter, const QRectF& box, const Look& look)
+{
+    QColor ground = look.panel;
+    ground.setAlphaF(0.94F);
+    painter.setPen(QPen(look.rule, 1));
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), space::radius, space::radius);
+}
+
+void paintRow(QPainter& painter, const QStringList& cells, const std::vector<double>& widths,
+              QRectF line)
+{
+    for (qsizetype i = 0; i < cells.size(); ++i) {
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, cells[i]);
+        line.setLeft(line.left() + widths[std::size_t(i)] + columnGap);
+    }
+}
+
+void paintTable(QPainter& painter, const OverlayTable& table, const Look& look,
+                const OverlayBoxes& boxes)
+{
+    frame(painter, boxes.table, look);
+    const QFont font = painter.font();
+    const auto widths = columnWidths(table, font);
+    const double height = rowHeight(font);
+    QRectF line = boxes.table.adjusted(padding, padding, -padding, 0);
+    line.setHeight(height);
+    painter.setPen(look.muted);
+    paintRow(painter, table.heading, widths, line);
+    for (std::size_t i = boxes.firstRow; i < boxes.firstRow + boxes.rows; ++i) {
+        line.translate(0, height);
+        const bool lit = table.lit == i;
+        if (lit) {
+            painter.fillRect(line.adjusted(1 - padding, 0, padding - 1, 0), look.tint);
+            painter.fillRect(QRectF(boxes.table.left() + 1, line.top(), bar, height),
+                             look.selection);
+        }
+        painter.setFont(lit ? semiBold(font) : font);
+        painter.setPen(look.text);
+        paintRow(painter, table.rows[i], widths, line);
+    }
+    painter.setFont(font);
+}
+
+/// The axis of t on the screen: 0 to 1, and a little more where something happens there. What is
+/// farther off is shown at its end.
+class AxisScale {
+public:
+    AxisScale(const OverlayAxis& axis, const QRectF& box)
+        : left_(box.left() + axisMargin), right_(box.right() - axisMargin)
+    {
+        for (const OverlayAxis::Tick& tick : axis.ticks) {
+            low_ = std::min(low_, std::max(tick.t, -most));
+            high_ = std::max(high_, std::min(tick.t, 1 + most));
+        }
+    }
+    double at(double t) const
+    {
+        return left_ + (std::clamp(t, low_, high_) - low_) / (high_ - low_) * (right_ - left_);
+    }
+    double left() const { return left_; }
+    double right() const { return right_; }
+    bool isOff(double t) const { return t < low_ || t > high_; }
+
+private:
+    static constexpr double most = 0.6; // beyond either end
+    double left_, right_, low_ = 0, high_ = 1;
+};
+
+void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale& scale, double y,
+               const OverlayGround& ground)
+{
+    const bool lit = tick.emphasis == Emphasis::Lit;
+    const QColor colour = lit ? ground.look.selection : ground.look.muted;
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(tick.enters ? colour : ground.look.panel);
+    const QPointF at(scale.at(tick.t), y);
+    if (scale.isOff(tick.t)) { // an arrow: it is farther off
+        const double way = tick.t < 0 ? -5 : 5;
+        painter.drawPolygon(
+            QPolygonF{at + QPointF(way, 0), at + QPointF(-way, 4), at + QPointF(-way, -4)});
+    } else
+        painter.drawEllipse(at, 4, 4);
+}
+
+// Entries above, exits below; where two would be one over the other the second goes without.
+void labelTicks(QPainter& painter, const OverlayAxis& axis, const AxisScale& scale,
+                const QRectF& box, double y, const Look& look)
+{
+    const QFont font = painter.font();
+    app::LabelPlaces places(box, {});
+    for (const Emphasis emphasis : {Emphasis::Lit, Emphasis::Quiet})
+        for (const OverlayAxis::Tick& tick : axis.ticks) {
+            if (tick.emphasis != emphasis)
+                continue;
+            const bool lit = emphasis == Emphasis::Lit;
+            painter.setFont(lit ? semiBold(font) : font);
+            const QString text = tick.edge + QStringLiteral("  ") + app::shortText(tick.t);
+            const QFontMetricsF metrics(painter.font());
+            QRectF place(0, 0, metrics.horizontalAdvance(text) + 6, metrics.height());
+            place.moveCenter({scale.at(tick.t), y + (tick.enters ? -16 : 16)});
+            place.moveLeft(
+                std::clamp(place.left(), box.left() + 2, box.right() - 2 - place.width()));
+            painter.setPen(lit ? look.text : look.muted);
+            if (places.first(std::array{place}))
+                painter.drawText(place, Qt::AlignCenter, text);
+        }
+    painter.setFont(font);
+}
+
+void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& ground,
+               const QRectF& box)
+{
+    const Look& look = ground.look;
+    frame(painter, box, look);
+    const AxisScale scale(axis, box);
+    const double y = box.center().y();
+    painter.setPen(QPen(look.control, 1));
+    painter.drawLine(QPointF(scale.left(), y), QPointF(scale.right(), y));
+    for (const double end : {0.0, 1.0})
+        painter.drawLine(QPointF(scale.at(end), y - 7), QPointF(scale.at(end), y + 7));
+    if (axis.from <= axis.to) {
+        painter.setPen(QPen(look.selection, 4, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(QPointF(scale.at(axis.from), y),
+                         QPointF(std::max(scale.at(axis.to), scale.at(axis.from) + 2), y));
+    }
+    for (const OverlayAxis::Tick& tick : axis.ticks)
+        paintTick(painter, tick, scale, y, ground);
+    labelTicks(painter, axis, scale, box, y, look);
+    painter.setPen(look.muted);
+    const QRectF line = box.adjusted(padding, 0, -padding, 0);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignTop, tr("enters"));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, tr("t"));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, tr("leaves"));
+}
+
+} // namespace
+
+OverlayBoxes boxesOf(const app::Overlay& overlay, const OverlayGround& ground, const QFont& font)
+{
+    OverlayBoxes boxes;
+    QRectF room = ground.room.adjusted(inset, inset, -inset, -inset);
+    if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 4 * axisMargin) {
+        boxes.axis = QRectF(room.left(), room.bottom() - axisHeight, room.width(), axisHeight);
+        room.setBottom(boxes.axis.top() - inset);
+    }
+    if (overlay.table)
+        placeTable(boxes, *overlay.table, room, font);
+    if (!overlay.caption.isEmpty())
+        placeCaption(boxes, overlay.caption, room, font);
+    return boxes;
+}
+
+void paintBoxes(QPainter& painter, const app::Overlay& overlay, const OverlayGround& ground,
+                const OverlayBoxes& boxes)
+{
+    if (!boxes.axis.isEmpty())
+        paintAxis(painter, *overlay.axis, ground, boxes.axis);
+    if (!boxes.table.isEmpty())
+        paintTable(painter, *overlay.table, ground.look, boxes);
+    if (boxes.caption.isEmpty())
+        return;
+    frame(painter, boxes.caption, ground.look);
+    painter.setPen(ground.look.text);
+    painter.drawText(boxes.caption.adjusted(padding, padding - 2, -padding + 1, 0),
+                     Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop, overlay.caption);
+}
+
+} // namespace ui

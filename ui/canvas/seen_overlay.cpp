@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/seen_overlay.h"
+
+#include "ui/canvas/algorithm_overlay.h"
+#include "ui/canvas/difference_overlay.h"
+#include "ui/canvas/window_overlay.h"
+
+namespace ui {
+namespace {
+
+std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
+{
+    if (const auto drawn = controller.tool().lineInHand())
+        return drawn;
+    const auto segments = controller.session().scene.segments();
+    for (const auto& index : {controller.session().inspected(), controller.tool().litSegment()})
+        if (index && *index < segments.size())
+            return segments[*index];
+    return std::nullopt;
+}
+
+app::OverlaySubject subjectOf(const Controller& controller, const Pane& pane)
+{
+    app::OverlaySubject subject{.clipper = pane.choice,
+                                .window = controller.window(),
+                                .line = lineLookedAt(controller),
+                                .seen = controller.view().visible(),
+                                .y = app::YAxis::Down};
+    if (controller.pointer())
+        subject.pointer = controller.pointer()->position;
+    return subject;
+}
+
+} // namespace
+
+void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane& pane)
+{
+    const app::Point size = controller.view().size;
+    const QRectF room(0, 0, size.x, size.y - differenceLabelHeight(controller, pane));
+    paintAlgorithmOverlay(
+        painter, app::overlayOf(subjectOf(controller, pane)),
+        {.room = room,
+         .onScreen = [&](const app::Point& p) { return controller.bench().onScreen(p); },
+         .look = controller.look(),
+         .page = controller.pageColour(),
+         .taken = windowFurniture(controller, pane, painter.font())});
+}
+
+} // namespace ui
