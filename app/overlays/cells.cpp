@@ -42,10 +42,11 @@ OverlayArea cellArea(unsigned cell, const Seeing& seeing)
     return {.corners = common(seeing.seen, halves), .label = QString::number(cell)};
 }
 
-/// The walk goes right: from the end that is further left.
-clipping::Segment walked(const clipping::Segment& line)
+/// The line as its trace begins with it: the walk goes right, from the end that is further left.
+clipping::Segment walked(const Seeing& seeing)
 {
-    return line.a.x > line.b.x ? clipping::Segment{line.b, line.a} : line;
+    const auto& steps = seeing.trace.steps;
+    return steps.empty() ? *seeing.line : steps.front().segment;
 }
 
 /// The cells that the walk came through, in order.
@@ -103,7 +104,7 @@ Overlay cellOverlay(const Seeing& seeing)
          .ground = OverlayArea::Ground::Hatched});
     if (!seeing.line)
         return overlay;
-    const clipping::Segment line = walked(*seeing.line);
+    const clipping::Segment line = walked(seeing);
     std::vector<EndMove> moves = movesOf(seeing.trace, line);
     for (EndMove& move : moves)
         move.ofB = move.ofB != (line != *seeing.line);

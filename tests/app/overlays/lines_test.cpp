@@ -62,7 +62,8 @@ private slots:
                     continue;
                 QVERIFY2(std::ranges::find_if(lit, isLit)->label == areas[0].label, what);
                 const auto& [a, b] = piece[0].segment;
-                if (isCorner(a, w) || isCorner(b, w)) // two edges are right
+                if (isCorner(a, w) || isCorner(b, w) || w.min.x == w.max.x
+                    || w.min.y == w.max.y) // two are right
                     continue;
                 const QString name =
                     letters(clipping::cutEdgeOfA(piece[0].cut), clipping::cutEdgeOfB(piece[0].cut));

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/label_places.h"
+
+#include <QTest>
+
+#include "tests/clipping/random.h"
+
+namespace {
+
+const QRectF room(0, 0, 400, 300);
+
+QPolygonF triangle(Random& random)
+{
+    QPolygonF polygon;
+    for (int i = 0; i < 3; ++i)
+        polygon << QPointF(random.between(0, 400), random.between(0, 300));
+    return polygon;
+}
+
+} // namespace
+
+class LabelPlacesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noLabelHidesAnotherOrLeavesTheRoom()
+    {
+        Random random(1);
+        for (int i = 0; i < 200; ++i) {
+            const QRectF handle(random.between(0, 390), random.between(0, 290), 9, 9);
+            app::LabelPlaces places(room, {handle});
+            std::vector<QRectF> given{handle};
+            for (int k = 0; k < 30; ++k) {
+                const QSizeF size(random.between(10, 120), 18);
+                const QPointF at(random.between(0, 400), random.between(0, 300));
+                const auto place = places.first(app::placesBeside(at, size, 6));
+                if (!place)
+                    continue;
+                QVERIFY(room.contains(*place));
+                QVERIFY(!place->contains(at));
+                for (const QRectF& other : given)
+                    QVERIFY(!place->intersects(other));
+                given.push_back(*place);
+            }
+            QVERIFY(given.size() > 8);
+        }
+    }
+
+    void anAreaKeepsItsLabelInside()
+    {
+        Random random(2);
+        int found = 0;
+        for (int i = 0; i < 500; ++i) {
+            const QPolygonF area = triangle(random);
+            for (const QRectF& place : app::placesInside(area, {30, 16})) {
+                ++found;
+                for (const QPointF& corner :
+                     {place.topLeft(), place.topRight(), place.bottomLeft(), place.bottomRight()})
+                    QVERIFY(area.containsPoint(corner, Qt::OddEvenFill)
+                            || area.containsPoint(corner * 0.999 + 0.001 * place.center(),
+                                                  Qt::OddEvenFill));
+            }
+        }
+        QVERIFY(found > 500);
+        QVERIFY(app::placesInside(QPolygonF(QRectF(0, 0, 20, 10)), {30, 16}).empty());
+        QVERIFY(app::placesInside({}, {30, 16}).empty());
+    }
+
+    void labelsOfALineAreBesideIt()
+    {
+        for (const QRectF& place : app::placesAlong({0, 100, 400, 100}, {40, 16}, 3)) {
+            QVERIFY(!place.intersects(QRectF(0, 99.5, 400, 1)));
+            QVERIFY(place.left() >= 0 && place.right() <= 400);
+        }
+        QVERIFY(app::placesAlong({5, 5, 5, 5}, {40, 16}, 3).empty());
+    }
+
+    void hatchingStaysInsideAndMeetsTheNextAreas()
+    {
+        const QPolygonF left(QRectF(0, 0, 50, 100)), right(QRectF(50, 0, 50, 100));
+        const auto lines = app::hatching(left, 10);
+        QVERIFY(lines.size() >= 14);
+        for (const QLineF& line : lines)
+            for (const QPointF& p : {line.p1(), line.p2()}) {
+                QVERIFY(QRectF(-1e-9, -1e-9, 50 + 2e-9, 100 + 2e-9).contains(p));
+                QVERIFY(std::abs(std::remainder(p.x() + p.y(), 10)) < 1e-9);
+            }
+        QVERIFY(!app::hatching(right, 10).empty());
+        QVERIFY(app::hatching({}, 10).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(LabelPlacesTest)
+#include "label_places_test.moc"

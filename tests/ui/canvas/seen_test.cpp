@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/canvas/stage.h"
+
+namespace {
+
+void show(Stage& stage, bool overlay, std::string_view algorithm = "CS")
+{
+    app::Display display = stage.session.display();
+    display.overlay = overlay;
+    display.algorithm = clipping::findAlgorithm(algorithm);
+    stage.session.setDisplay(display);
+}
+
+int differing(const QImage& one, const QImage& other)
+{
+    int pixels = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            pixels += one.pixel(x, y) != other.pixel(x, y);
+    return pixels;
+}
+
+} // namespace
+
+class SeenTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isOnlyThereWhenItIsAskedFor()
+    {
+        Stage stage(ui::Backend::Raster);
+        const QImage before = stage.picture();
+        show(stage, true);
+        QVERIFY(differing(stage.picture(), before) > 1000);
+        show(stage, false);
+        QCOMPARE(differing(stage.picture(), before), 0);
+    }
+
+    void everyAlgorithmShowsSomethingOfItsOwn()
+    {
+        Stage stage(ui::Backend::Raster, {line({10, 90}, {120, 5})});
+        stage.session.inspect(0);
+        const QImage plain = stage.picture();
+        for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
+            show(stage, true, algorithm.key);
+            QVERIFY2(differing(stage.picture(), plain) > 1000, algorithm.key.data());
+        }
+    }
+
+    void theRegionUnderThePointerIsTinted()
+    {
+        Stage stage(ui::Backend::Raster, {});
+        show(stage, true);
+        stage.move({20, 50});
+        const QColor here = stage.colourAt({8, 60}), elsewhere = stage.colourAt({180, 60});
+        QCOMPARE(elsewhere, QColor(Qt::white));
+        QVERIFY(here.blue() > here.red() + 5);
+        stage.move({180, 50});
+        QCOMPARE(stage.colourAt({8, 60}), QColor(Qt::white));
+    }
+
+    // Nicholl, Lee and Nicholl's rays turn about the first end while a line is drawn.
+    void followsTheLineThatIsDrawn()
+    {
+        Stage stage(ui::Backend::Raster, {});
+        show(stage, true, "NLN");
+        stage.canvas->setTool("line");
+        stage.move({10, 50});
+        stage.press({10, 50});
+        stage.move({100, 60}, Qt::LeftButton);
+        const QImage before = stage.picture();
+        stage.move({190, 95}, Qt::LeftButton);
+        QVERIFY(differing(stage.picture(), before) > 1000);
+        stage.release({190, 95});
+        QCOMPARE(stage.session.scene.segments().size(), std::size_t(1));
+    }
+
+    void eachPaneShowsItsOwn()
+    {
+        Stage stage(ui::Backend::Raster);
+        stage.session.inspect(0);
+        app::Panes panes = stage.canvas->panes();
+        panes.show(2);
+        stage.canvas->setPanes(panes);
+        const auto surfaces = [&] {
+            stage.canvas->settle();
+            return std::pair(stage.canvas->paneSurface(0)->grab().toImage(),
+                             stage.canvas->paneSurface(1)->grab().toImage());
+        };
+        app::Display display = stage.session.display();
+        display.overlay = true;
+        stage.session.setDisplay(display);
+        const auto [one, other] = surfaces();
+        QVERIFY(differing(one, other) > 1000);
+    }
+
+    void aWindowOutOfSightIsNoTrouble()
+    {
+        Stage stage(ui::Backend::Raster);
+        stage.session.inspect(0);
+        for (const clipping::Window& window :
+             {clipping::Window{{1e6, 1e6}, {2e6, 2e6}}, clipping::Window{{-1e9, -1e9}, {1e9, 1e9}},
+              clipping::Window{{50, 50}, {50, 50}}, clipping::Window{{-500, 20}, {60, 30}}})
+            for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
+                stage.session.drawing.setWindow(window);
+                show(stage, true, algorithm.key);
+                QVERIFY(!stage.picture().isNull());
+            }
+    }
+};
+
+QTEST_MAIN(SeenTest)
+#include "seen_test.moc"
