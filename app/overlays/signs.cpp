@@ -59,11 +59,14 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
     const auto& [min, max] = window;
     const std::array<Point, 4> corners{min, {max.x, min.y}, max, {min.x, max.y}};
     using Symbol = OverlayMark::Symbol;
-    for (unsigned k = 0; k < 4; ++k)
-        overlay.marks.push_back({.at = corners[k],
-                                 .symbol = pattern >> k & 1U ? Symbol::Plus : Symbol::Minus,
-                                 .label = QStringLiteral("x%1").arg(k),
-                                 .emphasis = Emphasis::Lit});
+    for (unsigned k = 0; k < 4; ++k) {
+        const bool left = pattern >> k & 1U;
+        overlay.marks.push_back(
+            {.at = corners[k],
+             .symbol = left ? Symbol::Plus : Symbol::Minus,
+             .label = QStringLiteral("x%1  %2").arg(k).arg(left ? u'+' : u'\u2212'),
+             .emphasis = Emphasis::Lit});
+    }
 }
 
 /// The whole line, beyond its ends: it is what the corners are asked about.

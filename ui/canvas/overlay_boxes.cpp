@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ui {
@@ -16,7 +17,7 @@ using app::OverlayAxis;
 using app::OverlayTable;
 
 constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
-constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 72, axisMargin = 52;
+constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 72, axisMargin = 112;
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
@@ -122,7 +123,8 @@ void paintTable(QPainter& painter, const OverlayTable& table, const Look& look,
 class AxisScale {
 public:
     AxisScale(const OverlayAxis& axis, const QRectF& box)
-        : left_(box.left() + axisMargin), right_(box.right() - axisMargin)
+        : left_(box.left() + std::min(axisMargin, box.width() / 5)),
+          right_(box.right() - std::min(axisMargin, box.width() / 5))
     {
         for (const OverlayAxis::Tick& tick : axis.ticks) {
             low_ = std::min(low_, std::max(tick.t, -most));
@@ -158,28 +160,53 @@ void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale
         painter.drawEllipse(at, 4, 4);
 }
 
-// Entries above, exits below; where two would be one over the other the second goes without.
-void labelTicks(QPainter& painter, const OverlayAxis& axis, const AxisScale& scale,
+/// A word at the axis, above or below it.
+struct AxisWord {
+    QString text;
+    double t;
+    bool above, lit;
+    bool end = false; ///< of the line: one word is enough, wherever there is room
+};
+// Entries above, exits below; the lit ones first, then the ends of the line.
+std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
+{
+    std::vector<AxisWord> words;
+    const auto add = [&](Emphasis emphasis) {
+        for (const OverlayAxis::Tick& tick : axis.ticks)
+            if (tick.emphasis == emphasis)
+                words.push_back({tick.edge + QStringLiteral("  ") + app::shortText(tick.t), tick.t,
+                                 tick.enters, emphasis == Emphasis::Lit});
+    };
+    add(Emphasis::Lit);
+    for (const int end : {0, 1})
+        for (const bool above : {false, true})
+            words.push_back({QString::number(end), double(end), above, false, true});
+    add(Emphasis::Quiet);
+    return words;
+}
+
+// Where two would be one over the other the second goes without.
+void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& scale,
                 const QRectF& box, double y, const Look& look)
 {
     const QFont font = painter.font();
     app::LabelPlaces places(box, {});
-    for (const Emphasis emphasis : {Emphasis::Lit, Emphasis::Quiet})
-        for (const OverlayAxis::Tick& tick : axis.ticks) {
-            if (tick.emphasis != emphasis)
-                continue;
-            const bool lit = emphasis == Emphasis::Lit;
-            painter.setFont(lit ? semiBold(font) : font);
-            const QString text = tick.edge + QStringLiteral("  ") + app::shortText(tick.t);
-            const QFontMetricsF metrics(painter.font());
-            QRectF place(0, 0, metrics.horizontalAdvance(text) + 6, metrics.height());
-            place.moveCenter({scale.at(tick.t), y + (tick.enters ? -16 : 16)});
-            place.moveLeft(
-                std::clamp(place.left(), box.left() + 2, box.right() - 2 - place.width()));
-            painter.setPen(lit ? look.text : look.muted);
-            if (places.first(std::array{place}))
-                painter.drawText(place, Qt::AlignCenter, text);
-        }
+    std::array<bool, 2> ended{};
+    for (const AxisWord& word : wordsOf(axis)) {
+        if (word.end && ended[std::size_t(word.t)])
+            continue;
+        painter.setFont(word.lit ? semiBold(font) : font);
+        const QFontMetricsF metrics(painter.font());
+        QRectF place(0, 0, metrics.horizontalAdvance(word.text) + 6, metrics.height());
+        place.moveCenter({scale.at(word.t), y + (word.above ? -16 : 16)});
+        place.moveLeft(std::clamp(place.left(), box.left() + 2, box.right() - 2 - place.width()));
+        if (!places.first(std::array{place}))
+            continue;
+        painter.setPen(word.lit ? look.text : look.muted);
+        painter.drawText(place, Qt::AlignCenter, word.text);
+        if (word.end)
+            ended[std::size_t(word.t)] = true;
+    }
     painter.setFont(font);
 }
 
@@ -201,12 +228,15 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
     }
     for (const OverlayAxis::Tick& tick : axis.ticks)
         paintTick(painter, tick, scale, y, ground);
-    labelTicks(painter, axis, scale, box, y, look);
+    paintWords(painter, axis, scale, box, y, look);
     painter.setPen(look.muted);
-    const QRectF line = box.adjusted(padding, 0, -padding, 0);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignTop, tr("enters"));
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, tr("t"));
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, tr("leaves"));
+    if (scale.left() - box.left() < axisMargin)
+        return; // no room for what is said at the line too
+    QRectF line(box.left() + padding, y - 24, axisMargin, 16);
+    for (const QString& word : {tr("enters"), tr("t"), tr("leaves")}) {
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, word);
+        line.translate(0, 16);
+    }
 }
 
 } // namespace
@@ -215,7 +245,7 @@ OverlayBoxes boxesOf(const app::Overlay& overlay, const OverlayGround& ground, c
 {
     OverlayBoxes boxes;
     QRectF room = ground.room.adjusted(inset, inset, -inset, -inset);
-    if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 4 * axisMargin) {
+    if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 2 * axisMargin) {
         boxes.axis = QRectF(room.left(), room.bottom() - axisHeight, room.width(), axisHeight);
         room.setBottom(boxes.axis.top() - inset);
     }

@@ -115,7 +115,12 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
                                     const QFont& font)
 {
     const QRectF window = rectangleOnScreen(controller);
-    std::vector<QRectF> places;
+    std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
+                               QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),
+                               QRectF(window.topLeft(), QSizeF(0, window.height())),
+                               QRectF(window.topRight(), QSizeF(0, window.height()))};
+    for (QRectF& edge : places)
+        edge.adjust(-outline, -outline, outline, outline);
     if (!isFurnished(controller, pane, window))
         return places;
     for (const auto& [grip, at] : app::placedGrips(controller.window(), controller.view()))
