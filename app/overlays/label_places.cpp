@@ -85,6 +85,8 @@ std::vector<QRectF> placesBeside(const QPointF& point, const QSizeF& size, doubl
 std::vector<QRectF> placesInside(const QPolygonF& convex, const QSizeF& size)
 {
     std::vector<QRectF> places;
+    if (convex.size() < 3)
+        return places;
     const QPointF middle = centroid(convex);
     const auto add = [&](const QPointF& at) {
         if (const QRectF place = around(at, size); contains(convex, place))

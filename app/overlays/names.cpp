@@ -2,6 +2,7 @@
 #include "app/overlays/parts.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace app {
 
@@ -34,6 +35,8 @@ QString edgeLetter(Edge edge, YAxis y)
     static constexpr std::array<const char*, 5> letters{"", "L", "R", "B", "T"};
     return QString::fromLatin1(letters[seenEdge(edge, y)]);
 }
+
+QString parameterText(double t) { return QLocale().toString(t, 'g', 4).replace(u'-', u'\u2212'); }
 
 QString endName(bool ofB) { return ofB ? tr("End 2") : tr("End 1"); }
 

@@ -57,6 +57,9 @@ struct OverlayAxis {
     double from = 0, to = 1;   ///< what is visible is between them; nothing if from > to
 };
 
+/// A parameter in four digits: between 0 and 1 that is more than a screen has pixels.
+QString parameterText(double t);
+
 struct OverlayTable {
     QStringList heading{};
     std::vector<QStringList> rows{}; ///< as many cells as the heading has

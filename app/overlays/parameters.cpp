@@ -91,11 +91,11 @@ QString caption(const Seeing& seeing, const Bounds& bounds)
     const QString start = bounds.enter == Edge::None
                               ? tr("It starts inside all four half-planes")
                               : tr("It enters the last half-plane at t = %1, %2")
-                                    .arg(shortText(bounds.from), words(bounds.enter));
+                                    .arg(parameterText(bounds.from), words(bounds.enter));
     const QString stop = bounds.leave == Edge::None
                              ? tr("leaves none before its end")
                              : tr("leaves the first one at t = %1, %2")
-                                   .arg(shortText(bounds.to), words(bounds.leave));
+                                   .arg(parameterText(bounds.to), words(bounds.leave));
     const QString end = bounds.from > bounds.to
                             ? tr("It leaves before it has entered: nothing is visible.")
                             : tr("What is between is visible.");
@@ -137,7 +137,8 @@ Overlay parameterOverlay(const Seeing& seeing)
         overlay.marks.push_back(
             {.at = c.at,
              .symbol = c.enters ? Symbol::Filled : Symbol::Hollow,
-             .label = (c.enters ? tr("enters  t = %1") : tr("leaves  t = %1")).arg(shortText(c.t)),
+             .label =
+                 (c.enters ? tr("enters  t = %1") : tr("leaves  t = %1")).arg(parameterText(c.t)),
              .emphasis = emphasis});
         axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, seeing.y), emphasis});
     }

@@ -194,7 +194,8 @@ Overlay sectorOverlay(const Seeing& seeing)
         if (OverlayArea* area = areaOf(overlay.areas, sector, seeing.y))
             area->emphasis = Emphasis::Lit;
         overlay.marks = endMarks(*seeing.line, {}, sector ? labelOf(*sector, seeing.y) : QString());
-    }
+    } else
+        overlay.marks.push_back({.at = eye, .label = endName(false)});
     if (seeing.pointer) {
         const clipping::Segment there{eye, *seeing.pointer};
         const auto to = sectorOf(seeing.traceOf(there), there);

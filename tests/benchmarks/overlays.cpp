@@ -115,6 +115,8 @@ void paintAll(app::Session& session, ui::Canvas& canvas, const QDir& folder)
         session.setDisplay(display);
         const auto save = [&](const QString& kind) {
             canvas.settle();
+            QCoreApplication::processEvents();
+            canvas.settle();
             canvas.grab().save(folder.filePath(
                 QStringLiteral("%1-%2.png").arg(algorithm.abbreviation.data(), kind)));
         };

@@ -17,7 +17,7 @@ using app::OverlayAxis;
 using app::OverlayTable;
 
 constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
-constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 72, axisMargin = 112;
+constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 84, axisMargin = 112;
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
@@ -174,8 +174,8 @@ std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
     const auto add = [&](Emphasis emphasis) {
         for (const OverlayAxis::Tick& tick : axis.ticks)
             if (tick.emphasis == emphasis)
-                words.push_back({tick.edge + QStringLiteral("  ") + app::shortText(tick.t), tick.t,
-                                 tick.enters, emphasis == Emphasis::Lit});
+                words.push_back({tick.edge + QStringLiteral("  ") + app::parameterText(tick.t),
+                                 tick.t, tick.enters, emphasis == Emphasis::Lit});
     };
     add(Emphasis::Lit);
     for (const int end : {0, 1})
@@ -198,12 +198,14 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
         painter.setFont(word.lit ? semiBold(font) : font);
         const QFontMetricsF metrics(painter.font());
         QRectF place(0, 0, metrics.horizontalAdvance(word.text) + 6, metrics.height());
-        place.moveCenter({scale.at(word.t), y + (word.above ? -16 : 16)});
+        const double side = word.above ? -1 : 1;
+        place.moveCenter({scale.at(word.t), y + side * 16});
         place.moveLeft(std::clamp(place.left(), box.left() + 2, box.right() - 2 - place.width()));
-        if (!places.first(std::array{place}))
+        const auto free = places.first(std::array{place, place.translated(0, side * 15)});
+        if (!free)
             continue;
         painter.setPen(word.lit ? look.text : look.muted);
-        painter.drawText(place, Qt::AlignCenter, word.text);
+        painter.drawText(*free, Qt::AlignCenter, word.text);
         if (word.end)
             ended[std::size_t(word.t)] = true;
     }
