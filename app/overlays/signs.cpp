@@ -64,7 +64,7 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
         overlay.marks.push_back(
             {.at = corners[k],
              .symbol = left ? Symbol::Plus : Symbol::Minus,
-             .label = QStringLiteral("x%1  %2").arg(k).arg(left ? u'+' : u'\u2212'),
+             .label = QStringLiteral("x%1  %2").arg(k).arg(QChar(left ? u'+' : u'\u2212')),
              .emphasis = Emphasis::Lit});
     }
 }

@@ -31,7 +31,7 @@ public:
     {
         const QPolygonF polygon = onScreen(area.corners);
         if (area.ground == OverlayArea::Ground::Hatched) {
-            painter_.setPen(QPen(faint(ground_.look.muted, 0.4F), 1));
+            painter_.setPen(QPen(faint(ground_.look.muted, 0.3F), 1));
             for (const QLineF& line : app::hatching(polygon, hatchSpacing))
                 painter_.drawLine(line);
         }

@@ -194,6 +194,9 @@ private slots:
                     allLeft = allLeft && side(mark.at) >= 0;
                 const bool strict = allLeft && clipper.form == clipping::Form::Corrected;
                 for (const OverlayMark& mark : signs)
+                    QVERIFY(mark.label.endsWith(
+                        mark.symbol == OverlayMark::Symbol::Plus ? u'+' : u'\u2212'));
+                for (const OverlayMark& mark : signs)
                     QVERIFY2((mark.symbol == OverlayMark::Symbol::Plus)
                                  == (strict ? side(mark.at) > 0 : side(mark.at) >= 0),
                              said(clipper, w, line));
