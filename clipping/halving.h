@@ -92,13 +92,14 @@ halved(const Places& places, Bracket<typename Places::Place> bracket, Watch& wat
     auto& [near, far, nearCode, farCode] = bracket;
     for (int halvings = 0;; ++halvings) {
         if ((nearCode & farCode) != 0) {
-            watch("reject", 7, places.between(near, far), Edge::None);
+            watch("reject", 9, places.between(near, far), Edge::None, Named{"near", nearCode},
+                  Named{"far", farCode});
             return std::nullopt;
         }
         if (halvings == Places::most) {
             if (form == Form::Corrected)
                 return bracket;
-            watch("give up", 11, places.between(near, far), Edge::None);
+            watch("give up", 14, places.between(near, far), Edge::None);
             watch.didNotEnd();
             return std::nullopt;
         }
@@ -110,8 +111,13 @@ halved(const Places& places, Bracket<typename Places::Place> bracket, Watch& wat
         const bool drop = (code & farCode) != 0;
         (drop ? far : near) = middle;
         (drop ? farCode : nearCode) = code;
-        watch("halve", 10, places.between(near, far), Edge::None, Named{"near", nearCode},
-              Named{"far", farCode});
+        if constexpr (form == Form::Corrected)
+            watch("halve", drop ? 12 : 13, places.between(near, far), Edge::None,
+                  Named{"t", middle}, Named{"M", code}, Named{"near", nearCode},
+                  Named{"far", farCode});
+        else
+            watch("halve", drop ? 12 : 13, places.between(near, far), Edge::None, Named{"M", code},
+                  Named{"near", nearCode}, Named{"far", farCode});
     }
 }
 

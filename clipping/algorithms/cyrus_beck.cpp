@@ -60,44 +60,68 @@ struct CyrusBeck {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto normal = innerNormal<form>(corners, i);
             const T speed = normal.x * dx + normal.y * dy;
+            watch("D", 3, s, edges[i], Named{"nx", normal.x}, Named{"ny", normal.y},
+                  Named{"D", speed});
             const T depth = normal.x * (s.a.x - corners[i].x) + normal.y * (s.a.y - corners[i].y);
+            watch("N", 4, s, edges[i], Named{"N", depth});
             if (speed == T(0)) {
+                watch("yes", 5, s, edges[i], Named{"D", speed});
                 if (depth < T(0)) {
                     watch("reject", 6, s, edges[i], Named{"D", speed}, Named{"N", depth});
                     return std::nullopt;
                 }
+                watch("no", 6, s, edges[i], Named{"N", depth});
                 continue;
             }
+            watch("no", 5, s, edges[i], Named{"D", speed});
             const T t = -depth / speed;
+            watch("t", 8, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
             if (speed > T(0)) {
-                if (t > entry)
+                watch("yes", 9, s, edges[i], Named{"D", speed});
+                if (t > entry) {
+                    watch("yes", 10, s, edges[i], Named{"t", t}, Named{"tE", entry});
                     entry = t, entryEdge = edges[i];
-                watch("entry", 8, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+                    watch("entry", 11, s, edges[i], Named{"tE", entry});
+                } else
+                    watch("no", 10, s, edges[i], Named{"t", t}, Named{"tE", entry});
             } else {
-                if (t < exit)
+                watch("no", 9, s, edges[i], Named{"D", speed});
+                if (t < exit) {
+                    watch("yes", 12, s, edges[i], Named{"t", t}, Named{"tL", exit});
                     exit = t, exitEdge = edges[i];
-                watch("exit", 9, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+                    watch("exit", 13, s, edges[i], Named{"tL", exit});
+                } else
+                    watch("no", 12, s, edges[i], Named{"t", t}, Named{"tL", exit});
             }
         }
         if (entry > exit) {
-            watch("reject", 10, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
+            watch("reject", 14, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
             return std::nullopt;
         }
+        watch("no", 14, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
         BasicSegment<T> visible = s;
         if (reach != Reach::Bounded || exit < T(1)) {
+            watch("yes", 15, s, exitEdge, Named{"tL", exit});
             visible.b = along<form>(s, {dx, dy}, exit, exitEdge, w);
-            watch("cut b", 11, visible, exitEdge, Named{"tL", exit});
-        } else if constexpr (form == Form::Corrected)
-            visible.b = clamped(s.b, w);
+            watch("cut b", 16, visible, exitEdge, Named{"tL", exit});
+        } else {
+            watch("no", 15, s, exitEdge, Named{"tL", exit});
+            if constexpr (form == Form::Corrected)
+                visible.b = clamped(s.b, w);
+        }
         if (reach == Reach::BothWays || entry > T(0)) {
+            watch("yes", 17, visible, entryEdge, Named{"tE", entry});
             visible.a = along<form>(s, {dx, dy}, entry, entryEdge, w);
             if constexpr (form == Form::Corrected)
                 if (exitEdge != Edge::None && entry == exit)
                     visible.a = visible.b;
-            watch("cut a", 12, visible, entryEdge, Named{"tE", entry});
-        } else if constexpr (form == Form::Corrected)
-            visible.a = clamped(s.a, w);
-        watch("accept", 13, visible, Edge::None);
+            watch("cut a", 18, visible, entryEdge, Named{"tE", entry});
+        } else {
+            watch("no", 17, visible, entryEdge, Named{"tE", entry});
+            if constexpr (form == Form::Corrected)
+                visible.a = clamped(s.a, w);
+        }
+        watch("accept", 19, visible, Edge::None);
         return visible;
     }
 };

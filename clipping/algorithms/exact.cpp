@@ -95,6 +95,7 @@ struct Exact {
             watch("reject", 1, s, Edge::None);
             return std::nullopt;
         }
+        watch("no", 1, s, Edge::None);
         const bool right = a.x < b.x, up = a.y < b.y;
         const T nearX = right ? w.min.x : w.max.x, farX = right ? w.max.x : w.min.x;
         const T nearY = up ? w.min.y : w.max.y, farY = up ? w.max.y : w.min.y;
@@ -103,28 +104,41 @@ struct Exact {
         const bool leaveX = right ? b.x > farX : b.x < farX;
         const bool leaveY = up ? b.y > farY : b.y < farY;
 
+        watch("sides", 4, s, Edge::None, Named{"enterX", enterX}, Named{"enterY", enterY},
+              Named{"leaveX", leaveX}, Named{"leaveY", leaveY});
+
         const LineThrough line(s);
-        if ((enterX && leaveY && line.passes(nearX, farY) > 0)
-            || (enterY && leaveX && line.passes(farX, nearY) < 0)) {
-            watch("reject", 4, s, Edge::None);
-            return std::nullopt;
-        }
         BasicSegment<T> visible = s;
-        if (enterX && (!enterY || line.passes(nearX, nearY) >= 0)) {
+        const auto test = [&](bool holds, int number, Edge edge) {
+            watch(yesOrNo(holds), number, visible, edge);
+            return holds;
+        };
+        const auto isMissed = [&](bool misses, int number, Edge edge) {
+            watch(misses ? "reject" : "no", number, s, edge);
+            return misses;
+        };
+        [[maybe_unused]] const Edge edgeNearX = right ? Edge::Left : Edge::Right;
+        [[maybe_unused]] const Edge edgeFarX = right ? Edge::Right : Edge::Left;
+        [[maybe_unused]] const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
+        [[maybe_unused]] const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
+        if (isMissed(enterX && leaveY && line.passes(nearX, farY) > 0, 5, edgeFarY)
+            || isMissed(enterY && leaveX && line.passes(farX, nearY) < 0, 6, edgeFarX))
+            return std::nullopt;
+        if (test(enterX && (!enterY || line.passes(nearX, nearY) >= 0), 7, edgeNearX)) {
             visible.a = line.at(nearX);
-            watch("cut", 6, visible, right ? Edge::Left : Edge::Right);
-        } else if (enterY) {
+            watch("cut", 8, visible, edgeNearX);
+        } else if (test(enterY, 9, edgeNearY)) {
             visible.a = line.atHeight(nearY);
-            watch("cut", 7, visible, up ? Edge::Bottom : Edge::Top);
+            watch("cut", 10, visible, edgeNearY);
         }
-        if (leaveX && (!leaveY || line.passes(farX, farY) <= 0)) {
+        if (test(leaveX && (!leaveY || line.passes(farX, farY) <= 0), 11, edgeFarX)) {
             visible.b = line.at(farX);
-            watch("cut", 9, visible, right ? Edge::Right : Edge::Left);
-        } else if (leaveY) {
+            watch("cut", 12, visible, edgeFarX);
+        } else if (test(leaveY, 13, edgeFarY)) {
             visible.b = line.atHeight(farY);
-            watch("cut", 10, visible, up ? Edge::Top : Edge::Bottom);
+            watch("cut", 14, visible, edgeFarY);
         }
-        watch("accept", 11, visible, Edge::None);
+        watch("accept", 15, visible, Edge::None);
         return visible;
     }
 };
@@ -135,12 +149,13 @@ namespace {
 /// edge as well, its coordinates do not tell.)
 struct CutWatcher {
     Edge edgeOfA = Edge::None, edgeOfB = Edge::None;
-    void operator()(std::string_view, int line, const auto&, Edge edge)
+    void operator()(std::string_view, int line, const auto&, Edge edge, const auto&...)
     {
-        if (edge != Edge::None)
-            (line < firstLineOfB ? edgeOfA : edgeOfB) = edge;
+        if (line == 8 || line == 10)
+            edgeOfA = edge;
+        else if (line == 12 || line == 14)
+            edgeOfB = edge;
     }
-    static constexpr int firstLineOfB = 9;
 };
 
 } // namespace

@@ -41,26 +41,39 @@ struct LiangBarsky {
     static constexpr bool cut(Part<T>& part, T p, T q, Edge edge, const BasicSegment<T>& s,
                               Watch& watch)
     {
+        watch("p and q", 4, s, edge, Named{"p", p}, Named{"q", q});
         if (p < T(0)) {
+            watch("yes", 5, s, edge, Named{"p", p});
             const T r = q / p;
+            watch("r", 6, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
             if (r > part.stop)
-                return watch("reject", 3, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r}),
-                       false;
+                return watch("reject", 7, s, edge, Named{"r", r}, Named{"u1", part.stop}), false;
+            watch("no", 7, s, edge, Named{"r", r}, Named{"u1", part.stop});
             if (r > part.start) {
+                watch("yes", 8, s, edge, Named{"r", r}, Named{"u0", part.start});
                 part.start = r, part.startEdge = edge;
-                watch("start", 4, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
-            }
+                watch("start", 9, s, edge, Named{"u0", part.start});
+            } else
+                watch("no", 8, s, edge, Named{"r", r}, Named{"u0", part.start});
         } else if (p > T(0)) {
+            watch("no", 5, s, edge, Named{"p", p});
             const T r = q / p;
+            watch("r", 11, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
             if (r < part.start)
-                return watch("reject", 6, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r}),
-                       false;
+                return watch("reject", 12, s, edge, Named{"r", r}, Named{"u0", part.start}), false;
+            watch("no", 12, s, edge, Named{"r", r}, Named{"u0", part.start});
             if (r < part.stop) {
+                watch("yes", 13, s, edge, Named{"r", r}, Named{"u1", part.stop});
                 part.stop = r, part.stopEdge = edge;
-                watch("stop", 7, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
-            }
-        } else if (q < T(0))
-            return watch("reject", 8, s, edge, Named{"p", p}, Named{"q", q}), false;
+                watch("stop", 14, s, edge, Named{"u1", part.stop});
+            } else
+                watch("no", 13, s, edge, Named{"r", r}, Named{"u1", part.stop});
+        } else {
+            watch("no", 10, s, edge, Named{"p", p});
+            if (q < T(0))
+                return watch("reject", 15, s, edge, Named{"q", q}), false;
+            watch("no", 15, s, edge, Named{"q", q});
+        }
         return true;
     }
 
@@ -80,19 +93,27 @@ struct LiangBarsky {
 
         BasicSegment<T> visible = s;
         if (reach != Reach::Bounded || part.stop < T(1)) {
+            watch("yes", 16, s, part.stopEdge, Named{"u1", part.stop});
             visible.b = along<form>(s, {dx, dy}, part.stop, part.stopEdge, w);
-            watch("cut b", 13, visible, part.stopEdge, Named{"u", part.stop});
-        } else if constexpr (form == Form::Corrected)
-            visible.b = clamped(s.b, w);
+            watch("cut b", 17, visible, part.stopEdge, Named{"u1", part.stop});
+        } else {
+            watch("no", 16, s, part.stopEdge, Named{"u1", part.stop});
+            if constexpr (form == Form::Corrected)
+                visible.b = clamped(s.b, w);
+        }
         if (reach == Reach::BothWays || part.start > T(0)) {
+            watch("yes", 18, visible, part.startEdge, Named{"u0", part.start});
             visible.a = along<form>(s, {dx, dy}, part.start, part.startEdge, w);
             if constexpr (form == Form::Corrected)
                 if (part.stopEdge != Edge::None && part.start == part.stop)
                     visible.a = visible.b;
-            watch("cut a", 14, visible, part.startEdge, Named{"u", part.start});
-        } else if constexpr (form == Form::Corrected)
-            visible.a = clamped(s.a, w);
-        watch("accept", 15, visible, Edge::None);
+            watch("cut a", 19, visible, part.startEdge, Named{"u0", part.start});
+        } else {
+            watch("no", 18, visible, part.startEdge, Named{"u0", part.start});
+            if constexpr (form == Form::Corrected)
+                visible.a = clamped(s.a, w);
+        }
+        watch("accept", 20, visible, Edge::None);
         return visible;
     }
 };

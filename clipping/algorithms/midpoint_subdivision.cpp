@@ -84,11 +84,12 @@ struct MidpointSubdivision {
                                                          const BasicWindow<T>& w, Watch&& watch)
     {
         const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("outcodes", 1, s, Edge::None, Named{"a", codeA}, Named{"b", codeB});
+        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
         if ((codeA & codeB) != 0) {
-            watch("reject", 2, s, Edge::None);
+            watch("reject", 2, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
             return std::nullopt;
         }
+        watch("no", 2, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
         BasicSegment<T> visible = s;
         if ((codeA | codeB) != 0) {
             using Places = std::conditional_t<form == Form::Published, Points<T>, Fractions<T, 2>>;
@@ -96,8 +97,13 @@ struct MidpointSubdivision {
             const Places places(s, w);
             std::optional<Ends> other; // the end that was found before
             for (const bool last : {true, false}) {
-                if ((last ? codeB : codeA) == 0)
+                if ((last ? codeB : codeA) == 0) {
+                    watch("no", last ? 3 : 5, visible, Edge::None, Named{"code1", codeA},
+                          Named{"code2", codeB});
                     continue;
+                }
+                watch("yes", last ? 3 : 5, visible, Edge::None, Named{"code1", codeA},
+                      Named{"code2", codeB});
                 const auto found =
                     halved<form>(places,
                                  last ? Ends{places.first(), places.last(), codeA, codeB}
@@ -107,7 +113,7 @@ struct MidpointSubdivision {
                     return std::nullopt;
                 const auto& [near, far, nearCode, farCode] = *found;
                 if (form == Form::Published && nearCode != 0) {
-                    watch("reject", 9, s, Edge::None);
+                    watch("reject", 11, s, Edge::None);
                     return std::nullopt;
                 }
                 bool contact = nearCode != 0;
@@ -120,14 +126,14 @@ struct MidpointSubdivision {
                 other = found;
                 const glm::vec<2, T> end = places.at(near, codes);
                 (last ? visible.b : visible.a) = end;
-                watch("cut", last ? 3 : 4, visible, edgeOf(farCode));
+                watch("cut", last ? 4 : 6, visible, edgeOf(farCode));
                 if (contact) {
                     visible = {end, end};
                     break;
                 }
             }
         }
-        watch("accept", 5, visible, Edge::None);
+        watch("accept", 7, visible, Edge::None);
         return visible;
     }
 };

@@ -16,7 +16,7 @@ namespace {
 struct CohenSutherlandBox {
     static constexpr int lineOf(Edge side)
     {
-        return side < Edge::Near ? 12 - static_cast<int>(side) : 0; // 8 to 11 for top to left
+        return side < Edge::Near ? 20 - 3 * static_cast<int>(side) : 0; // 8 to 17 for top to left
     }
 
     /// An end, the sides it is beyond, and those that have cut it.
@@ -53,17 +53,19 @@ struct CohenSutherlandBox {
     {
         const glm::vec<3, T> d{s.b.x - s.a.x, s.b.y - s.a.y, s.b.z - s.a.z};
         End<T> a{{s.a, d, w}, outcodeOf(s.a, w)}, b{{s.b, d, w}, outcodeOf(s.b, w)};
-        watch("outcodes", 2, s, Edge::None, Named{"a", a.code}, Named{"b", b.code});
+        watch("outcodes", 1, s, Edge::None, Named{"code1", a.code}, Named{"code2", b.code});
         while ((a.code | b.code) != 0) {
             if ((a.code & b.code) != 0) {
-                watch("reject", 5, left(a, b), Edge::None, Named{"a", a.code}, Named{"b", b.code});
+                watch("reject", 4, left(a, b), Edge::None, Named{"code1", a.code},
+                      Named{"code2", b.code});
                 return std::nullopt;
             }
             const Edge side = (a.code != 0 ? a : b).cut();
-            watch("cut", lineOf(side), left(a, b), side, Named{"a", a.code}, Named{"b", b.code});
+            watch("cut", lineOf(side), left(a, b), side, Named{"code1", a.code},
+                  Named{"code2", b.code});
         }
         const BasicSegment<T, 3> visible = between(a.end, b.end);
-        watch("accept", 4, visible, Edge::None);
+        watch("accept", 3, visible, Edge::None);
         return visible;
     }
 };

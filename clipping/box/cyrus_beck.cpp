@@ -42,11 +42,11 @@ struct CyrusBeckBox {
         if (speed > T(0)) {
             if (t > part.start)
                 part.start = t, part.startSide = side;
-            watch("entry", 8, s, side, Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+            watch("entry", 11, s, side, Named{"D", speed}, Named{"N", depth}, Named{"t", t});
         } else {
             if (t < part.stop)
                 part.stop = t, part.stopSide = side;
-            watch("exit", 9, s, side, Named{"D", speed}, Named{"N", depth}, Named{"t", t});
+            watch("exit", 13, s, side, Named{"D", speed}, Named{"N", depth}, Named{"t", t});
         }
         return true;
     }
@@ -62,16 +62,16 @@ struct CyrusBeckBox {
             if (!cut(part, side, s, d, w, watch))
                 return std::nullopt;
         if (part.start > part.stop) {
-            watch("reject", 10, s, Edge::None, Named{"tE", part.start}, Named{"tL", part.stop});
+            watch("reject", 14, s, Edge::None, Named{"tE", part.start}, Named{"tL", part.stop});
             return std::nullopt;
         }
         const BasicSegment<T, 3> visible = endsOf(part, s, d, w);
         if (part.stopSide != Edge::None)
-            watch("cut b", 11, BasicSegment<T, 3>{s.a, visible.b}, part.stopSide,
+            watch("cut b", 16, BasicSegment<T, 3>{s.a, visible.b}, part.stopSide,
                   Named{"tL", part.stop});
         if (part.startSide != Edge::None)
-            watch("cut a", 12, visible, part.startSide, Named{"tE", part.start});
-        watch("accept", 13, visible, Edge::None);
+            watch("cut a", 18, visible, part.startSide, Named{"tE", part.start});
+        watch("accept", 19, visible, Edge::None);
         return visible;
     }
 };

@@ -20,23 +20,23 @@ struct LiangBarskyBox {
         if (p < T(0)) {
             const T r = q / p;
             if (r > part.stop)
-                return watch("reject", 3, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r}),
+                return watch("reject", 7, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r}),
                        false;
             if (r > part.start) {
                 part.start = r, part.startSide = side;
-                watch("start", 4, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r});
+                watch("start", 9, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r});
             }
         } else if (p > T(0)) {
             const T r = q / p;
             if (r < part.start)
-                return watch("reject", 6, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r}),
+                return watch("reject", 12, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r}),
                        false;
             if (r < part.stop) {
                 part.stop = r, part.stopSide = side;
-                watch("stop", 7, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r});
+                watch("stop", 14, s, side, Named{"p", p}, Named{"q", q}, Named{"r", r});
             }
         } else if (q < T(0))
-            return watch("reject", 8, s, side, Named{"p", p}, Named{"q", q}), false;
+            return watch("reject", 15, s, side, Named{"p", p}, Named{"q", q}), false;
         return true;
     }
 
@@ -54,11 +54,11 @@ struct LiangBarskyBox {
         }
         const BasicSegment<T, 3> visible = endsOf(part, s, d, w);
         if (part.stopSide != Edge::None)
-            watch("cut b", 13, BasicSegment<T, 3>{s.a, visible.b}, part.stopSide,
-                  Named{"u", part.stop});
+            watch("cut b", 17, BasicSegment<T, 3>{s.a, visible.b}, part.stopSide,
+                  Named{"u1", part.stop});
         if (part.startSide != Edge::None)
-            watch("cut a", 14, visible, part.startSide, Named{"u", part.start});
-        watch("accept", 15, visible, Edge::None);
+            watch("cut a", 19, visible, part.startSide, Named{"u0", part.start});
+        watch("accept", 20, visible, Edge::None);
         return visible;
     }
 };

@@ -31,7 +31,7 @@ struct MidpointSubdivisionBox {
     clip(const BasicSegment<T, 3>& s, const BasicWindow<T, 3>& w, Watch&& watch)
     {
         const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("outcodes", 1, s, Edge::None, Named{"a", codeA}, Named{"b", codeB});
+        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
         if ((codeA & codeB) != 0) {
             watch("reject", 2, s, Edge::None);
             return std::nullopt;
@@ -47,14 +47,14 @@ struct MidpointSubdivisionBox {
             }
             return found;
         };
-        if ((codeB != 0 && !(last = cut({T(0), T(1), codeA, codeB}, 3, visible.b)))
-            || (codeA != 0 && !(first = cut({T(1), T(0), codeB, codeA}, 4, visible.a))))
+        if ((codeB != 0 && !(last = cut({T(0), T(1), codeA, codeB}, 4, visible.b)))
+            || (codeA != 0 && !(first = cut({T(1), T(0), codeB, codeA}, 6, visible.a))))
             return std::nullopt;
         if (first && last && points.areNeighbours(first->near, last->near)) {
             const auto touch = points.at(last->near, last->codes() | first->codes());
             visible = {touch, touch};
         }
-        watch("accept", 5, visible, Edge::None);
+        watch("accept", 7, visible, Edge::None);
         return visible;
     }
 };

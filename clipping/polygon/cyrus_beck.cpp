@@ -13,7 +13,7 @@ namespace clipping {
 namespace {
 
 struct CyrusBeckPolygon {
-    static constexpr int rejectLine = 10, acceptLine = 13;
+    static constexpr int rejectLine = 14, acceptLine = 19;
 
     /// A bound of what is visible: where on the segment, and the edge that says so.
     template <class T>
@@ -76,33 +76,33 @@ struct CyrusBeckPolygon {
             if (a.sign < 0) {
                 if (!entry.edge || t > entry.t)
                     entry = {t, i};
-                watch("entry", 8, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
+                watch("entry", 11, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
             } else {
                 if (!exit.edge || t < exit.t)
                     exit = {t, i};
-                watch("exit", 9, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
+                watch("exit", 13, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
             }
         }
         const auto box = polygon.box();
         const auto a = at(entry.t, s), b = at(exit.t, s);
         const bool outside = clamped(a, box) != a || clamped(b, box) != b;
         if ((outside && !holdIn(box, s, entry, exit)) || entry.t > exit.t) {
-            watch("reject", 10, s, Edge::None, Named{"tE", entry.t}, Named{"tL", exit.t});
+            watch("reject", 14, s, Edge::None, Named{"tE", entry.t}, Named{"tL", exit.t});
             return std::nullopt;
         }
         PolygonPiece<T> piece{s};
         if (exit.edge) {
             piece.segment.b = clamped(at(exit.t, s), box);
             piece.numberOfB = polygon.number(*exit.edge);
-            watch("cut b", 11, piece.segment, Edge::None, Named{"tL", exit.t});
+            watch("cut b", 16, piece.segment, Edge::None, Named{"tL", exit.t});
         }
         if (entry.edge) {
             const bool contact = exit.edge && entry.t == exit.t;
             piece.segment.a = contact ? piece.segment.b : clamped(at(entry.t, s), box);
             piece.numberOfA = polygon.number(*entry.edge);
-            watch("cut a", 12, piece.segment, Edge::None, Named{"tE", entry.t});
+            watch("cut a", 18, piece.segment, Edge::None, Named{"tE", entry.t});
         }
-        watch("accept", 13, piece.segment, Edge::None);
+        watch("accept", 19, piece.segment, Edge::None);
         return piece;
     }
 };

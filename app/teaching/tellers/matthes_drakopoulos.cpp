@@ -3,8 +3,6 @@
 
 #include <QCoreApplication>
 
-#include <cmath>
-
 namespace app {
 
 using clipping::Edge;
@@ -58,34 +56,12 @@ QString oneBeyond(const Telling& telling, int number)
 /// Lines 8, 11, 14 and 17: how far the line goes on the other axis on its way to the edge.
 QString wayTo(const Telling& telling, int number)
 {
-    const bool rise = telling.step.what == "rise";
+    const int from = words::isPublished(telling) ? 1 : number;
     const auto& line = telling.specimen.line;
-    const auto& from = words::isPublished(telling) || number == 1 ? line.a : line.b;
-    const int along = rise ? 0 : 1;
-    const double way = clipping::levelOf(telling.edge(), telling.specimen.window) - from[along];
-    const auto gone = telling.value(telling.step.what);
-    const QString x = rise ? QStringLiteral("x") : QStringLiteral("y");
-    const QString y = rise ? QStringLiteral("y") : QStringLiteral("x");
-    const QString end = words::end(words::isPublished(telling) ? 1 : number);
-    const auto slope = telling.value(rise ? "(y2-y1)/(x2-x1)" : "(x2-x1)/(y2-y1)");
-    if (slope && gone && !std::isfinite(*gone))
-        return tr("The slope overflows (%1): what is multiplied with it is no longer a number that "
-                  "means anything, and the line is lost.")
-            .arg(words::number(*slope));
-    if (slope)
-        return tr("From %1 to %2 it is %3 in %4. For each unit of %4 the line goes %5 in %6, so it "
-                  "goes %7 in %6.")
-            .arg(end, telling.edgeText(), words::number(way), x, words::number(*slope), y,
-                 words::number(*gone));
-    return tr("From %1 to %2 it is %3 in %4. On that way the line goes %5 in %6.")
-        .arg(end, telling.edgeText(), words::number(way), x, words::number(gone.value_or(0)), y);
-}
-
-QString moved(const Telling& telling, int number)
-{
-    const auto& p = number == 1 ? telling.step.segment.a : telling.step.segment.b;
-    return tr("%1 moves along the line to %2, to %3. What lay beyond is gone.")
-        .arg(words::end(number), telling.edgeText(), words::point(p));
+    return words::way(
+        telling, words::end(from), from == 1 ? line.a : line.b,
+        telling.value(telling.step.what).value_or(0),
+        telling.value(telling.step.what == "rise" ? "(y2-y1)/(x2-x1)" : "(x2-x1)/(y2-y1)"));
 }
 
 /// Line 19: after both axes, only x can still be outside, and only if the line misses.
@@ -138,7 +114,7 @@ QString sentence(const Telling& telling)
     if (what == "reject")
         return rejected(telling);
     if (what == "cut")
-        return moved(telling, number);
+        return words::moved(telling, number);
     if (what == "rise" || what == "run")
         return wayTo(telling, number);
     return telling.step.line == 19  ? stillBeyond(telling)

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <bit>
 #include <cmath>
 
 namespace app::words {
@@ -73,6 +74,62 @@ QString compared(double one, double other)
 QString compared(const Point& p, clipping::Edge edge, const clipping::Window& window)
 {
     return compared(axisOf(p, edge), clipping::levelOf(edge, window));
+}
+
+QString region(unsigned code, YAxis y)
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{"below left", "below", "below right"},
+         {"left", "inside", "right"},
+         {"above left", "above", "above right"}}};
+    const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
+    const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
+    return tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
+}
+
+clipping::Edge edgeOf(unsigned code)
+{
+    return code == 0 ? clipping::Edge::None : clipping::Edge(std::countr_zero(code) + 1);
+}
+
+QString codeAndRegion(unsigned code, YAxis y)
+{
+    return QStringLiteral("%1 (%2)").arg(outcodeText(code, y), region(code, y));
+}
+
+unsigned bits(const Telling& telling, std::string_view name)
+{
+    return unsigned(telling.value(name).value_or(0));
+}
+
+QString way(const Telling& telling, const QString& from, const Point& start, double gone,
+            std::optional<double> slope)
+{
+    const auto along = clipping::axisOf(telling.edge());
+    const double away = clipping::levelOf(telling.edge(), telling.specimen.window) - start[along];
+    const QString x = axisName(telling.edge()),
+                  y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
+    if (!std::isfinite(gone))
+        return slope
+                   ? tr("The slope overflows (%1): what is multiplied with it means nothing any "
+                        "more, and the line is lost.")
+                         .arg(number(*slope))
+                   : tr("The numbers are too large: their product overflows (%1), and the line is "
+                        "lost.")
+                         .arg(number(gone));
+    const QString text =
+        tr("From %1 to %2 it is %3 in %4.").arg(from, telling.edgeText(), number(away), x);
+    return text + u' '
+           + (slope ? tr("For each unit of %1 the line goes %2 in %3, so it goes %4 in %3.")
+                          .arg(x, number(*slope), y, number(gone))
+                    : tr("On that way the line goes %1 in %2.").arg(number(gone), y));
+}
+
+QString moved(const Telling& telling, int number)
+{
+    const auto& p = number == 1 ? telling.step.segment.a : telling.step.segment.b;
+    return tr("%1 moves along the line to %2, to %3. What lay beyond is gone.")
+        .arg(end(number), telling.edgeText(), point(p));
 }
 
 QString accepted(const Telling& telling)
