@@ -29,6 +29,8 @@ Mark markOf(const Step& step, const clipping::OperationCounts& before)
     for (const Row& row : words)
         if (step.what.starts_with(row.what))
             return row.mark;
+    if (step.what == "yes" || step.what == "no")
+        return Mark::Compare;
     return step.cost.divisions > before.divisions       ? Mark::Divide
            : step.cost.comparisons > before.comparisons ? Mark::Compare
                                                         : Mark::Look;

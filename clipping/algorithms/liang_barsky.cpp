@@ -57,6 +57,7 @@ struct LiangBarsky {
                 watch("no", 8, s, edge, Named{"r", r}, Named{"u0", part.start});
         } else if (p > T(0)) {
             watch("no", 5, s, edge, Named{"p", p});
+            watch("yes", 10, s, edge, Named{"p", p});
             const T r = q / p;
             watch("r", 11, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
             if (r < part.start)
@@ -69,6 +70,7 @@ struct LiangBarsky {
             } else
                 watch("no", 13, s, edge, Named{"r", r}, Named{"u1", part.stop});
         } else {
+            watch("no", 5, s, edge, Named{"p", p});
             watch("no", 10, s, edge, Named{"p", p});
             if (q < T(0))
                 return watch("reject", 15, s, edge, Named{"q", q}), false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/tellers/words.h"
+#include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
@@ -71,9 +71,9 @@ QString sentence(const Telling& telling)
     const auto& what = telling.step.what;
     const int number = int(telling.value("i").value_or(1));
     if (what == "accept")
-        return words::accepted(telling);
+        return words::acceptedIfInside(telling);
     if (what == "reject")
-        return rejected(telling);
+        return rejected(telling) + words::lost(telling);
     if (what == "give up")
         return tr(
             "After 64 cuts no end is in sight: rounding clears one bit and sets another, round and "

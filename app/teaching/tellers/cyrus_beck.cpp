@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/tellers/words.h"
+#include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
@@ -71,16 +71,26 @@ QString concluded(const Telling& telling)
     }
 }
 
+QString rejected(const Telling& telling)
+{
+    if (telling.step.line == 6)
+        return tr("The line runs along %1, beyond it (N = %2 is less than 0): nothing of it is "
+                  "visible.")
+            .arg(telling.edgeText(), number(telling, "N"));
+    return tr("The line goes out before it comes in (tE > tL: %1): nothing of it is visible.")
+        .arg(compared(telling, "tE", "tL"));
+}
+
 QString accepted(const Telling& telling)
 {
     const auto& [a, b] = telling.step.segment;
     const auto& window = telling.specimen.window;
-    const bool isOut = words::isOutside(a, window);
-    if (isOut || words::isOutside(b, window))
-        return tr("%1 is at %2 and so a little outside the window, or more: its coordinates are "
-                  "rounded, and nobody holds them at the edge. It is drawn all the same.")
-            .arg(words::end(isOut ? 1 : 2), words::point(isOut ? a : b));
-    return words::accepted(telling);
+    const bool flat = window.min.x == window.max.x || window.min.y == window.max.y;
+    if (flat && (words::isOutside(a, window) || words::isOutside(b, window)))
+        return tr(
+            "The window has no area, so two of its normals are (0, 0) and cut nothing. What is "
+            "left is taken for visible, and that is wrong: it reaches beyond the window.");
+    return words::acceptedIfInside(telling);
 }
 
 QString sentence(const Telling& telling)
@@ -90,14 +100,7 @@ QString sentence(const Telling& telling)
     if (what == "accept")
         return accepted(telling);
     if (what == "reject")
-        return telling.step.line == 6
-                   ? tr("The line runs along %1, beyond it (N = %2 is less than 0): nothing of it "
-                        "is "
-                        "visible.")
-                         .arg(edge, number(telling, "N"))
-                   : tr("The line goes out before it comes in (tE > tL: %1): nothing of it is "
-                        "visible.")
-                         .arg(compared(telling, "tE", "tL"));
+        return rejected(telling) + words::lost(telling);
     if (what == "D")
         return tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on its way "
                   "from "

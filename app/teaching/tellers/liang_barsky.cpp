@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/tellers/words.h"
+#include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
@@ -29,7 +29,9 @@ QString direction(const Telling& telling)
                   "the line: this edge cuts nothing.")
             .arg(edge, q);
     if (telling.step.line == 10)
-        return tr("p = 0: the line runs along %1 and never crosses it.").arg(edge);
+        return (telling.holds() ? tr("p = %1 is greater than 0: at %2 the line goes out.")
+                                : tr("p = %1: the line runs along %2 and never crosses it."))
+            .arg(p, edge);
     return (telling.holds() ? tr("p = %1 is less than 0: at %2 the line comes in.")
                             : tr("p = %1 is not less than 0: at %2 the line does not come in."))
         .arg(p, edge);
@@ -98,9 +100,9 @@ QString sentence(const Telling& telling)
     const auto& what = telling.step.what;
     const QString edge = telling.edgeText();
     if (what == "accept")
-        return words::accepted(telling);
+        return words::acceptedIfInside(telling);
     if (what == "reject")
-        return rejected(telling);
+        return rejected(telling) + words::lost(telling);
     if (what == "p and q")
         return tr("Seen from %1, the line goes outwards at the rate p = %2, and End 1 lies q = %3 "
                   "inside (less than 0: outside).")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/tellers/words.h"
+#include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
@@ -112,7 +112,7 @@ QString sentence(const Telling& telling)
     if (what == "accept")
         return accepted(telling);
     if (what == "reject")
-        return rejected(telling);
+        return rejected(telling) + words::lost(telling);
     if (what == "cut")
         return words::moved(telling, number);
     if (what == "rise" || what == "run")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/tellers/words.h"
+#include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
@@ -51,8 +51,8 @@ QString rejected(const Telling& telling)
         return tr("The near point (%1) and the far point (%2) lie beyond the same edge: between "
                   "them nothing is visible.")
             .arg(codeText(telling, "near"), codeText(telling, "far"));
-    return tr("There is nothing left to halve, and the near point is still outside: nothing is "
-              "visible. A single common point between two numbers is lost in this way.");
+    return tr(
+        "There is nothing left to halve, and the near point is still outside: nothing is visible.");
 }
 
 /// Lines 2, 3 and 5.
@@ -74,9 +74,9 @@ QString sentence(const Telling& telling)
 {
     const auto& what = telling.step.what;
     if (what == "accept")
-        return words::accepted(telling);
+        return words::acceptedIfInside(telling);
     if (what == "reject")
-        return rejected(telling);
+        return rejected(telling) + words::lost(telling);
     if (what == "outcodes")
         return outcodes(telling);
     if (what == "halve")

@@ -31,18 +31,6 @@ QString beyond(clipping::Edge edge, YAxis y)
     return tr(words.at(asSeen(edge, y)));
 }
 
-QString whereBeyond(clipping::Edge edge, YAxis y)
-{
-    static constexpr std::array<const char*, 5> words{"outside", "left", "right", "below", "above"};
-    return tr(words.at(asSeen(edge, y)));
-}
-
-QString levelName(clipping::Edge edge)
-{
-    static constexpr std::array<const char*, 5> names{"", "xmin", "xmax", "ymin", "ymax"};
-    return QLatin1StringView(names.at(std::size_t(edge)));
-}
-
 QString axisName(clipping::Edge edge)
 {
     return clipping::axisOf(edge) == 0 ? QStringLiteral("x") : QStringLiteral("y");

@@ -9,10 +9,6 @@ namespace app::words {
 
 /// "left of the window", "above the window", as it is seen. Not for Edge::None.
 QString beyond(clipping::Edge edge, YAxis y);
-/// "left", "above": where what is beyond the edge lies.
-QString whereBeyond(clipping::Edge edge, YAxis y);
-/// "xmin".
-QString levelName(clipping::Edge edge);
 /// "x" or "y": the axis across the edge.
 QString axisName(clipping::Edge edge);
 

@@ -16,6 +16,7 @@ using clipping::Edge;
 using clipping::Form;
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
+constexpr clipping::Segment across{{-160, -30}, {70, 130}};
 
 /// Lines of all kinds: anywhere, on the edges' lines, points, along the axes.
 std::vector<clipping::Segment> lines(int count)
@@ -89,7 +90,8 @@ QString fault(const QString& sentence)
     if (sentence.contains(placeholder) || sentence.contains(number)
         || sentence.contains(QStringLiteral("::")))
         return QStringLiteral("no words");
-    if (!sentence.front().isUpper() || !(sentence.endsWith(u'.') || sentence.endsWith(u'!')))
+    static const QRegularExpression begins(QStringLiteral("^([A-Z]|\\w+ = )"));
+    if (!begins.match(sentence).hasMatch() || !(sentence.endsWith(u'.') || sentence.endsWith(u'!')))
         return QStringLiteral("no sentence");
     return {};
 }
@@ -128,15 +130,16 @@ private slots:
     void everyStepIsSaidInItsOwnWords()
     {
         for (const app::Clipper& clipper : toldClippers())
-            for (const auto& line : lines(1'500))
-                for (const auto y : {app::YAxis::Up, app::YAxis::Down})
+            for (const auto& line : lines(300))
+                for (const auto y : {app::YAxis::Up, app::YAxis::Down}) {
+                    QByteArray wrong;
                     forEachStep(clipper, line, window, y, [&](const app::Telling& telling) {
                         const QString sentence = tellerOf(clipper).sentence(telling);
-                        const QString wrong = fault(sentence);
-                        QVERIFY2(wrong.isEmpty(), told(telling, sentence));
-                        QVERIFY2(sentence != app::generalSentence(telling),
-                                 told(telling, sentence));
+                        if (!fault(sentence).isEmpty() || sentence == app::generalSentence(telling))
+                            wrong = told(telling, sentence);
                     });
+                    QVERIFY2(wrong.isEmpty(), wrong);
+                }
     }
 
     /// Numbers of any size, windows without area, lines that only touch.
@@ -145,13 +148,17 @@ private slots:
         for (const app::Clipper& clipper : toldClippers())
             for (const Family& family : families()) {
                 const auto inputs = family.inputs();
-                for (std::size_t i = 0; i < inputs.size() && i < 300; ++i)
-                    forEachStep(clipper, inputs[i].segment, inputs[i].window, app::YAxis::Up,
+                for (std::size_t i = 0; i < inputs.size() && i < 100; ++i) {
+                    QByteArray wrong;
+                    const auto& [segment, w] = inputs[i];
+                    forEachStep(clipper, segment, w, app::YAxis::Up,
                                 [&](const app::Telling& telling) {
                                     const QString sentence = tellerOf(clipper).sentence(telling);
-                                    const QString wrong = fault(sentence);
-                                    QVERIFY2(wrong.isEmpty(), told(telling, sentence));
+                                    if (!fault(sentence).isEmpty())
+                                        wrong = told(telling, sentence);
                                 });
+                    QVERIFY2(wrong.isEmpty(), wrong);
+                }
             }
     }
 
@@ -188,7 +195,7 @@ private slots:
         static const QRegularExpression assigns(QStringLiteral("=|move|exchange"));
         static const QRegularExpression asks(QStringLiteral("\\b(if|while|until|repeat)\\b"));
         for (const app::Clipper& clipper : toldClippers())
-            for (const auto& line : lines(500)) {
+            for (const auto& line : lines(200)) {
                 const auto walk = app::walkOf({clipper, line, window, app::YAxis::Up, {}});
                 for (const auto& moment : walk.moments) {
                     QVERIFY(moment.line >= 1 && moment.line <= walk.code.size());
@@ -221,7 +228,7 @@ private slots:
     void matthesDrakopoulos()
     {
         compareLists(
-            sentences("md:published", {{-160, -30}, {70, 130}}),
+            sentences("md:published", across),
             {"1: From x = −160 to x = 70 the line lies neither wholly left nor wholly right of the "
              "window (−100 to 100): x does not rule it out.",
              "3: From y = −30 to y = 130 the line lies neither wholly above nor wholly below the "
@@ -252,6 +259,189 @@ private slots:
              "of the window: the line has met it.",
              "21: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
              "is visible."});
+    }
+    void cohenSutherland()
+    {
+        compareLists(
+            sentences("cs:published", across),
+            {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
+             "(above).",
+             "3: Not both ends are inside, for 0001 | 1000 = 1001 is not 0000: the line cannot be "
+             "accepted yet.",
+             "4: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line cannot be "
+             "rejected yet.",
+             "5: End 1 is outside, with 0001 (left): it is the one to be cut.",
+             "15: The first bit that is set in 0001 is the one for the left edge: End 1 lies left "
+             "of the window and is cut there.",
+             "16: From End 1 to the left edge it is 60 in x. On that way the line goes 41.7391 in "
+             "y.",
+             "17: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
+             "is gone.",
+             "18: There End 1 has the outcode 0000 (inside).",
+             "3: Not both ends are inside, for 0000 | 1000 = 1000 is not 0000: the line cannot be "
+             "accepted yet.",
+             "4: No edge has both ends beyond it, for 0000 & 1000 = 0000: the line cannot be "
+             "rejected yet.",
+             "5: End 1 is inside, End 2 is outside, with 1000 (above): it is the one to be cut.",
+             "6: The first bit that is set in 1000 is the one for the top edge: End 2 lies above "
+             "the window and is cut there.",
+             "7: From End 1 to the top edge it is 63.2609 in y. On that way the line goes 90.9375 "
+             "in x.",
+             "8: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
+             "gone.",
+             "18: There End 2 has the outcode 0000 (inside).",
+             "3: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "is visible."});
+    }
+    void cohenSutherlandSaysThatItNeverEnds()
+    {
+        const auto said = sentences("cs:published", {{1, 1}, {-1, -1}}, {{0.1, 0.1}, {3, 3}});
+        QVERIFY2(said.last().startsWith("19: After 64 cuts"), said.last().toUtf8());
+    }
+    void liangBarsky()
+    {
+        const QString seen("4: Seen from the %1 edge, the line goes outwards at the rate p = %2, "
+                           "and End 1 lies q = %3 inside (less than 0: outside).");
+        compareLists(
+            sentences("lb:published", across),
+            {seen.arg("left", "−230", "−60"),
+             "5: p = −230 is less than 0: at the left edge the line comes in.",
+             "6: The line enters across the left edge at r = q/p = 0.26087 (0 is End 1, 1 is End "
+             "2).",
+             "7: It comes in before it goes out (0.26087 < 1), so something may be left.",
+             "8: Of all entries so far, the one at the left edge is the last (0.26087 > 0).",
+             "9: What is left begins at the left edge, with u0 = 0.26087.",
+             seen.arg("right", "230", "260"),
+             "5: p = 230 is not less than 0: at the right edge the line does not come in.",
+             "10: p = 230 is greater than 0: at the right edge the line goes out.",
+             "11: The line leaves across the right edge at r = q/p = 1.13043 (0 is End 1, 1 is End "
+             "2).",
+             "12: It goes out after it has come in (1.13043 > 0.26087), so something may be left.",
+             "13: The part that is left ends before that (1.13043 > 1): the right edge cuts "
+             "nothing off.",
+             seen.arg("bottom", "−160", "45"),
+             "5: p = −160 is less than 0: at the bottom edge the line comes in.",
+             "6: The line enters across the bottom edge at r = q/p = −0.28125 (0 is End 1, 1 is "
+             "End 2).",
+             "7: It comes in before it goes out (−0.28125 < 1), so something may be left.",
+             "8: The part that is left begins later than that (−0.28125 < 0.26087): the bottom "
+             "edge cuts nothing off.",
+             seen.arg("top", "160", "105"),
+             "5: p = 160 is not less than 0: at the top edge the line does not come in.",
+             "10: p = 160 is greater than 0: at the top edge the line goes out.",
+             "11: The line leaves across the top edge at r = q/p = 0.65625 (0 is End 1, 1 is End "
+             "2).",
+             "12: It goes out after it has come in (0.65625 > 0.26087), so something may be left.",
+             "13: Of all exits so far, the one at the top edge is the first (0.65625 < 1).",
+             "14: What is left ends at the top edge, with u1 = 0.65625.",
+             "16: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
+             "17: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
+             "gone.",
+             "18: u0 = 0.26087 is greater than 0: End 1 lies outside and has to move.",
+             "19: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
+             "is gone.",
+             "20: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "is visible."});
+    }
+    /// The published normals are as long as the edges, 200 and 150.
+    void cyrusBeck()
+    {
+        const auto edge = [](const char* name, const char* normal, const char* d, const char* n,
+                             const char* t) {
+            return QStringList{
+                QString("3: The inner normal of the %1 edge is (%2). Along it the line gains D = "
+                        "%3 on its way from End 1 to End 2.")
+                    .arg(name, normal, d),
+                QString("4: Along the same normal End 1 lies N = %2 inside the %1 edge (less than "
+                        "0: beyond it).")
+                    .arg(name, n),
+                QString("5: D = %2 is not 0: the line, taken as endless, crosses the %1 edge "
+                        "somewhere.")
+                    .arg(name, d),
+                QString("8: The line crosses the %1 edge at t = −N/D = %2 (0 is End 1, 1 is End "
+                        "2).")
+                    .arg(name, t)};
+        };
+        compareLists(
+            sentences("cb:published", across),
+            edge("bottom", "0, 200", "32000", "9000", "−0.28125")
+                + QStringList{"9: D = 32000 is greater than 0: at the bottom edge the line comes "
+                              "in.",
+                              "10: What is left begins no earlier than that (−0.28125 < 0): the "
+                              "bottom edge cuts nothing off."}
+                + edge("right", "−150, 0", "−34500", "39000", "1.13043")
+                + QStringList{"9: D = −34500 is less than 0: at the right edge the line goes out.",
+                              "12: What is left ends no later than that (1.13043 > 1): the right "
+                              "edge cuts nothing off."}
+                + edge("top", "0, −200", "−32000", "21000", "0.65625")
+                + QStringList{"9: D = −32000 is less than 0: at the top edge the line goes out.",
+                              "12: Of all exits so far, the one at the top edge is the first "
+                              "(0.65625 < 1).",
+                              "13: What is left ends at the top edge, with tL = 0.65625."}
+                + edge("left", "150, 0", "34500", "−9000", "0.26087")
+                + QStringList{
+                    "9: D = 34500 is greater than 0: at the left edge the line comes in.",
+                    "10: Of all entries so far, the one at the left edge is the last (0.26087 > "
+                    "0).",
+                    "11: What is left begins at the left edge, with tE = 0.26087.",
+                    "14: The last entry comes no later than the first exit (tE = 0.26087, tL = "
+                    "0.65625): what lies between them is visible.",
+                    "15: tL = 0.65625 is less than 1: End 2 lies outside and has to move.",
+                    "16: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
+                    "beyond is gone.",
+                    "17: tE = 0.26087 is greater than 0: End 1 lies outside and has to move.",
+                    "18: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
+                    "beyond is gone.",
+                    "19: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+                    "window: it is visible."});
+    }
+    void cyrusBeckSaysThatTheWindowHasNoArea()
+    {
+        const auto said = sentences("cb:published", {{0, 3}, {6, 3}}, {{1, 3}, {5, 3}});
+        QVERIFY2(said.last().contains("that is wrong"), said.last().toUtf8());
+    }
+    void exact()
+    {
+        compareLists(
+            sentences("exact", across),
+            {"1: No edge has both ends beyond it, so the line may meet the window.",
+             "4: End 1 is beyond the left edge; End 2 is beyond the top edge.",
+             "5: The line reaches the left edge no later than the top edge: the corner between "
+             "them does not keep it out. That is certain, whatever the rounding.",
+             "6: The line need not come in at the bottom edge and go out at the right edge, so the "
+             "corner between them cannot keep it out.",
+             "7: End 1 is beyond the left edge and no other edge: it is cut there.",
+             "8: End 1 moves along the line to the left edge, to (−100, 11.7391): the true point, "
+             "rounded once.",
+             "11: End 2 is not beyond the right edge.",
+             "13: End 2 is beyond the top edge: it is cut there.",
+             "14: End 2 moves along the line to the top edge, to (−9.0625, 75): the true point, "
+             "rounded once.",
+             "15: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "is visible."});
+    }
+    void midpointSubdivision()
+    {
+        const auto said = sentences("ms:published", across);
+        compareLists(
+            said.first(5),
+            {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
+             "(above).",
+             "2: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line may meet the "
+             "window.",
+             "3: End 2 is outside (1000): the visible point nearest to it is sought, by halving.",
+             "13: The middle, at (−45, 50), has the outcode 0000 (inside) and shares no edge with "
+             "the far point: the end that is sought lies between them, and the near half is "
+             "settled.",
+             "12: The middle, at (12.5, 90), has the outcode 1000 (above) and lies beyond the same "
+             "edge as the far point: the half between them holds nothing and is dropped."});
+        QVERIFY(said.contains("4: There is nothing left to halve: End 2 is found at (−9.0625, 75), "
+                              "at the top edge."));
+        QVERIFY(said.contains("5: End 1 is outside (0001): the visible point nearest to it is "
+                              "sought, by halving."));
+        const auto lost = sentences("ms:published", {{-1, -4}, {6, 45}}, {{0, 0}, {3, 3}});
+        QVERIFY2(lost.last().contains("That is wrong: the line touches the window at (0, 3)."),
+                 lost.last().toUtf8());
     }
     void matthesDrakopoulosSaysWhatIsWrong()
     {
