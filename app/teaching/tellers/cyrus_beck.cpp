@@ -26,7 +26,7 @@ QString asked(const Telling& telling)
     switch (telling.step.line) {
     case 5:
         return (telling.holds()
-                    ? tr("D = 0: the line runs along %1 and never crosses it.")
+                    ? tr("D = %2: the line runs along %1 and never crosses it.")
                     : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
             .arg(edge, number(telling, "D"));
     case 6:

@@ -98,13 +98,13 @@ QString cutWhere(const Telling& telling)
         return tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
     if (entering)
         return (telling.holds()
-                    ? tr("Of the two edges that it enters by, %1 comes last: End 1 is cut "
+                    ? tr("Of the two edges that it enters by, %1 comes after %2: End 1 is cut "
                          "there.")
                     : tr("Of the two edges that it enters by, %2 comes later than %1: it "
                          "is not cut at %1."))
             .arg(x, y);
     return (telling.holds()
-                ? tr("Of the two edges that it leaves by, %1 comes first: End 2 is cut there.")
+                ? tr("Of the two edges that it leaves by, %1 comes before %2: End 2 is cut there.")
                 : tr(
                     "Of the two edges that it leaves by, %2 comes before %1: it is not cut at %1."))
         .arg(x, y);

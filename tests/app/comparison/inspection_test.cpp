@@ -70,7 +70,7 @@ private slots:
         const auto line = app::inspect(session, 0);
         QCOMPARE(line.from.outcode(), "1001");
         const QString first = stepTexts(line).front();
-        QVERIFY2(first.contains("a = 1001, b = 0010"), qPrintable(first));
+        QVERIFY2(first.contains("code1 = 1001, code2 = 0010"), qPrintable(first));
     }
     void whatIsLeftAndWhatItCosts()
     {
@@ -105,10 +105,10 @@ private slots:
         };
         // From (-10, 5) to (10, 9) at (0, 0)-(10, 10): enters at (0, 7), half way.
         const clipping::Segment line{{-10, 5}, {10, 9}};
-        QVERIFY(says(text("cs", line),
-                     {"leaves (0.000; 35.000) to (50.000; 45.000)",
-                      "Visible: (0.000; 35.000) to (50.000; 45.000)", "a = 0001, b = 0000"}));
-        QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250, r = 0.5", "u = 0.5"}));
+        QVERIFY(says(text("cs", line), {"leaves (0.000; 35.000) to (50.000; 45.000)",
+                                        "Visible: (0.000; 35.000) to (50.000; 45.000)",
+                                        "code1 = 0001, code2 = 0000"}));
+        QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250, r = 0.5", "u0 = 0.5"}));
         QVERIFY(says(text("md", line), {"rise = 10"}));
         QVERIFY(says(text("cb", line), {"D = 100, N = \u221250, t = 0.5"}));
         QVERIFY(says(text("cb", line, clipping::Form::Published),

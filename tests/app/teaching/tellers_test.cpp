@@ -3,6 +3,7 @@
 #include "app/teaching/page.h"
 #include "app/teaching/teller.h"
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -121,6 +122,8 @@ class TellersTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
     void everyTellerHasItsAlgorithm()
     {
         for (const auto& teller : app::tellers())
