@@ -50,12 +50,6 @@ QByteArray pdf(const TraceExport& trace, std::span<const std::size_t> steps)
     return pdfOf(pages, {titleOf(trace.specimen.clipper), {}});
 }
 
-/// "matthes-drakopoulos", "skala-published": a file's name.
-QString stemOf(const TraceExport& trace)
-{
-    return keyOf(trace.specimen.clipper).replace(u':', u'-');
-}
-
 bool oneFile(const TraceExport& trace, const TraceFormat& format)
 {
     return format.files == TraceFormat::Files::One || trace.only;
@@ -96,12 +90,17 @@ const TraceFormat* findTraceFormat(QStringView word)
     return nullptr;
 }
 
+QString traceStem(const TraceExport& trace)
+{
+    return keyOf(trace.specimen.clipper).replace(u':', u'-');
+}
+
 QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, const QString& target)
 {
     const QString ending = u'.' + latin(format.ending);
     QString stem = target;
     if (QFileInfo(target).isDir() || target.endsWith(u'/'))
-        stem = QDir(target).filePath(stemOf(trace));
+        stem = QDir(target).filePath(traceStem(trace));
     else if (oneFile(trace, format))
         return {target};
     else if (target.endsWith(ending, Qt::CaseInsensitive))

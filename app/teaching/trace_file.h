@@ -40,6 +40,9 @@ std::span<const TraceFormat> traceFormats();
 /// By its key or ending; null if there is none.
 const TraceFormat* findTraceFormat(QStringView word);
 
+/// What a file of it is called, without its ending: "matthes-drakopoulos", "skala-published".
+QString traceStem(const TraceExport& trace);
+
 /// The files that would be written to a name: NAME itself if it is one file, NAME-01.svg and so on
 /// if it is one a step; in a folder they are called as the algorithm is.
 QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, const QString& target);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/export_steps.h"
+
+#include "app/latin.h"
+#include "ui/dialogs/in_background.h"
+#include "ui/look.h"
+#include "ui/microscope/export_steps_dialog.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace ui {
+
+namespace {
+
+const QString folderKey = QStringLiteral("stepsFolder");
+
+QString folder()
+{
+    const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QSettings().value(folderKey, usual).toString();
+}
+
+} // namespace
+
+StepExports::StepExports(QWidget& window, const app::Microscope& microscope)
+    : QObject(&window), window_(window), microscope_(microscope),
+      questions_(std::make_unique<Questions>(window))
+{
+}
+
+void StepExports::ask()
+{
+    app::TraceExport trace{.specimen = microscope_.specimen(), .walk = microscope_.walk()};
+    if (lookOf(window_.palette()).dark)
+        trace.ground = app::Ground::Dark;
+    auto* dialog = new ExportStepsDialog(std::move(trace), microscope_.step(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { write(dialog->format(), dialog->trace()); });
+    dialog->open();
+}
+
+/// Where to write, once whatever is there may be overwritten; empty: cancelled.
+QStringList StepExports::pathsFor(const app::TraceFormat& format, const app::TraceExport& trace)
+{
+    const QString ending = app::latin(format.ending);
+    const bool several = format.files == app::TraceFormat::Files::OneAStep && !trace.only;
+    const QString inFolder = folder() + u'/';
+    const QString path =
+        several ? questions_->filesToWrite(tr("Export steps, whose names begin so"),
+                                           inFolder + app::traceStem(trace) + u'.' + ending,
+                                           format.name, ending)
+                : questions_->fileToWrite(tr("Export steps"),
+                                          app::tracePaths(trace, format, inFolder).front(),
+                                          format.name, ending);
+    if (path.isEmpty())
+        return {};
+    QSettings().setValue(folderKey, QFileInfo(path).path());
+    const QStringList paths = app::tracePaths(trace, format, path);
+    const QStringList existing = several ? app::existingOf(paths) : QStringList();
+    return existing.isEmpty() || questions_->overwriteFiles(existing, int(paths.size()))
+               ? paths
+               : QStringList();
+}
+
+void StepExports::write(const app::TraceFormat& format, const app::TraceExport& trace)
+{
+    const QStringList paths = pathsFor(format, trace);
+    if (paths.isEmpty())
+        return;
+    const auto painted =
+        inBackground(&window_, tr("Painting %n steps…", nullptr, int(trace.steps().size())),
+                     [&format, trace] { return app::traceBytes(trace, format); });
+    if (!painted) // cancelled, and nothing is written yet
+        return;
+    const auto& bytes = *painted;
+    const auto error =
+        bytes
+            ? app::writeTrace(paths, *bytes)
+            : std::optional(tr("There is not enough memory for the pictures; export fewer steps."));
+    if (error)
+        emit told({Message::Kind::Warning, *error});
+    else
+        emit told({Message::Kind::Done, paths.size() == 1 ? tr("Wrote %1.").arg(paths.front())
+                                                          : tr("Wrote %n files: %1 and so on.",
+                                                               nullptr, int(paths.size()))
+                                                                .arg(paths.front())});
+}
+
+} // namespace ui
