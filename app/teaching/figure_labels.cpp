@@ -207,7 +207,8 @@ std::vector<FigureLabel> figureLabels(const Specimen& specimen, const Walk& walk
     LabelObstacles obstacles = obstaclesOf(specimen, walk, scene, frame);
     std::vector<FigureLabel> labels;
     for (const FigureMark& mark : figureMarks(specimen, scene, frame))
-        labelMark(labels, mark, obstacles, frame);
+        if (!mark.head.isEmpty())
+            labelMark(labels, mark, obstacles, frame);
     labelEdges(labels, specimen, scene, obstacles, frame);
     labelWindow(labels, specimen, obstacles, frame);
     return labels;

@@ -101,9 +101,11 @@ QString detailOf(const CutPoint& cut, bool now, YAxis y)
 
 void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
 {
+    constexpr std::size_t mostTold = 4; // of more only those that stand have a label
     for (const CutPoint& cut : scene.cuts) {
         if (!frame.shows(cut.at))
             continue;
+        const bool told = cut.stands || scene.cuts.size() <= mostTold;
         const bool strong = cut.stands && scene.state != StepScene::State::Rejected;
         marks.push_back({.shape = Form::Cut,
                          .tone = scene.isNow(cut) ? Tone::Lit
@@ -112,8 +114,8 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
                          .point = cut.at,
                          .place = frame.at(cut.at),
                          .angle = 0,
-                         .head = pointText(cut.at),
-                         .detail = detailOf(cut, scene.isNow(cut), frame.y)});
+                         .head = told ? pointText(cut.at) : QString(),
+                         .detail = told ? detailOf(cut, scene.isNow(cut), frame.y) : QString()});
     }
 }
 

@@ -17,7 +17,7 @@ struct FigureMark {
     Point point;          ///< of the drawing
     QPointF place;        ///< in the picture; of an end outside of it: at the border
     double angle;         ///< of a far end: where it lies, in degrees as QLineF has them
-    QString head, detail; ///< its label's two lines
+    QString head, detail; ///< its label's two lines; both empty: it has none
 };
 
 /// The radius of a mark, in the picture's units.

@@ -43,6 +43,12 @@ StepScene::State stateOf(Mark mark)
                                                           : StepScene::State::Working;
 }
 
+/// What a moment leaves: as it accepts, what is visible, after the last rounding.
+const clipping::Segment& leftAt(const Moment& moment, const Walk& walk)
+{
+    return moment.mark == Mark::Accept && walk.visible ? *walk.visible : moment.left;
+}
+
 /// From where an end was to where it is, over the steps up to one.
 void noteDiscarded(StepScene& scene, const Point& given, const Point& before, const Point& now)
 {
@@ -63,9 +69,9 @@ StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step
     for (std::size_t i = 0; i <= step; ++i) {
         const Moment& moment = walk.moments[i];
         before = scene.left;
-        scene.left = moment.left;
+        scene.left = leftAt(moment, walk);
         for (const auto& [was, is, end] :
-             {std::tuple(before.a, moment.left.a, 1), std::tuple(before.b, moment.left.b, 2)})
+             {std::tuple(before.a, scene.left.a, 1), std::tuple(before.b, scene.left.b, 2)})
             if (was != is)
                 noteCut(
                     scene,
@@ -76,8 +82,8 @@ StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step
     scene.state = stateOf(now.mark);
     scene.candidate = now.candidate;
     scene.edge = now.edge;
-    noteDiscarded(scene, specimen.line.a, before.a, now.left.a);
-    noteDiscarded(scene, specimen.line.b, before.b, now.left.b);
+    noteDiscarded(scene, specimen.line.a, before.a, scene.left.a);
+    noteDiscarded(scene, specimen.line.b, before.b, scene.left.b);
     return scene;
 }
 

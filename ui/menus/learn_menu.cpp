@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 #include "ui/main_window.h"
+#include "ui/microscope/export_steps.h"
 #include "ui/plug_in/judge_window.h"
 #include "ui/zoo/zoo_window.h"
 
@@ -21,6 +22,14 @@ void toggleMicroscope(MainWindow& window)
         window.drawnLine().look();
 }
 
+void exportSteps(MainWindow& window)
+{
+    auto* exports = window.findChild<StepExports*>();
+    if (!exports) {
+        exports = new StepExports(window, window.session().microscope);
+        QObject::connect(exports, &StepExports::told, &window, &MainWindow::tell);
+    }
+    exports->ask();
 void toggleOverlay(MainWindow& window)
 {
     app::Display display = window.session().display();
@@ -41,6 +50,13 @@ MenuInfo learnMenu()
                  "microscope",
                  toggleMicroscope,
                  nullptr,
+                 [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
+                {"export-steps",
+                 tr("E&xport steps…"),
+                 {},
+                 Reach::Window,
+                 "export",
+                 exportSteps,
                  [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
                 {"overlay",
                  tr("What the algorithm &sees"),

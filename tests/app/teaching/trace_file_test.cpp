@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/trace_file.h"
+
+#include <QImageReader>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/app/command_line/program.h"
+
+using namespace app;
+
+namespace {
+
+/// A trace with cuts and an end.
+TraceExport sample(std::string_view key = "matthes-drakopoulos")
+{
+    TraceExport trace{.specimen = {{clipping::findAlgorithm(key), clipping::Form::Corrected},
+                                   {{-160, -30}, {70, 130}},
+                                   {{-100, -75}, {100, 75}},
+                                   YAxis::Up,
+                                   {}},
+                      .walk = {}};
+    trace.walk = walkOf(trace.specimen);
+    return trace;
+}
+
+const TraceFormat& format(const char* key) { return *findTraceFormat(QLatin1StringView(key)); }
+
+/// The mean difference of two pictures' pixels, of 255.
+double difference(const QImage& a, const QImage& b)
+{
+    double sum = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+    return sum / (double(a.width()) * a.height());
+}
+
+} // namespace
+
+class TraceFileTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    /// The files of a trace, written.
+    QStringList written(const TraceExport& trace, const char* key)
+    {
+        const QStringList paths =
+            tracePaths(trace, format(key), folder_.filePath(QStringLiteral("a.") + key));
+        const auto bytes = traceBytes(trace, format(key));
+        const auto error = bytes ? writeTrace(paths, *bytes) : QStringLiteral("no memory");
+        return error ? QStringList{*error} : paths;
+    }
+
+private slots:
+    void sameTraceSameBytes()
+    {
+        for (const TraceFormat& row : traceFormats()) {
+            const auto first = traceBytes(sample(), row);
+            QTest::qWait(row.key == "pdf" ? 1100 : 0); // a clock's second
+            QVERIFY2(first == traceBytes(sample(), row), row.key.data());
+        }
+    }
+
+    void filesAreNumberedWhereThereAreSeveral()
+    {
+        const TraceExport trace = sample();
+        const QString name = folder_.filePath("talk.svg");
+        const QStringList paths = tracePaths(trace, format("svg"), name);
+        QCOMPARE(paths.size(), qsizetype(trace.walk.moments.size()));
+        QCOMPARE(paths[1], folder_.filePath("talk-02.svg"));
+        QCOMPARE(tracePaths(trace, format("pdf"), folder_.filePath("talk.pdf")),
+                 QStringList{folder_.filePath("talk.pdf")});
+        TraceExport one = trace;
+        one.only = 2;
+        QCOMPARE(tracePaths(one, format("svg"), name), QStringList{name});
+        QCOMPARE(tracePaths(one, format("svg"), folder_.path()),
+                 QStringList{folder_.filePath("matthes-drakopoulos-03.svg")});
+        QCOMPARE(tracePaths(trace, format("gif"), folder_.path()),
+                 QStringList{folder_.filePath("matthes-drakopoulos.gif")});
+    }
+
+    void existingOnesAreNamed()
+    {
+        const QStringList paths = written(sample(), "png");
+        QCOMPARE(existingOf(paths), paths);
+        QVERIFY(QFile::remove(paths.front()));
+        QCOMPARE(existingOf(paths), paths.sliced(1));
+    }
+
+    void othersSeeTheSameSvg()
+    {
+        const QStringList svg = written(sample(), "svg"), png = written(sample(), "png");
+        const QString seen = folder_.filePath("seen.png");
+        for (qsizetype i : {qsizetype(0), svg.size() - 1}) {
+            QCOMPARE(runProgram("rsvg-convert", {svg[i], "-o", seen}).code, 0);
+            const QImage ours(png[i]), theirs(seen);
+            QCOMPARE(ours.size(), QSize(1280, 720));
+            QCOMPARE(theirs.size(), ours.size());
+            QVERIFY2(difference(ours, theirs) < 3, QByteArray::number(difference(ours, theirs)));
+        }
+    }
+
+    void othersReadThePdf()
+    {
+        const TraceExport trace = sample();
+        const QString pdf = written(trace, "pdf").front();
+        const Ended info = runProgram("pdfinfo", {pdf});
+        QVERIFY2(info.out.contains(
+                     "Pages:           " + QByteArray::number(trace.walk.moments.size()) + "\n"),
+                 info.out);
+        QVERIFY2(info.out.contains("960 x 540 pts"), info.out); // 16:9
+        for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+            const QString page = QString::number(step + 1);
+            const QString words = QString::fromUtf8(
+                runProgram("pdftotext", {"-raw", "-f", page, "-l", page, pdf, "-"}).out);
+            QString flat = words;
+            flat.replace(u'\n', u' ');
+            QVERIFY2(flat.contains(trace.walk.moments[step].sentence), qPrintable(words));
+            QVERIFY2(flat.contains(QStringLiteral("Step %1 of ").arg(page)), qPrintable(words));
+            QVERIFY(flat.contains("End 1") && flat.contains("xmin = \u2212100"));
+        }
+        QCOMPARE(runProgram("pdftoppm", {"-r", "96", "-png", "-f", "1", "-l", "1", "-singlefile",
+                                         pdf, folder_.filePath("page")})
+                     .code,
+                 0);
+        const QImage page(folder_.filePath("page.png")), ours(written(trace, "png").front());
+        QCOMPARE(page.size(), ours.size());
+        QVERIFY2(difference(page, ours) < 4, QByteArray::number(difference(page, ours)));
+    }
+
+    void theGifHasAFrameForEachStep() // by Qt's own reader, not giflib's
+    {
+        TraceExport trace = sample();
+        trace.scale = 0.5;
+        QImageReader reader(written(trace, "gif").front());
+        QCOMPARE(reader.imageCount(), int(trace.walk.moments.size()));
+        QCOMPARE(reader.size(), QSize(640, 360));
+        QCOMPARE(reader.loopCount(), -1); // for ever
+        const QStringList png = written(trace, "png");
+        for (const QString& path : png) {
+            const QImage frame = reader.read();
+            QVERIFY2(difference(frame, QImage(path)) < 1.5,
+                     QByteArray::number(difference(frame, QImage(path))));
+            QVERIFY(reader.nextImageDelay() >= 1200);
+        }
+    }
+
+    void jsonIsAllOfIt()
+    {
+        for (const auto& algorithm : clipping::algorithms()) {
+            const TraceExport trace = sample(algorithm.key);
+            QJsonParseError error;
+            const QJsonObject all =
+                QJsonDocument::fromJson(traceBytes(trace, format("json"))->front(), &error)
+                    .object();
+            QVERIFY2(error.error == QJsonParseError::NoError, qPrintable(error.errorString()));
+            QCOMPARE(all["format"], "clearcut-trace-1");
+            QCOMPARE(all["algorithm"].toString().toStdString(), std::string(algorithm.key));
+            QCOMPARE(all["line"].toArray(), (QJsonArray{-160, -30, 70, 130}));
+            const auto& visible = *trace.walk.visible;
+            QCOMPARE(all["visible"].toArray(),
+                     (QJsonArray{visible.a.x, visible.a.y, visible.b.x, visible.b.y})); // each bit
+            const QJsonArray steps = all["steps"].toArray();
+            QCOMPARE(steps.size(), qsizetype(trace.walk.moments.size()));
+            for (qsizetype i = 0; i < steps.size(); ++i) {
+                const Moment& moment = trace.walk.moments[std::size_t(i)];
+                const QJsonObject step = steps[i].toObject();
+                QCOMPARE(step["sentence"].toString(), moment.sentence);
+                QCOMPARE(step["left"].toArray()[3].toDouble(), moment.left.b.y);
+                QCOMPARE(step["variables"].toArray().size(), qsizetype(moment.variables.size()));
+                QCOMPARE(step["operations"]["comparisons"].toInteger(),
+                         qint64(moment.cost.comparisons));
+            }
+        }
+    }
+
+    void whatIsNoNumberIsAWordInJson()
+    {
+        TraceExport trace = sample();
+        trace.walk.moments.front().left.a = {std::nan(""), -INFINITY};
+        trace.walk.moments.front().sentence = QStringLiteral("\"quoted\" \\ \n");
+        const auto all = QJsonDocument::fromJson(traceBytes(trace, format("json"))->front());
+        const QJsonValue step = all["steps"][0];
+        QCOMPARE(step["left"][0], "nan");
+        QCOMPARE(step["left"][1], "-inf");
+        QCOMPARE(step["sentence"].toString(), trace.walk.moments.front().sentence);
+    }
+
+    void theWalksOfAllRowsBecomeSlides() // published endless ones too
+    {
+        for (const Clipper& clipper : clippers()) {
+            if (clipper.exhibit)
+                continue;
+            TraceExport trace = sample();
+            trace.specimen.clipper = clipper;
+            trace.specimen.window = {{0.1, 0.1}, {30, 30}};
+            trace.specimen.line = {{0.3, 0.3}, {-1, -1}};
+            trace.walk = walkOf(trace.specimen);
+            trace.only = trace.walk.moments.size() - 1;
+            trace.ground = Ground::Dark;
+            QVERIFY(traceBytes(trace, format("png")));
+            QVERIFY(!traceBytes(trace, format("text"))->front().isEmpty());
+        }
+    }
+
+    void refusedLinesAreShownWithTheReason()
+    {
+        TraceExport trace = sample();
+        trace.specimen.line.a.x = std::nan("");
+        trace.walk = walkOf(trace.specimen);
+        for (const TraceFormat& row : traceFormats())
+            QCOMPARE(traceBytes(trace, row)->size(), 1);
+        QVERIFY(traceBytes(trace, format("text"))->front().contains("x1 is not a finite number"));
+    }
+
+    void aFullDiskIsSaid()
+    {
+        const auto bytes = traceBytes(sample(), format("pdf"));
+        const auto error = writeTrace({QStringLiteral("/dev/full")}, *bytes);
+        QVERIFY(error && error->startsWith("Cannot write /dev/full: "));
+        QVERIFY(writeTrace({folder_.filePath("no/such/folder.pdf")}, *bytes));
+    }
+};
+
+QTEST_MAIN(TraceFileTest)
+#include "trace_file_test.moc"
