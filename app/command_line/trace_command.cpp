@@ -35,7 +35,7 @@ Specimen specimenOf(const Given& given)
         .clipper = given.clipper(QStringLiteral("algorithm")).value_or(Clipper{&usualAlgorithm()}),
         .line = {{x1, y1}, {x2, y2}},
         .window = usualWindow,
-        .y = given.choice(QStringLiteral("y"), {"up", "down"}) == 0 ? YAxis::Up : YAxis::Down,
+        .y = given.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up : YAxis::Down,
         .origin = {}};
     const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
     if (const auto window = given.numbers(QStringLiteral("window"), edges)) {
@@ -162,7 +162,9 @@ Command traceCommand()
           Commands::tr("Where to write. Of svg and png there is a file for each step: FILE-01.svg "
                        "and so on.")},
          {{"step"}, "N", Commands::tr("Only this step.")},
-         {{"y"}, "up|down", Commands::tr("Where y grows to in pictures and sentences (up).")},
+         {{"y", "y-axis"},
+          "up|down",
+          Commands::tr("Where y grows to in pictures and sentences (up).")},
          {{"theme"}, "light|dark", Commands::tr("How pictures look (light).")},
          {{"picture-only"},
           {},
@@ -171,7 +173,7 @@ Command traceCommand()
          {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
          {{"q", "quiet"}, {}, Commands::tr("Do not say what was written.")}},
         {"clearcut trace -a md --line -160,-30,70,130",
-         "clearcut trace -a cs:published --line 0.3,0.3,-1,-1 -w 0.1,0.1,30,30 -f json",
+         "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
          "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
          "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
         0,

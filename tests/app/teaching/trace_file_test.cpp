@@ -27,7 +27,7 @@ TraceExport sample(std::string_view key = "matthes-drakopoulos")
     return trace;
 }
 
-const TraceFormat& format(const char* key) { return *findTraceFormat(QLatin1StringView(key)); }
+const TraceFormat& format(const char* key) { return *findTraceFormat(QString::fromLatin1(key)); }
 
 /// The mean difference of two pictures' pixels, of 255.
 double difference(const QImage& a, const QImage& b)
@@ -198,8 +198,8 @@ private slots:
                 continue;
             TraceExport trace = sample();
             trace.specimen.clipper = clipper;
-            trace.specimen.window = {{0.1, 0.1}, {30, 30}};
-            trace.specimen.line = {{0.3, 0.3}, {-1, -1}};
+            trace.specimen.window = {{0.1, 0.1}, {3, 3}};
+            trace.specimen.line = {{1, 1}, {-1, -1}};
             trace.walk = walkOf(trace.specimen);
             trace.only = trace.walk.moments.size() - 1;
             trace.ground = Ground::Dark;
