@@ -52,7 +52,7 @@ MenuInfo learnMenu()
                  nullptr,
                  [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
                 {"export-steps",
-                 tr("E&xport steps…"),
+                 tr("Export &steps…"),
                  {},
                  Reach::Window,
                  "export",
