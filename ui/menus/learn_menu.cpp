@@ -30,6 +30,8 @@ void exportSteps(MainWindow& window)
         QObject::connect(exports, &StepExports::told, &window, &MainWindow::tell);
     }
     exports->ask();
+}
+
 void toggleOverlay(MainWindow& window)
 {
     app::Display display = window.session().display();
@@ -52,7 +54,7 @@ MenuInfo learnMenu()
                  nullptr,
                  [](const MainWindow& w) { return w.session().microscope.isOpen(); }},
                 {"export-steps",
-                 tr("Export &steps…"),
+                 tr("Export s&teps…"),
                  {},
                  Reach::Window,
                  "export",
