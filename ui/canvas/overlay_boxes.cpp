@@ -17,7 +17,8 @@ using app::OverlayAxis;
 using app::OverlayTable;
 
 constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
-constexpr double widestCaption = 460, narrowestCaption = 150, axisHeight = 84, axisMargin = 112;
+constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45, axisHeight = 84,
+                 axisMargin = 112;
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
@@ -38,15 +39,16 @@ std::vector<double> columnWidths(const OverlayTable& table, const QFont& font)
     return widths;
 }
 
-// At the upper right; of a table that is too long the rows about the lit one.
+// At the upper right, over less than half the height: of a longer table the rows about the lit one.
+// None where it would leave no room for the sentence beside it, which says the most of it.
 void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& room,
                 const QFont& font)
 {
     double width = 2 * padding + columnGap * double(table.heading.size() - 1);
     for (const double column : columnWidths(table, font))
         width += column;
-    const double row = rowHeight(font), free = room.height() - 2 * padding - row;
-    if (width > room.width() || free < row)
+    const double row = rowHeight(font), free = tallest * room.height() - 2 * padding - row;
+    if (width > room.width() - inset - narrowestCaption || free < row)
         return;
     boxes.rows = std::min(table.rows.size(), std::size_t(free / row));
     const std::size_t middle = table.lit.value_or(0), half = boxes.rows / 2;
@@ -58,17 +60,11 @@ void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& ro
 void placeCaption(OverlayBoxes& boxes, const QString& caption, const QRectF& room,
                   const QFont& font)
 {
-    double width = std::min(widestCaption, room.width());
-    double top = room.top();
-    if (!boxes.table.isEmpty()) {
-        if (boxes.table.left() - inset - room.left() >= narrowestCaption)
-            width = std::min(width, boxes.table.left() - inset - room.left());
-        else
-            top = boxes.table.bottom() + inset;
-    }
+    const double right = boxes.table.isEmpty() ? room.right() : boxes.table.left() - inset;
+    const double width = std::min(widestCaption, right - room.left());
     const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0, 0, width - 2 * padding, 1e4),
                                                          Qt::TextWordWrap | Qt::AlignLeft, caption);
-    const QRectF box(room.left(), top, std::ceil(text.width()) + 2 * padding + 1,
+    const QRectF box(room.left(), room.top(), std::ceil(text.width()) + 2 * padding + 1,
                      std::ceil(text.height()) + 2 * padding - 4);
     if (box.bottom() <= room.bottom())
         boxes.caption = box;
