@@ -90,7 +90,7 @@ public:
         const app::Display& display = session().display();
         if (panes.chosen() != app::Clipper{display.algorithm, display.usedForm()})
             return "what is chosen is not the active pane's";
-        if (!test_.drawingArea()->isVisibleTo(test_.window.get())
+        if (test_.drawingArea()->isVisibleTo(test_.window.get()) == session().microscope.isOpen()
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
             return "the active pane is not in sight";
         return std::ranges::equal(app::Scene(session().drawing).segments(), segments)
