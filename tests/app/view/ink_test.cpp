@@ -46,8 +46,8 @@ private slots:
         const app::Colour ghost = app::ghostInk(black, white, 0.32);
         QVERIFY(app::contrast(ghost, white) >= 3 && app::contrast(ghost, white) < 3.3);
         QCOMPARE(ghost.alpha, std::uint8_t(200));
-        QCOMPARE(app::ghostInk(black, white, 0.9),
-                 (app::Colour{26, 26, 26, 200}));         // enough as it is
+        QCOMPARE(app::ghostInk(black, white, 0.8),
+                 (app::Colour{51, 51, 51, 200}));         // enough as it is
         QCOMPARE(app::ghostInk(pale, white, 0.32), pale); // it cannot be
     }
 };
