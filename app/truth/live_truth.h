@@ -33,7 +33,7 @@ public:
     void finish();           ///< now, not soon
 
     /// Most lines that are judged within a frame.
-    static constexpr std::size_t mostAtOnce = 2'000;
+    static constexpr std::size_t mostAtOnce = 10'000;
     /// What to colour, by errorClasses(), where the window lies now, in the middle of a gesture
     /// too; nothing if nobody looks, or if there are too many lines to say it at once. Valid until
     /// the next call or change.

@@ -7,13 +7,12 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/clipper_box.h"
+#include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QMenu>
-#include <QPainter>
-#include <QStandardItemModel>
 #include <QToolButton>
 
 #include <array>
@@ -22,34 +21,14 @@ namespace ui {
 
 namespace {
 
-constexpr int markerSize = 12;
 constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Published};
-
-/// The rows of the chooser after those of the cheapest.
-std::vector<app::Clipper> shownRows() { return app::clippers(); }
-
-QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
-{
-    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
-                     clipper.form, groundOf(palette));
-    return picture;
-}
-
-QLabel* quiet(const QString& text)
-{
-    auto* label = new QLabel(text);
-    label->setForegroundRole(QPalette::PlaceholderText);
-    return label;
-}
 
 } // namespace
 
 CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
-    : QWidget(parent), plan_(app::usualCostPlan(window)), algorithm_(new QComboBox),
+    : QWidget(parent), plan_(app::usualCostPlan(window)),
+      algorithm_(new ClipperBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
+                                                  tr("Which is cheapest, as published")})),
       measure_(new QComboBox), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
       view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
       questions_(std::make_unique<Questions>(*this))
@@ -60,13 +39,12 @@ CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
     addChoosers();
     addMap();
     connect(&live_, &app::LiveCostMap::changed, this, &CostMapPanel::follow);
-    paintMarkers();
     choose();
 }
 
 void CostMapPanel::addChoosers()
 {
-    fillAlgorithms();
+    algorithm_->choose(*plan_.shown);
     for (const app::CostMeasure& measure : app::costMeasures())
         measure_->addItem(measure.name);
     measure_->setAccessibleName(tr("Measure"));
@@ -88,14 +66,14 @@ void CostMapPanel::addChoosers()
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quiet(tr("Show")), 0, 0);
+    grid->addWidget(quietLabel(tr("Show")), 0, 0);
     grid->addWidget(algorithm_, 0, 1, 1, 2);
     grid->addWidget(exports, 0, 3);
-    grid->addWidget(quiet(tr("Measure")), 1, 0);
+    grid->addWidget(quietLabel(tr("Measure")), 1, 0);
     grid->addWidget(measure_, 1, 1);
     auto* fixed = new QHBoxLayout;
     fixed->setSpacing(space::labelToField);
-    fixed->addWidget(quiet(tr("Fixed")));
+    fixed->addWidget(quietLabel(tr("Fixed")));
     fixed->addWidget(end_);
     grid->addLayout(fixed, 1, 2, 1, 2, Qt::AlignRight);
     grid->setColumnStretch(1, 1);
@@ -103,32 +81,6 @@ void CostMapPanel::addChoosers()
     connect(algorithm_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
     connect(measure_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
     connect(end_, &Segments::picked, this, &CostMapPanel::choose);
-}
-
-void CostMapPanel::fillAlgorithms()
-{
-    algorithm_->setAccessibleName(tr("Algorithm"));
-    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    algorithm_->setMinimumContentsLength(12);
-    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
-    algorithm_->setMaxVisibleItems(30);
-    algorithm_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    algorithm_->addItems(
-        {tr("Which is cheapest, corrected"), tr("Which is cheapest, as published")});
-    const auto rows = shownRows();
-    for (const app::Clipper& clipper : rows) {
-        algorithm_->addItem(app::titleOf(clipper));
-        if (clipper == *plan_.shown)
-            algorithm_->setCurrentIndex(algorithm_->count() - 1);
-    }
-}
-
-void CostMapPanel::paintMarkers()
-{
-    const auto rows = shownRows();
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        algorithm_->setItemIcon(int(i + cheapestForms.size()),
-                                marker(rows[i], palette(), devicePixelRatioF()));
 }
 
 void CostMapPanel::addMap()
@@ -156,24 +108,17 @@ void CostMapPanel::addMap()
 /// What cannot be measured so is not offered.
 void CostMapPanel::choose()
 {
-    const auto rows = shownRows();
     plan_.measure = &app::costMeasures()[std::size_t(measure_->currentIndex())];
-    auto* items = qobject_cast<QStandardItemModel*>(algorithm_->model());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        items->item(int(i + cheapestForms.size()))
-            ->setEnabled(app::canMeasure(rows[i], *plan_.measure));
-    auto index = std::size_t(algorithm_->currentIndex());
-    if (!items->item(int(index))->isEnabled()) {
+    {
         const QSignalBlocker quietly(algorithm_);
-        algorithm_->setCurrentIndex(0);
-        index = 0;
+        algorithm_->offer([this](const app::Clipper& clipper) {
+            return app::canMeasure(clipper, *plan_.measure);
+        });
     }
-    const bool cheapest = index < cheapestForms.size();
+    plan_.shown = algorithm_->clipper();
     plan_.contestants =
-        app::costContestants(cheapest ? cheapestForms[index] : clipping::Form::Corrected);
-    plan_.shown.reset();
-    if (!cheapest)
-        plan_.shown = rows[index - cheapestForms.size()];
+        app::costContestants(plan_.shown ? clipping::Form::Corrected
+                                         : cheapestForms[std::size_t(algorithm_->currentIndex())]);
     plan_.end = end_->chosen() == 1 ? app::FixedEnd::End2 : app::FixedEnd::End1;
     ask();
     point(std::nullopt);
@@ -248,13 +193,6 @@ void CostMapPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     live_.ask(std::nullopt);
-}
-
-void CostMapPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintMarkers();
 }
 
 } // namespace ui

@@ -10,6 +10,7 @@
 
 namespace ui {
 
+class ClipperBox;
 class Segments;
 
 /// What a line costs that has one end at a fixed point, for every place of the other end, around
@@ -37,13 +38,10 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void addChoosers();
     void addMap();
-    void fillAlgorithms();
-    void paintMarkers();
     void choose();
     void ask();
     void follow();
@@ -52,7 +50,8 @@ private:
 
     app::LiveCostMap live_;
     app::CostPlan plan_;
-    QComboBox *algorithm_, *measure_;
+    ClipperBox* algorithm_;
+    QComboBox* measure_;
     Segments* end_;
     CostMapView* view_;
     QLabel *words_, *notes_;

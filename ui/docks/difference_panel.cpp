@@ -4,11 +4,11 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
-#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/clipper_box.h"
+#include "ui/widgets/quiet_label.h"
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QPainter>
 #include <QScopedValueRollback>
 #include <QToolButton>
 
@@ -18,7 +18,6 @@ namespace ui {
 
 namespace {
 
-constexpr int markerSize = 12;
 constexpr int asInContract = -1; // of the box with the ulps: below all that can be chosen
 constexpr int mostUlps = 1'000'000;
 constexpr int mostColumnWidth = 260;
@@ -29,40 +28,22 @@ app::Clipper firstA()
     return {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"), clipping::Form::Published};
 }
 
-QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
-{
-    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
-                     clipper.form, groundOf(palette));
-    return picture;
-}
-
-QLabel* quiet(const QString& text)
-{
-    auto* label = new QLabel(text);
-    label->setForegroundRole(QPalette::PlaceholderText);
-    return label;
-}
-
 } // namespace
 
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), model_(session), a_(chooser(tr("A"), firstA())),
-      b_(chooser(tr("B"), app::exactClipper())), ulps_(new QSpinBox), tick_(new QLabel),
-      summary_(new QLabel), explanation_(new QLabel), table_(new DenseTable)
+    : QWidget(parent), session_(session), model_(session), a_(new ClipperBox(tr("A"))),
+      b_(new ClipperBox(tr("B"))), ulps_(new QSpinBox), tick_(new QLabel), summary_(new QLabel),
+      explanation_(new QLabel), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
     column->setSpacing(6);
+    setBoth(firstA(), app::exactClipper());
     addChoosers();
     addTable();
     connect(&session.differences, &app::LiveDifferences::changed, this, &DifferencePanel::follow);
     connect(&session.differences, &app::LiveDifferences::begun, this,
             &DifferencePanel::paintSummary);
-    paintMarkers();
     follow();
 }
 
@@ -83,21 +64,21 @@ void DifferencePanel::addChoosers()
     grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quiet(tr("A")), 0, 0);
+    grid->addWidget(quietLabel(tr("A")), 0, 0);
     grid->addWidget(a_, 0, 1, 1, 2);
     grid->addWidget(exchange, 0, 3, 2, 1);
-    grid->addWidget(quiet(tr("B")), 1, 0);
+    grid->addWidget(quietLabel(tr("B")), 1, 0);
     grid->addWidget(b_, 1, 1, 1, 2);
     auto* allowed = new QHBoxLayout;
     allowed->setSpacing(space::labelToField);
-    allowed->addWidget(quiet(tr("Ends may be apart by")));
+    allowed->addWidget(quietLabel(tr("Ends may be apart by")));
     allowed->addWidget(ulps_);
     allowed->addStretch();
     grid->addLayout(allowed, 2, 1, 1, 2);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    connect(a_, &QComboBox::currentIndexChanged, this, &DifferencePanel::change);
-    connect(b_, &QComboBox::currentIndexChanged, this, &DifferencePanel::change);
+    connect(a_, &ClipperBox::currentIndexChanged, this, &DifferencePanel::change);
+    connect(b_, &ClipperBox::currentIndexChanged, this, &DifferencePanel::change);
     connect(ulps_, &QSpinBox::valueChanged, this, &DifferencePanel::ask);
     connect(exchange, &QToolButton::clicked, this, &DifferencePanel::swap);
 }
@@ -142,35 +123,9 @@ void DifferencePanel::addTable()
             [this](const QModelIndex& index) { showRow(index.row()); });
 }
 
-QComboBox* DifferencePanel::chooser(const QString& name, const app::Clipper& chosen)
-{
-    auto* box = new QComboBox;
-    box->setAccessibleName(name);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(12);
-    box->setIconSize({markerSize + 2, markerSize + 2});
-    box->setMaxVisibleItems(30);
-    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    const auto all = app::clippers();
-    for (const app::Clipper& clipper : all)
-        box->addItem(app::titleOf(clipper));
-    box->setCurrentIndex(int(std::ranges::find(all, chosen) - all.begin()));
-    return box;
-}
-
-void DifferencePanel::paintMarkers()
-{
-    const auto all = app::clippers();
-    for (QComboBox* box : {a_, b_})
-        for (int i = 0; i < box->count(); ++i)
-            box->setItemIcon(i, marker(all[std::size_t(i)], palette(), devicePixelRatioF()));
-}
-
 app::Comparison DifferencePanel::wanted() const
 {
-    const auto all = app::clippers();
-    app::Comparison comparison{all[std::size_t(a_->currentIndex())],
-                               all[std::size_t(b_->currentIndex())]};
+    app::Comparison comparison{*a_->clipper(), *b_->clipper()};
     if (ulps_->value() != asInContract)
         comparison.ulps = ulps_->value();
     return comparison;
@@ -192,26 +147,22 @@ void DifferencePanel::change()
     ask();
 }
 
-void DifferencePanel::setBoth(int a, int b)
+void DifferencePanel::setBoth(const app::Clipper& a, const app::Clipper& b)
 {
     const QScopedValueRollback together(following_, true);
-    a_->setCurrentIndex(a);
-    b_->setCurrentIndex(b);
+    a_->choose(a);
+    b_->choose(b);
 }
 
 void DifferencePanel::compare(const app::Clipper& a, const app::Clipper& b)
 {
-    const auto all = app::clippers();
-    const auto indexOf = [&](const app::Clipper& clipper) {
-        return int(std::ranges::find(all, clipper) - all.begin());
-    };
-    setBoth(indexOf(a), indexOf(b));
+    setBoth(a, b);
     change();
 }
 
 void DifferencePanel::swap()
 {
-    setBoth(b_->currentIndex(), a_->currentIndex());
+    setBoth(*b_->clipper(), *a_->clipper());
     ask();
 }
 
@@ -327,10 +278,8 @@ void DifferencePanel::hideEvent(QHideEvent* event)
 void DifferencePanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        paintMarkers();
+    if (event->type() == QEvent::PaletteChange)
         paintSummary();
-    }
 }
 
 } // namespace ui

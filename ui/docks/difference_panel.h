@@ -4,11 +4,12 @@
 #include "ui/docks/difference_model.h"
 #include "ui/widgets/dense_table.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QSpinBox>
 
 namespace ui {
+
+class ClipperBox;
 
 /// A against B: the lines of which they leave different things, counted in a sentence and listed.
 /// While it is seen these lines are coloured on the canvas, and nothing is computed otherwise. A
@@ -40,12 +41,10 @@ protected:
 private:
     void addChoosers();
     void addTable();
-    QComboBox* chooser(const QString& name, const app::Clipper& chosen);
-    void paintMarkers();
     app::Comparison wanted() const;
     void ask();
     void change();
-    void setBoth(int a, int b);
+    void setBoth(const app::Clipper& a, const app::Clipper& b);
     void swap();
     void follow();
     void paintSummary();
@@ -55,7 +54,7 @@ private:
 
     app::Session& session_;
     DifferenceModel model_;
-    QComboBox *a_, *b_;
+    ClipperBox *a_, *b_;
     QSpinBox* ulps_;
     QLabel *tick_, *summary_, *explanation_;
     DenseTable* table_;

@@ -5,40 +5,20 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
-#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/clipper_box.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/magnifier_view.h"
+#include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 
 #include <QGridLayout>
 #include <QKeyEvent>
-#include <QPainter>
 #include <QScopedValueRollback>
 #include <QToolButton>
 
 namespace ui {
 
 namespace {
-
-constexpr int markerSize = 12;
-
-QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
-{
-    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
-                     clipper.form, groundOf(palette));
-    return picture;
-}
-
-QLabel* quiet(const QString& text)
-{
-    auto* label = new QLabel(text);
-    label->setForegroundRole(QPalette::PlaceholderText);
-    return label;
-}
 
 QHBoxLayout* within()
 {
@@ -51,7 +31,8 @@ QHBoxLayout* within()
 } // namespace
 
 ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), model_(session), algorithm_(new QComboBox),
+    : QWidget(parent), session_(session), model_(session),
+      algorithm_(new ClipperBox(tr("Algorithm"), {tr("The one that clips")})),
       yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("its own")})),
       end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
       lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
@@ -76,36 +57,20 @@ ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
 
 void ExactnessPanel::addChoosers()
 {
-    fillAlgorithms();
     auto* grid = new QGridLayout;
     grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quiet(tr("Algorithm")), 0, 0);
+    grid->addWidget(quietLabel(tr("Algorithm")), 0, 0);
     grid->addWidget(algorithm_, 0, 1);
-    grid->addWidget(quiet(tr("Ulps of")), 1, 0);
+    grid->addWidget(quietLabel(tr("Ulps of")), 1, 0);
     grid->addWidget(yardstick_, 1, 1, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
     yardstick_->setToolTip(tr("A unit in the last place of the largest coordinate of line and clip "
                               "window, as in the library's contract, or of the coordinate itself"));
-    connect(algorithm_, &QComboBox::currentIndexChanged, this, &ExactnessPanel::ask);
+    connect(algorithm_, &ClipperBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
-}
-
-/// First that which clips, whatever it is.
-void ExactnessPanel::fillAlgorithms()
-{
-    algorithm_->setAccessibleName(tr("Algorithm"));
-    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    algorithm_->setMinimumContentsLength(12);
-    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
-    algorithm_->setMaxVisibleItems(30);
-    algorithm_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    algorithm_->addItem(tr("The one that clips"));
-    const auto all = app::clippers();
-    for (const app::Clipper& clipper : all)
-        algorithm_->addItem(marker(clipper, palette(), devicePixelRatioF()), app::titleOf(clipper));
 }
 
 QWidget* ExactnessPanel::listPage()
@@ -126,7 +91,7 @@ QWidget* ExactnessPanel::listPage()
     table_->sortByColumn(2, Qt::DescendingOrder);
     table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
     table_->setColumnWidth(1, 220);
-    auto* hint = quiet(tr("Double click or Enter magnifies the worse end."));
+    auto* hint = quietLabel(tr("Double click or Enter magnifies the worse end."));
     hint->setFont(captionFont(font()));
     auto* below = within();
     below->addWidget(hint);
@@ -166,7 +131,7 @@ QWidget* ExactnessPanel::magnifierPage()
     row->addStretch();
     row->addWidget(lattice_);
     auto* hint =
-        quiet(tr("Wheel, + and −, Page Up and Page Down zoom; Home shows it as at first."));
+        quietLabel(tr("Wheel, + and −, Page Up and Page Down zoom; Home shows it as at first."));
     hint->setFont(captionFont(font()));
     magnified_->setWordWrap(true);
     magnified_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -185,10 +150,9 @@ QWidget* ExactnessPanel::magnifierPage()
 app::LiveTruth::Question ExactnessPanel::wanted() const
 {
     const app::Display& display = session_.display();
-    app::Clipper clipper{display.algorithm, display.usedForm()};
-    if (const int index = algorithm_->currentIndex(); index > 0)
-        clipper = app::clippers()[std::size_t(index - 1)];
-    return {clipper, yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
+    const app::Clipper clipping{display.algorithm, display.usedForm()};
+    return {algorithm_->clipper().value_or(clipping),
+            yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
 }
 
 void ExactnessPanel::ask()
@@ -295,12 +259,8 @@ void ExactnessPanel::hideEvent(QHideEvent* event)
 void ExactnessPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange)
-        return;
-    const auto all = app::clippers();
-    for (std::size_t i = 0; i < all.size(); ++i)
-        algorithm_->setItemIcon(int(i) + 1, marker(all[i], palette(), devicePixelRatioF()));
-    paintSummary();
+    if (event->type() == QEvent::PaletteChange)
+        paintSummary();
 }
 
 void ExactnessPanel::keyPressEvent(QKeyEvent* event)

@@ -4,12 +4,12 @@
 #include "ui/docks/truth_model.h"
 #include "ui/widgets/dense_table.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QStackedWidget>
 
 namespace ui {
 
+class ClipperBox;
 class ErrorHistogram;
 class Magnifier;
 class Segments;
@@ -45,7 +45,6 @@ private:
     void addChoosers();
     QWidget* listPage();
     QWidget* magnifierPage();
-    void fillAlgorithms();
     app::LiveTruth::Question wanted() const;
     void ask();
     void follow();
@@ -57,7 +56,7 @@ private:
 
     app::Session& session_;
     TruthModel model_;
-    QComboBox* algorithm_;
+    ClipperBox* algorithm_;
     Segments *yardstick_, *end_, *lattice_;
     QLabel *summary_, *heading_, *magnified_;
     ErrorHistogram* histogram_;

@@ -3,6 +3,7 @@
 #include "app/view/numbers.h"
 #include "ui/docks/difference_panel.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QSignalSpy>

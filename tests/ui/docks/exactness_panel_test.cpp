@@ -4,6 +4,7 @@
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/magnifier_view.h"
 
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QWheelEvent>

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/clipper.h"
+
+#include <QComboBox>
+
+#include <functional>
+
+namespace ui {
+
+/// Chooses what clips, among all there are, each with its marker; perhaps after some other choices.
+class ClipperBox : public QComboBox {
+    Q_OBJECT
+
+public:
+    /// `name` is what it is called to those who do not see it.
+    explicit ClipperBox(const QString& name, const QStringList& before = {},
+                        QWidget* parent = nullptr);
+
+    /// Nothing: one of the choices before; currentIndex() says which.
+    std::optional<app::Clipper> clipper() const;
+    void choose(const app::Clipper& clipper);
+    /// Only those that fit can be chosen. If the current one cannot, the first choice is.
+    void offer(const std::function<bool(const app::Clipper&)>& fits);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    int rowOf(const app::Clipper& clipper) const;
+    void paintMarkers();
+
+    std::vector<app::Clipper> all_;
+    int before_;
+};
+
+} // namespace ui
