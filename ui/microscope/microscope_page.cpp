@@ -15,6 +15,8 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include <glm/common.hpp>
+
 namespace ui {
 
 namespace {
@@ -175,30 +177,76 @@ void MicroscopePage::showStep()
 
 void MicroscopePage::showPlace()
 {
-    place_->setText(session_.microscope.specimen().origin);
+    const QString origin = session_.microscope.specimen().origin;
+    place_->setText(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
     overview_->setVisible(drawn_.line().has_value());
     back_->setVisible(drawn_.changed());
     placeOverview();
 }
 
-/// In the corner; where there is little room it is smaller.
+/// What lies over the view: in its first corner, as long as no end of the line lies there, nor the
+/// line itself.
 void MicroscopePage::placeOverview()
 {
     const bool small = view_->width() < 560 || view_->height() < 360;
     const QSize size = overview_->isHidden() ? QSize(0, 0) : small ? smallOverview : overviewSize;
-    overview_->setGeometry(QRect(QPoint(corner, corner), size));
-    place_->adjustSize();
-    place_->move(corner, corner + size.height() + 4);
-    back_->adjustSize();
-    back_->move(corner, place_->geometry().bottom() + 4);
-    QRect taken = overview_->geometry() | place_->geometry();
-    if (!back_->isHidden())
-        taken |= back_->geometry();
-    if (const QRectF place(taken); place != view_->frame().reserved)
-        view_->reserve(place);
-    fit_->adjustSize();
-    fit_->move(view_->width() - fit_->width() - corner, view_->height() - fit_->height() - corner);
     fit_->setVisible(!view_->fitted());
+    int width = size.width(), height = size.height();
+    for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
+                          static_cast<QWidget*>(fit_)}) {
+        part->adjustSize();
+        if (part->isHidden())
+            continue;
+        width = std::max(width, part->width());
+        height += part->height() + 4;
+    }
+    const QRect all = cornerFor({width, height});
+    overview_->setGeometry(QRect(all.topLeft(), size));
+    int y = all.top() + size.height() + 4;
+    for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
+                          static_cast<QWidget*>(fit_)}) {
+        part->move(all.left(), y);
+        y += part->isHidden() ? 0 : part->height() + 4;
+    }
+    if (QRectF(all) != view_->frame().reserved)
+        view_->reserve(all);
+}
+
+/// It stays where it is while it covers nothing.
+QRect MicroscopePage::cornerFor(const QSize& size)
+{
+    const QRect inside = view_->rect().adjusted(corner, corner, -corner, -corner);
+    const app::FigureFrame& frame = view_->frame();
+    const app::Specimen& specimen = session_.microscope.specimen();
+    const auto rectIn = [&](Qt::Corner which) {
+        QRect place(inside.topLeft(), size);
+        if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner)
+            place.moveRight(inside.right());
+        if (which == Qt::BottomLeftCorner || which == Qt::BottomRightCorner)
+            place.moveBottom(inside.bottom());
+        return place;
+    };
+    const auto covered = [&](Qt::Corner which) {
+        constexpr int mark = 20; // with some of its label
+        const QRect place = rectIn(which).adjusted(-mark, -mark, mark, mark);
+        const clipping::Window below{frame.pointAt(place.topLeft()),
+                                     frame.pointAt(place.bottomRight())};
+        const clipping::Window area{glm::min(below.min, below.max), glm::max(below.min, below.max)};
+        const auto hides = [&](const clipping::Segment& line) {
+            return clipping::exactAlgorithm().corrected.clip(line, area).has_value();
+        };
+        const auto& [a, b] = specimen.line;
+        const auto& [min, max] = specimen.window;
+        return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(specimen.line)
+               + (hides({min, {max.x, min.y}}) + hides({{max.x, min.y}, max})
+                  + hides({max, {min.x, max.y}}) + hides({{min.x, max.y}, min}));
+    };
+    if (covered(corner_) >= 4)
+        for (const Qt::Corner other :
+             {Qt::TopLeftCorner, Qt::TopRightCorner, Qt::BottomLeftCorner, Qt::BottomRightCorner})
+            if (covered(other) < covered(corner_))
+                corner_ = other;
+    return rectIn(corner_);
 }
 
 void MicroscopePage::setSide(QWidget* side)

@@ -54,6 +54,7 @@ private:
     void showStep();
     void showPlace();
     void placeOverview();
+    QRect cornerFor(const QSize& size);
     void share();
 
     app::Session& session_;
@@ -68,6 +69,7 @@ private:
     QLabel* place_;
     QToolButton *back_, *fit_;
     QSplitter *across_, *down_, *right_;
+    Qt::Corner corner_ = Qt::TopLeftCorner; ///< of the view: where the overview lies
     QWidget* side_ = nullptr;
     bool ownShares_ = false; ///< the person moved a splitter
 };

@@ -51,24 +51,20 @@ void OperationsView::show(const clipping::OperationCounts& now,
     QStringList words;
     for (const auto& row : rows)
         if (row.always || row.all > 0) {
-            cells_.push_back(
-                {app::countText(row.now), tr("of %1").arg(app::countText(row.all)), row.word});
-            words << tr("%1 of %2 %3").arg(cells_.back().now, app::countText(row.all), row.word);
+            cells_.push_back({app::countText(row.now), app::countText(row.all),
+                              tr("of %1").arg(app::countText(row.all)), row.word});
+            words << tr("%1 of %2 %3").arg(cells_.back().now, cells_.back().all, row.word);
         }
     setAccessibleDescription(words.join(QStringLiteral(", ")));
     updateGeometry();
     update();
 }
 
-int OperationsView::cellWidth() const
+int OperationsView::widthOf(const Cell& cell) const
 {
     const QFontMetrics caption(captionFont(font())), counter(counterFont(font()));
-    int widest = 0;
-    for (const Cell& cell : cells_)
-        widest = std::max(
-            {widest, caption.horizontalAdvance(cell.word),
-             counter.horizontalAdvance(cell.now) + 6 + caption.horizontalAdvance(cell.all)});
-    return widest + gap;
+    return std::max(caption.horizontalAdvance(cell.word),
+                    counter.horizontalAdvance(cell.all) + caption.horizontalAdvance(cell.of) + 6);
 }
 
 int OperationsView::cellHeight() const
@@ -77,16 +73,27 @@ int OperationsView::cellHeight() const
            + 8;
 }
 
-int OperationsView::columnsIn(int width) const
+/// Where the cells are: in one row with the room that is left between them, or in several.
+std::vector<QPoint> OperationsView::places(int width) const
 {
-    const int fitting = (width - space::dockMargin) / std::max(1, cellWidth());
-    return std::clamp(fitting, 1, int(cells_.size()));
+    const int room = width - 2 * space::dockMargin;
+    std::vector<QPoint> places;
+    int x = 0, y = 0;
+    for (const Cell& cell : cells_) {
+        if (x > 0 && x + widthOf(cell) > room)
+            x = 0, y += cellHeight();
+        places.push_back({x, y});
+        x += widthOf(cell) + gap;
+    }
+    const int spare = std::max(0, room - x + gap) / int(cells_.size());
+    for (std::size_t i = 0; y == 0 && i < places.size(); ++i)
+        places[i].rx() += int(i) * spare;
+    return places;
 }
 
 int OperationsView::heightForWidth(int width) const
 {
-    const int columns = columnsIn(width);
-    return (int(cells_.size()) + columns - 1) / columns * cellHeight() + 12;
+    return places(width).back().y() + cellHeight() + 12;
 }
 
 QSize OperationsView::minimumSizeHint() const
@@ -99,19 +106,18 @@ void OperationsView::paintEvent(QPaintEvent*)
 {
     const Look& look = lookOf(palette());
     QPainter painter(this);
-    const int columns = columnsIn(width());
-    const int step = (width() - space::dockMargin) / columns;
     const QFont counter = counterFont(font()), caption = captionFont(font());
     const QFontMetrics large(counter), small(caption);
+    const auto where = places(width());
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-        const int x = space::dockMargin + int(i) % columns * step;
-        const int base = 6 + int(i) / columns * cellHeight() + large.ascent();
+        const int x = space::dockMargin + where[i].x();
+        const int base = 6 + where[i].y() + large.ascent();
         painter.setFont(counter);
         painter.setPen(look.text);
         painter.drawText(x, base, cells_[i].now);
         painter.setFont(caption);
         painter.setPen(look.muted);
-        painter.drawText(x + large.horizontalAdvance(cells_[i].now) + 6, base, cells_[i].all);
+        painter.drawText(x + large.horizontalAdvance(cells_[i].now) + 6, base, cells_[i].of);
         painter.drawText(x, base + large.descent() + small.ascent() + 2, cells_[i].word);
     }
 }

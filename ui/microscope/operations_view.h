@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 namespace ui {
 
 /// The operations until now, each beside how many there are in all: "12 of 14 comparisons".
@@ -26,10 +28,10 @@ protected:
 
 private:
     struct Cell {
-        QString now, all, word;
+        QString now, all, of, word;
     };
-    int columnsIn(int width) const;
-    int cellWidth() const;
+    int widthOf(const Cell& cell) const; ///< at the end, so that nothing moves while one steps
+    std::vector<QPoint> places(int width) const;
     int cellHeight() const;
 
     std::vector<Cell> cells_;

@@ -13,7 +13,8 @@ namespace ui {
 namespace {
 
 constexpr std::size_t mostLines = 20'000;
-constexpr double margin = 4; // pixels
+constexpr double margin = 4, lineWidth = 0.5; // pixels
+constexpr double mostInk = 0.7; // of the picture: more lines would make it a grey area
 
 std::optional<QLineF> onScreen(const clipping::Segment& line, const app::View& view)
 {
@@ -52,6 +53,18 @@ app::View Overview::view() const
     return view;
 }
 
+/// All that can be seen, or of many some.
+std::vector<QLineF> Overview::linesIn(const app::View& view) const
+{
+    const auto lines = session_.scene.segments();
+    const std::size_t step = lines.size() / mostLines + 1;
+    std::vector<QLineF> shown;
+    for (std::size_t i = 0; i < lines.size(); i += step)
+        if (const auto line = onScreen(lines[i], view))
+            shown.push_back(*line);
+    return shown;
+}
+
 QPixmap Overview::drawing(const app::View& view) const
 {
     const Look& look = lookOf(palette());
@@ -67,12 +80,15 @@ QPixmap Overview::drawing(const app::View& view) const
     painter.setPen(QPen(QColor(mixed(look.text.red(), look.paper.red()),
                                mixed(look.text.green(), look.paper.green()),
                                mixed(look.text.blue(), look.paper.blue())),
-                        0.5));
-    const auto lines = session_.scene.segments();
-    const std::size_t step = lines.size() / mostLines + 1;
-    for (std::size_t i = 0; i < lines.size(); i += step)
-        if (const auto line = onScreen(lines[i], view))
-            painter.drawLine(*line);
+                        lineWidth));
+    const auto shown = linesIn(view);
+    double length = 0;
+    for (const QLineF& line : shown)
+        length += line.length();
+    const double ink = length * lineWidth / (view.size.x * view.size.y);
+    const auto step = std::size_t(ink / mostInk) + 1;
+    for (std::size_t i = 0; i < shown.size(); i += step)
+        painter.drawLine(shown[i]);
     return picture;
 }
 

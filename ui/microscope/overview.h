@@ -4,8 +4,11 @@
 #include "app/document/session.h"
 #include "app/view/view.h"
 
+#include <QLineF>
 #include <QPixmap>
 #include <QWidget>
+
+#include <vector>
 
 namespace ui {
 
@@ -26,6 +29,7 @@ protected:
 
 private:
     app::View view() const;
+    std::vector<QLineF> linesIn(const app::View& view) const;
     QPixmap drawing(const app::View& view) const;
 
     const app::Session& session_;
