@@ -17,8 +17,9 @@ using app::OverlayAxis;
 using app::OverlayTable;
 
 constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
-constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45, axisHeight = 84,
-                 axisMargin = 112;
+constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45;
+// Of the axis, in rows of the font: so much above and below it, and at either side.
+constexpr double axisRows = 5.6, axisMarginRows = 7;
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
@@ -118,9 +119,8 @@ void paintTable(QPainter& painter, const OverlayTable& table, const Look& look,
 /// farther off is shown at its end.
 class AxisScale {
 public:
-    AxisScale(const OverlayAxis& axis, const QRectF& box)
-        : left_(box.left() + std::min(axisMargin, box.width() / 5)),
-          right_(box.right() - std::min(axisMargin, box.width() / 5))
+    AxisScale(const OverlayAxis& axis, const QRectF& box, double margin)
+        : left_(box.left() + margin), right_(box.right() - margin)
     {
         for (const OverlayAxis::Tick& tick : axis.ticks) {
             low_ = std::min(low_, std::max(tick.t, -most));
@@ -186,6 +186,7 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
                 const QRectF& box, double y, const Look& look)
 {
     const QFont font = painter.font();
+    const double row = rowHeight(font);
     app::LabelPlaces places(box, {});
     std::array<bool, 2> ended{};
     for (const AxisWord& word : wordsOf(axis)) {
@@ -195,9 +196,9 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
         const QFontMetricsF metrics(painter.font());
         QRectF place(0, 0, metrics.horizontalAdvance(word.text) + 6, metrics.height());
         const double side = word.above ? -1 : 1;
-        place.moveCenter({scale.at(word.t), y + side * 16});
+        place.moveCenter({scale.at(word.t), y + side * row});
         place.moveLeft(std::clamp(place.left(), box.left() + 2, box.right() - 2 - place.width()));
-        const auto free = places.first(std::array{place, place.translated(0, side * 15)});
+        const auto free = places.first(std::array{place, place.translated(0, side * (row - 1))});
         if (!free)
             continue;
         painter.setPen(word.lit ? look.text : look.muted);
@@ -213,7 +214,8 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
 {
     const Look& look = ground.look;
     frame(painter, box, look);
-    const AxisScale scale(axis, box);
+    const double row = rowHeight(painter.font()), wanted = axisMarginRows * row;
+    const AxisScale scale(axis, box, std::min(wanted, box.width() / 5));
     const double y = box.center().y();
     painter.setPen(QPen(look.control, 1));
     painter.drawLine(QPointF(scale.left(), y), QPointF(scale.right(), y));
@@ -228,12 +230,12 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
         paintTick(painter, tick, scale, y, ground);
     paintWords(painter, axis, scale, box, y, look);
     painter.setPen(look.muted);
-    if (scale.left() - box.left() < axisMargin)
+    if (scale.left() - box.left() < wanted)
         return; // no room for what is said at the line too
-    QRectF line(box.left() + padding, y - 24, axisMargin, 16);
+    QRectF line(box.left() + padding, y - 1.5 * row, wanted, row);
     for (const QString& word : {tr("enters"), tr("t"), tr("leaves")}) {
         painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, word);
-        line.translate(0, 16);
+        line.translate(0, row);
     }
 }
 
@@ -243,7 +245,8 @@ OverlayBoxes boxesOf(const app::Overlay& overlay, const OverlayGround& ground, c
 {
     OverlayBoxes boxes;
     QRectF room = ground.room.adjusted(inset, inset, -inset, -inset);
-    if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 2 * axisMargin) {
+    const double axisHeight = axisRows * rowHeight(font);
+    if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 3 * axisHeight) {
         boxes.axis = QRectF(room.left(), room.bottom() - axisHeight, room.width(), axisHeight);
         room.setBottom(boxes.axis.top() - inset);
     }
