@@ -70,7 +70,7 @@ QString stillBeyond(const Telling& telling)
     const auto& [a, b] = telling.step.segment;
     const auto& window = telling.specimen.window;
     if (telling.holds())
-        return tr("Both ends have arrived %1 (%2 and %3): the line has passed the window by.")
+        return tr("Both ends have arrived %1 (%2 and %3): the line is taken to pass the window by.")
             .arg(words::beyond(telling.edge(), telling.specimen.y),
                  words::compared(a, telling.edge(), window),
                  words::compared(b, telling.edge(), window));
@@ -101,8 +101,8 @@ QString accepted(const Telling& telling)
                  words::point(words::isOutside(a, window) ? a : b));
     if (telling.before && telling.before->segment != telling.step.segment)
         return tr("Rounding had put an end just outside: it is held inside the window. %1")
-            .arg(words::accepted(telling));
-    return words::accepted(telling);
+            .arg(words::acceptedIfInside(telling));
+    return words::acceptedIfInside(telling);
 }
 
 QString sentence(const Telling& telling)

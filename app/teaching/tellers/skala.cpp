@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace app {
 
@@ -44,6 +45,10 @@ QString cornerSign(const Telling& telling)
     const double side = f ? 0 : telling.value("dy*(x-x1)").value_or(0);
     const QString relation =
         f ? tr("F = %1").arg(words::number(level)) : words::compared(level, side);
+    if (!std::isfinite(level) || !std::isfinite(side))
+        return tr("The products are too large for a number (%1): what they say of %2 means "
+                  "nothing, but it is believed.")
+            .arg(relation, corner(telling));
     if (level == side)
         return telling.holds()
                    ? tr("The line goes right through %1 (%2): counted as %3 of it.")

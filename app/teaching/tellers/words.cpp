@@ -98,13 +98,12 @@ QString way(const Telling& telling, const QString& from, const Point& start, dou
     const QString x = axisName(telling.edge()),
                   y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
     if (!std::isfinite(gone))
-        return slope
-                   ? tr("The slope overflows (%1): what is multiplied with it means nothing any "
-                        "more, and the line is lost.")
-                         .arg(number(*slope))
-                   : tr("The numbers are too large: their product overflows (%1), and the line is "
-                        "lost.")
-                         .arg(number(gone));
+        return slope ? tr("The slope overflows (%1): what is multiplied with it means nothing any "
+                          "more.")
+                           .arg(number(*slope))
+                     : tr("The numbers are too large: their product overflows (%1), and what comes "
+                          "of it means nothing any more.")
+                           .arg(number(gone));
     const QString text =
         tr("From %1 to %2 it is %3 in %4.").arg(from, telling.edgeText(), number(away), x);
     return text + u' '

@@ -217,6 +217,19 @@ private slots:
              "36: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
              "is visible."});
     }
+    /// What overflows tells no side, and a rejection that is wrong is called so.
+    void overflowIsNoAnswer()
+    {
+        const auto skala =
+            told("skala:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});
+        QVERIFY(skala.filter("lies on the").isEmpty());
+        QCOMPARE(skala.filter("too large for a number").size(), 4);
+        const auto matthes =
+            told("md:published", {{-1e-300, -1e300}, {2e-300, 1e300}}, {{0, 0}, {1, 1}});
+        QVERIFY2(matthes.last().contains("That is wrong"), qPrintable(matthes.last()));
+        QVERIFY(matthes.filter("has passed the window").isEmpty());
+    }
+
     void slaterBarskySaysWhatItLoses()
     {
         QVERIFY(told("sb:published", {{-1, 0}, {0, 1}}, {{0, 0}, {1, 1}})
