@@ -33,7 +33,7 @@ double bounded(double pixelsPerUnit, const Magnified& seen)
 {
     const double finest = std::max(std::min(seen.ulp.x, seen.ulp.y), 1e-290);
     const glm::dvec2 extent = seen.window.max - seen.window.min;
-    const double coarsest = std::max(std::max(extent.x, extent.y), seen.largestUlp * 64);
+    const double coarsest = std::max({extent.x, extent.y, seen.largestUlp * 64, finest});
     return std::clamp(pixelsPerUnit, 40 / coarsest, mostPixelsPerUlp / finest);
 }
 

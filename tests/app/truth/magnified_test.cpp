@@ -121,6 +121,22 @@ private slots:
             QVERIFY(!picture(*seen, any).isNull());
     }
 
+    void theSmallestAndTheLargestNumbersArePainted()
+    {
+        const Window tiny{{0, 0}, {1e-320, 1e-320}}, huge{{-1e299, -1e299}, {1e299, 1e299}};
+        for (const auto& [line, window] :
+             {std::pair(Segment{{-1e-321, 5e-324}, {1e-320, 9e-321}}, tiny),
+              std::pair(Segment{{-1e300, 3}, {1e300, 1e299}}, huge)})
+            for (const int end : {0, 1}) {
+                const auto seen = magnified(clipper("exact"), line, window, end);
+                QVERIFY(seen && seen->truth);
+                MagnifierView view = usualView(*seen, {400, 300});
+                QVERIFY(std::isfinite(view.pixelsPerUnit) && view.pixelsPerUnit > 0);
+                for (const double factor : {1e-3, 1e9})
+                    QVERIFY(!picture(*seen, zoomed(view, *seen, factor, {10, 10})).isNull());
+            }
+    }
+
     void theAlgorithmsEndIsPaintedInItsColour()
     {
         const auto seen = magnified(clipper("md"), slanted, paper, 1);
