@@ -19,7 +19,7 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr std::size_t randomLines = 100'000, linesOfAPair = 8, someLines = 500;
+constexpr std::size_t linesOfAPair = 8, someLines = 500;
 
 /// Away from the origin, and neither square nor symmetrical.
 constexpr Window awayWindow{{3, 7}, {11, 10}};
@@ -81,26 +81,26 @@ bool isOnAnEdge(const glm::dvec2& p, const Window& w)
 
 constexpr std::array gridWindows{gridWindow, gridTall};
 
-Questions corners(std::uint64_t, Strictness)
+Questions corners(const Scope&)
 {
     return grid(gridWindows, [](const Segment& line, const Window& w) {
         return !isPoint(line) && meetsCorner(line, w);
     });
 }
 
-Questions edges(std::uint64_t, Strictness)
+Questions edges(const Scope&)
 {
     return grid(gridWindows, [](const Segment& line, const Window& w) {
         return !isPoint(line) && (isOnAnEdge(line.a, w) || isOnAnEdge(line.b, w));
     });
 }
 
-Questions points(std::uint64_t, Strictness)
+Questions points(const Scope&)
 {
     return grid(gridWindows, [](const Segment& line, const Window&) { return isPoint(line); });
 }
 
-Questions smallWindows(std::uint64_t, Strictness)
+Questions smallWindows(const Scope&)
 {
     constexpr std::array windows{Window{{4, 2}, {4, 6}}, Window{{2, 4}, {6, 4}},
                                  Window{{4, 4}, {4, 4}}};
@@ -124,10 +124,10 @@ glm::dvec2 inRegion(Dice& dice, int region, const Window& w)
     return {x, inRegion(dice, region / 3, w.min.y, w.max.y)};
 }
 
-Questions regionPairs(std::uint64_t seed, Strictness)
+Questions regionPairs(const Scope& scope)
 {
     Questions all;
-    Dice dice(seed);
+    Dice dice(scope.seed);
     for (const Window& w : {paperWindow, awayWindow})
         for (int pair = 0; pair < 81; ++pair)
             for (std::size_t i = 0; i < linesOfAPair; ++i) {
@@ -138,10 +138,10 @@ Questions regionPairs(std::uint64_t seed, Strictness)
 }
 
 /// Through the middle of the window and around it, each one to and fro; some straight.
-Questions directions(std::uint64_t seed, Strictness)
+Questions directions(const Scope& scope)
 {
     Questions all;
-    Dice dice(seed + 1);
+    Dice dice(scope.seed + 1);
     for (const Window& w : {paperWindow, awayWindow})
         for (std::size_t i = 0; i < someLines; ++i) {
             const auto middle = (w.min + w.max) / 2.0, reach = w.max - w.min;
@@ -170,10 +170,10 @@ void addTenths(Questions& to)
 }
 
 /// Past a corner, a little inside or outside of it, at both sides of what a float can tell.
-Questions nearCorners(std::uint64_t seed, Strictness)
+Questions nearCorners(const Scope& scope)
 {
     Questions all;
-    Dice dice(seed + 2);
+    Dice dice(scope.seed + 2);
     const Window& w = paperWindow;
     for (std::size_t i = 0; i < 4 * someLines; ++i) {
         const double right = dice.heads() ? 1 : -1, top = dice.heads() ? 1 : -1;
@@ -194,13 +194,13 @@ void addScaled(Questions& to, Dice& dice, double scale)
                       {scale * paperWindow.min, scale * paperWindow.max}});
 }
 
-Questions sizes(std::uint64_t seed, Strictness strictness)
+Questions sizes(const Scope& scope)
 {
     Questions all;
-    Dice dice(seed + 3);
+    Dice dice(scope.seed + 3);
     for (const int power : {100, 30, -30, -100})
         addScaled(all, dice, std::exp2(power));
-    if (strictness == Strictness::Clearcuts)
+    if (scope.strictness == Strictness::Clearcuts)
         for (const int power : {1010, 520, -520, -1060})
             addScaled(all, dice, std::exp2(power));
     for (std::size_t i = 0; i < someLines; ++i) { // a window in the middle of nowhere
@@ -210,7 +210,7 @@ Questions sizes(std::uint64_t seed, Strictness strictness)
     return all;
 }
 
-Questions nonsense(std::uint64_t, Strictness)
+Questions nonsense(const Scope&)
 {
     Questions all;
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -232,10 +232,10 @@ Questions nonsense(std::uint64_t, Strictness)
     return all;
 }
 
-Questions random(std::uint64_t seed, Strictness)
+Questions random(const Scope& scope)
 {
-    std::vector<Segment> lines(randomLines);
-    PaperScene(seed).fill(lines);
+    std::vector<Segment> lines(scope.randomLines);
+    PaperScene(scope.seed).fill(lines);
     Questions all;
     all.reserve(lines.size());
     for (const Segment& line : lines)

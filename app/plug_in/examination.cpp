@@ -52,7 +52,8 @@ bool Examination::run()
     std::vector<std::vector<Question>> all;
     if (went == Went::On)
         for (const Category& category : categories()) {
-            all.push_back(category.questions(case_.seed, case_.contract.strictness));
+            all.push_back(
+                category.questions({case_.seed, case_.contract.strictness, case_.randomLines}));
             verdict_.categories.push_back({.lines = all.back().size()});
         }
     for (std::size_t i = 0; i < all.size() && went == Went::On; ++i)

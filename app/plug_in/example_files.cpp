@@ -11,7 +11,8 @@ namespace app::plug_in {
 
 QStringList exampleNames()
 {
-    return {QStringLiteral("clearcut_algorithm.h"), QStringLiteral("example.c")};
+    return {QStringLiteral("clearcut_algorithm.h"), QStringLiteral("cohen_sutherland.c"),
+            QStringLiteral("example.c")};
 }
 
 Result<QStringList> writeExample(const QString& folder)

@@ -7,7 +7,8 @@
 
 namespace app::plug_in {
 
-/// What one begins with: the header, and an example that says how it is compiled.
+/// What one begins with: the header, and an example that says how it is compiled, and one
+/// that looks right and is wrong.
 QStringList exampleNames();
 
 /// Writes them into a folder, over what is called like them, and says where they are.

@@ -11,6 +11,7 @@ struct Case {
     QString program{}; ///< what runs as the child (child.h); empty: this program
     std::uint64_t seed = 1;
     Contract contract{};
+    std::size_t randomLines = Scope{}.randomLines;
     enum class Race : std::uint8_t { Yes, No } race = Race::Yes;
     /// Of the processor's time that the library takes, after which no further line is asked about;
     /// on the wall it is ten times as much.

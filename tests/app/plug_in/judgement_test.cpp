@@ -40,7 +40,7 @@ private slots:
     {
         for (const Strictness strictness : {Strictness::Textbook, Strictness::Clearcuts})
             for (const Category& category : categories())
-                for (const Question& q : category.questions(7, strictness))
+                for (const Question& q : category.questions({7, strictness}))
                     for (const auto& row : clipping::algorithms()) {
                         const auto found = judged(q, answer(row.corrected.clip(q.line, q.window)),
                                                   {64, strictness}, category.visibilityUlps);
@@ -60,7 +60,7 @@ private slots:
     {
         for (const Category& category : categories()) {
             std::size_t visible = 0;
-            const auto all = category.questions(3, Strictness::Textbook);
+            const auto all = category.questions({.seed = 3});
             for (const Question& q : all)
                 visible += expected(q).has_value();
             QVERIFY2(all.size() >= 80, qPrintable(category.key));
@@ -82,7 +82,7 @@ private slots:
     void allRegionPairsAreThere()
     {
         std::set<std::array<bool, 8>> pairs;
-        for (const Question& q : categories().front().questions(1, Strictness::Textbook)) {
+        for (const Question& q : categories().front().questions({})) {
             const auto& [l, w] = q;
             pairs.insert({l.a.x<w.min.x, l.a.x> w.max.x, l.a.y<w.min.y, l.a.y> w.max.y,
                           l.b.x<w.min.x, l.b.x> w.max.x, l.b.y<w.min.y, l.b.y> w.max.y});

@@ -185,7 +185,7 @@ private slots:
         QVERIFY(stage.window->findChild<MessageStrip*>()->sentence().contains("example.c"));
         QFile::remove(stage.test.path("example.c"));
         stage.click("Save header and example…"); // the header is there: no overwriting
-        QCOMPARE(stage.answers->existing.size(), 1);
+        QCOMPARE(stage.answers->existing.size(), 2);
         QVERIFY(!QFile::exists(stage.test.path("example.c")));
     }
 

@@ -1,7 +1,10 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later
- * Cohen-Sutherland as textbooks print it: where rounding leaves a cut beside the edge it was made
- * at, it cuts there again and again. */
-#include "resources/plug_in/clearcut_algorithm.h"
+/* SPDX-License-Identifier: MIT
+ * Cohen-Sutherland as textbooks print it. It looks right, and it is not: find out where.
+ *   cc -std=c99 -O2 -shared -fPIC -o cohen_sutherland.so cohen_sutherland.c
+ *   clearcut judge ./cohen_sutherland.so
+ * (Where rounding leaves a cut beside the edge that it was made at, it cuts there for ever.)
+ */
+#include "clearcut_algorithm.h"
 
 #include <math.h>
 
