@@ -79,6 +79,11 @@ VariableTable::VariableTable(QWidget* parent) : DenseTable(parent)
 void VariableTable::show(std::vector<app::Variable> variables, app::YAxis y)
 {
     model_.show(std::move(variables), y);
+    showChanged();
+}
+
+void VariableTable::showChanged()
+{
     if (const int row = model_.firstChanged(); row >= 0)
         scrollTo(model_.index(row, 0));
 }
@@ -87,6 +92,7 @@ void VariableTable::resizeEvent(QResizeEvent* event)
 {
     DenseTable::resizeEvent(event);
     fitColumns();
+    showChanged();
 }
 
 /// The word keeps its room, the others share the rest: nothing moves from step to step.
@@ -97,9 +103,10 @@ void VariableTable::fitColumns()
     const int word =
         bold.horizontalAdvance(QStringLiteral("\u25cf ") + tr("changed")) + 2 * gap + 4;
     const int rest = std::max(0, all - word);
-    const int before =
-        std::min(metrics.horizontalAdvance(QStringLiteral("\u2212123.456")) + 2 * gap, rest / 3);
+    const QString usual = QStringLiteral("\u2212123.456");
     const int name = std::min(rest * 3 / 10, 8 * metrics.horizontalAdvance(u'm') + 2 * gap);
+    const int least = std::min(bold.horizontalAdvance(usual) + 2 * gap + 2, rest - name);
+    const int before = std::min(metrics.horizontalAdvance(usual) + 2 * gap, rest - name - least);
     setColumnWidth(VariableModel::Name, name);
     setColumnWidth(VariableModel::Value, rest - name - before);
     setColumnWidth(VariableModel::Before, before);

@@ -20,6 +20,7 @@ protected:
 
 private:
     void fitColumns();
+    void showChanged();
 
     VariableModel model_;
 };
