@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/dialogs/pages.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/line_panel.h"
+#include "ui/explanation/explanation_window.h"
 #include "ui/main_window.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/status_bar.h"
@@ -61,7 +61,7 @@ void MainWindow::makeMicroscopePage()
     connect(microscopePage_, &MicroscopePage::pointerMoved, status_, &StatusBar::showPoint);
     connect(microscopePage_, &MicroscopePage::hinted, status_, &StatusBar::showHint);
     connect(microscopePage_, &MicroscopePage::aboutWanted, this,
-            [this](const clipping::Algorithm* algorithm) { showAlgorithmPage(*algorithm, *this); });
+            [this](const clipping::Algorithm* algorithm) { showExplanation(*algorithm, *this); });
     connect(microscopePage_, &MicroscopePage::exportWanted, this, [this] {
         if (auto* steps = findChild<QAction*>(QStringLiteral("export-steps")))
             steps->trigger();

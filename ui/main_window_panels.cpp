@@ -6,6 +6,7 @@
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/experiment/experiment_window.h"
+#include "ui/explanation/explanation_window.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -50,6 +51,8 @@ void MainWindow::addPanels()
                 docks_[3]->setRemark(remark);
                 docks_[3]->setName(title);
             });
+    connect(algorithmPanel_, &AlgorithmPanel::aboutWanted, this,
+            [this](const auto& algorithm) { showExplanation(algorithm, *this); });
     connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
     connect(window, &WindowPanel::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});

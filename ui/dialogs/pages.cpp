@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/pages.h"
 
-#include "app/latin.h"
-#include "app/teaching/page.h"
 #include "ui/actions.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
@@ -64,12 +62,6 @@ void addShortcuts(QString& rows, const QMenu& menu)
 }
 
 } // namespace
-
-void showAlgorithmPage(const clipping::Algorithm& algorithm, MainWindow& window)
-{
-    auto* page = openPage(window, app::latin(algorithm.name));
-    page->setMarkdown(app::pageOf(algorithm).markdown);
-}
 
 void showShortcuts(MainWindow& window)
 {

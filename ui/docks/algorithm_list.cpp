@@ -6,11 +6,16 @@
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QPainter>
 
 namespace ui {
 
 namespace {
+
+constexpr int aboutWidth = 34; // the year's
 
 class RowPainter : public QStyledItemDelegate {
 public:
@@ -103,7 +108,7 @@ QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
 }
 
 AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
-    : QListView(parent), session_(session)
+    : QListView(parent), session_(session), about_(new QToolButton(viewport()))
 {
     setModel(new AlgorithmModel(this));
     setItemDelegate(new RowPainter(session, this));
@@ -114,8 +119,56 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFixedHeight(model()->rowCount() * space::rowHeight);
     viewport()->setAutoFillBackground(false);
+    about_->setText(QStringLiteral("?"));
+    about_->setFont(semiBold(captionFont(font())));
+    about_->setCursor(Qt::ArrowCursor);
+    about_->setFocusPolicy(Qt::NoFocus); // by keys: F1, or the row's menu
+    about_->setFixedSize(aboutWidth, space::rowHeight - 4);
+    about_->hide();
+    connect(about_, &QToolButton::clicked, this, [this] {
+        if (offered_.isValid())
+            emit aboutWanted(clipping::algorithms()[std::size_t(offered_.row())]);
+    });
     connect(&session, &app::Session::displayChanged, this, &AlgorithmList::follow);
     follow();
+}
+
+void AlgorithmList::offerAbout(const QModelIndex& index)
+{
+    offered_ = index;
+    about_->setVisible(index.isValid());
+    if (!index.isValid())
+        return;
+    const QString name = index.data(Qt::DisplayRole).toString();
+    about_->setToolTip(tr("About %1").arg(name));
+    about_->setAccessibleName(about_->toolTip());
+    const QRect row = visualRect(index);
+    about_->move(row.right() - space::dockMargin - aboutWidth + 5, row.top() + 2);
+}
+
+bool AlgorithmList::viewportEvent(QEvent* event)
+{
+    if (event->type() == QEvent::MouseMove)
+        offerAbout(indexAt(static_cast<QMouseEvent*>(event)->position().toPoint()));
+    if (event->type() == QEvent::Leave)
+        offerAbout({});
+    return QListView::viewportEvent(event);
+}
+
+void AlgorithmList::contextMenuEvent(QContextMenuEvent* event)
+{
+    const QModelIndex index =
+        event->reason() == QContextMenuEvent::Keyboard ? currentIndex() : indexAt(event->pos());
+    if (!index.isValid())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto& algorithm = clipping::algorithms()[std::size_t(index.row())];
+    menu->addAction(tr("&About %1").arg(app::latin(algorithm.name)), this,
+                    [this, &algorithm] { emit aboutWanted(algorithm); });
+    menu->popup(event->reason() == QContextMenuEvent::Keyboard
+                    ? viewport()->mapToGlobal(visualRect(index).center())
+                    : event->globalPos());
 }
 
 void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex& previous)

@@ -49,7 +49,9 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 0);
     column->setSpacing(4);
-    column->addWidget(new AlgorithmList(session));
+    auto* list = new AlgorithmList(session);
+    connect(list, &AlgorithmList::aboutWanted, this, &AlgorithmPanel::aboutWanted);
+    column->addWidget(list);
     column->addLayout(form);
     column->addLayout(agree);
     column->addStretch();

@@ -23,6 +23,9 @@ public:
     QString verdict() const { return verdict_->text(); }
     const std::vector<app::Dissent>& dissents() const { return dissents_; }
 
+signals:
+    void aboutWanted(const clipping::Algorithm& algorithm); ///< its page is to be shown
+
 protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;

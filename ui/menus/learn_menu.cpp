@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
+#include "ui/explanation/explanation_window.h"
 #include "ui/main_window.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/plug_in/judge_window.h"
@@ -92,6 +93,9 @@ MenuInfo learnMenu()
                  [](MainWindow& w) { w.togglePanel("exactness"); },
                  nullptr,
                  [](const MainWindow& w) { return w.showsPanel("exactness"); }},
+                {"about-algorithm", tr("About this &algorithm"),
+                 keys(QKeySequence::HelpContents, {QKeySequence("F1")}), Reach::Window, "book",
+                 [](MainWindow& w) { showExplanation(w); }},
                 {"zoo",
                  tr("&Hard cases…"),
                  {QKeySequence("Ctrl+F2")},

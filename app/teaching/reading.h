@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+#include <QString>
+
+namespace app {
+
+/// The page of an algorithm as people read it: its markdown, and after it the hard cases at which
+/// its published form fails, linked to the zoo (`clearcut:case/KEY`, `clearcut:fails/CLIPPER`).
+QString readingOf(const clipping::Algorithm& algorithm);
+
+/// The algorithm whose page a link names: "skala.md"; null for other links.
+const clipping::Algorithm* algorithmOfPage(const QString& link);
+QString pageLink(const clipping::Algorithm& algorithm);
+
+} // namespace app

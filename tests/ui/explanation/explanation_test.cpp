@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/latin.h"
+#include "app/teaching/page.h"
+#include "app/teaching/reading.h"
+#include "app/teaching/trace_link.h"
+#include "ui/docks/algorithm_list.h"
+#include "ui/explanation/explanation_window.h"
+#include "ui/explanation/page_view.h"
+#include "ui/zoo/case_list.h"
+#include "ui/zoo/case_view.h"
+#include "ui/zoo/zoo_window.h"
+
+#include <QMenu>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextFrame>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+const clipping::Algorithm& row(const char* abbreviation)
+{
+    return *clipping::findAlgorithm(abbreviation);
+}
+
+/// Every link of a page, as it stands in the document.
+QStringList linksOf(const QTextDocument& page)
+{
+    QStringList links;
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part)
+            if (part.fragment().charFormat().isAnchor())
+                links << part.fragment().charFormat().anchorHref();
+    links.removeDuplicates();
+    return links;
+}
+
+/// A link as the eye meets it: where its first letter is in the view.
+QPoint placeOf(PageView& view, const QString& link)
+{
+    for (QTextBlock block = view.document()->begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part)
+            if (part.fragment().charFormat().anchorHref() == link) {
+                QTextCursor cursor(view.document());
+                cursor.setPosition(part.fragment().position() + 1);
+                view.setTextCursor(cursor);
+                view.ensureCursorVisible();
+                return view.cursorRect(cursor).center();
+            }
+    return {};
+}
+
+struct Reader {
+    Reader()
+    {
+        test.show();
+        QTest::keyClick(test.drawingArea(), Qt::Key_F1);
+        window = test.window->findChild<ExplanationWindow*>();
+        page = &window->page();
+    }
+    void click(const QString& link) const
+    {
+        QTest::mouseClick(page->viewport(), Qt::LeftButton, {}, placeOf(*page, link));
+    }
+    QString title() const { return page->document()->begin().text(); }
+
+    TestWindow test;
+    ExplanationWindow* window = nullptr;
+    PageView* page = nullptr;
+};
+
+} // namespace
+
+class ExplanationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void f1ShowsWhatClips()
+    {
+        Reader reader;
+        QVERIFY(reader.window->isVisible());
+        QCOMPARE(reader.page->algorithm(), reader.test.window->session().display().algorithm);
+        app::Display display = reader.test.window->session().display();
+        display.algorithm = &row("Skala");
+        reader.test.window->session().setDisplay(display);
+        reader.test.action("about-algorithm")->trigger();
+        QCOMPARE(reader.page->algorithm(), &row("Skala"));
+        QCOMPARE(reader.title(), QStringLiteral("Skala"));
+        QCOMPARE(reader.test.window->findChildren<ExplanationWindow*>().size(), 1);
+    }
+
+    void f1ShowsWhatIsUnderTheMicroscope()
+    {
+        Reader reader;
+        auto& session = reader.test.window->session();
+        session.microscope.open(
+            *app::specimenOf(QUrl(QStringLiteral("clearcut:trace?a=NLN&line=-1,0,3,1&w=0,0,2,2"))));
+        reader.test.action("about-algorithm")->trigger();
+        QCOMPARE(reader.page->algorithm(), &row("NLN"));
+    }
+
+    void everyPageIsWhole_data() { everyAlgorithm(); }
+    void everyPageIsWhole()
+    {
+        QFETCH(const clipping::Algorithm*, algorithm);
+        PageView page;
+        page.resize(900, 700);
+        page.show(*algorithm);
+        QCOMPARE(page.document()->begin().text(), app::latin(algorithm->name));
+        QVERIFY(page.document()->characterCount() > 800);
+        QVERIFY(!page.toPlainText().contains(QStringLiteral("SPDX")));
+        for (const QString& line : app::pageOf(*algorithm).code) // as a trace has it
+            QVERIFY2(page.toPlainText().contains(line.trimmed()), qPrintable(line));
+        QVERIFY(!page.grab().isNull());
+    }
+
+    // All links of all pages lead somewhere: to a page, a line, a case, a filter, or the web.
+    void everyLinkResolves_data() { everyAlgorithm(); }
+    void everyLinkResolves()
+    {
+        QFETCH(const clipping::Algorithm*, algorithm);
+        PageView page;
+        page.resize(900, 700);
+        page.show(*algorithm);
+        for (const QString& text : linksOf(*page.document())) {
+            const QUrl link(text);
+            const QString after = link.path().section(u'/', 1);
+            const bool good =
+                link.scheme() == QStringLiteral("https")
+                || (link.scheme().isEmpty() && app::algorithmOfPage(link.path()))
+                || app::specimenOf(link) || app::findHardCase(after)
+                || (link.path().startsWith(QStringLiteral("fails/")) && app::findClipper(after));
+            QVERIFY2(good, qPrintable(text));
+        }
+    }
+
+    void goesFromPageToPageAndBack()
+    {
+        Reader reader;
+        reader.window->show(row("MD"));
+        reader.click(QStringLiteral("kodituwakku-wijeweera-chamikara.md"));
+        QCOMPARE(reader.page->algorithm(), &row("KWC"));
+        QTest::keyClick(reader.window, Qt::Key_Left, Qt::AltModifier);
+        QCOMPARE(reader.page->algorithm(), &row("MD"));
+        QCOMPARE(reader.window->windowTitle(), app::latin(row("MD").name));
+        QTest::keyClick(reader.window, Qt::Key_Right, Qt::AltModifier);
+        QCOMPARE(reader.page->algorithm(), &row("KWC"));
+        auto* list = reader.window->findChild<QListView*>();
+        QCOMPARE(list->currentIndex().row(), int(&row("KWC") - clipping::algorithms().data()));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualRect(list->model()->index(0, 0)).center());
+        QCOMPARE(reader.page->algorithm(), &clipping::algorithms().front());
+    }
+
+    void linksToTheZoo()
+    {
+        Reader reader;
+        reader.window->show(row("CS"));
+        reader.click(QStringLiteral("clearcut:case/plotink-40"));
+        auto* zoo = reader.test.window->findChild<ZooWindow*>();
+        QVERIFY(zoo);
+        QCOMPARE(zoo->view().hardCase(), app::findHardCase(QStringLiteral("plotink-40")));
+        reader.window->show(row("KWC"));
+        reader.click(QStringLiteral("clearcut:fails/kodituwakku-wijeweera-chamikara:published"));
+        QVERIFY(zoo->list().model()->rowCount() < int(app::hardCases().size()));
+        QVERIFY(zoo->list().model()->rowCount() > 10);
+    }
+
+    void readsLinksToTheMicroscope_data()
+    {
+        QTest::addColumn<QString>("link");
+        QTest::addColumn<bool>("good");
+        const auto link = [](const char* text, bool good) {
+            QTest::newRow(text) << QString(text) << good;
+        };
+        link("clearcut:trace?a=cohen-sutherland:published&line=1,1,-1,-1&w=0.1,0.1,3,3", true);
+        link("clearcut:trace?a=MD&line=-1e-300,0,1,1&w=0,0,1,1", true);
+        link("clearcut:trace?a=nobody&line=1,1,-1,-1&w=0,0,3,3", false);
+        link("clearcut:trace?a=MD&line=1,1,-1&w=0,0,3,3", false);
+        link("clearcut:trace?a=MD&line=1,1,-1,x&w=0,0,3,3", false);
+        link("clearcut:trace", false);
+        link("https://example.org/trace?a=MD&line=1,1,-1,-1&w=0,0,3,3", false);
+    }
+    void readsLinksToTheMicroscope()
+    {
+        QFETCH(QString, link);
+        QFETCH(bool, good);
+        const auto specimen = app::specimenOf(QUrl(link));
+        QCOMPARE(specimen.has_value(), good);
+        if (specimen)
+            QCOMPARE(specimen->y, app::YAxis::Up);
+    }
+
+    void findsOnThePage()
+    {
+        Reader reader;
+        reader.window->show(row("MD"));
+        QTest::keyClick(reader.window, Qt::Key_F, Qt::ControlModifier);
+        auto* field = reader.window->findChild<QLineEdit*>();
+        QVERIFY(field->isVisible());
+        QTest::keyClicks(field, QStringLiteral("window"));
+        const QTextCursor first = reader.page->textCursor();
+        QCOMPARE(first.selectedText().toLower(), QStringLiteral("window"));
+        QVERIFY(reader.page->extraSelections().size() > 2);
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(reader.page->textCursor().position() > first.position());
+        for (qsizetype i = 1; i < reader.page->extraSelections().size(); ++i)
+            QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(reader.page->textCursor().position(), first.position()); // round again
+        QTest::keyClicks(field, QStringLiteral("xyz"));
+        QCOMPARE(reader.page->extraSelections().size(), 0);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(!field->isVisible() && reader.window->isVisible());
+    }
+
+    void setsTextLargerAndSmaller()
+    {
+        Reader reader;
+        const double before = reader.page->document()->defaultFont().pointSizeF();
+        QTest::keyClick(reader.window, Qt::Key_Plus, Qt::ControlModifier);
+        QVERIFY(reader.page->document()->defaultFont().pointSizeF() > before);
+        QTest::keyClick(reader.window, Qt::Key_0, Qt::ControlModifier);
+        QCOMPARE(reader.page->document()->defaultFont().pointSizeF(), before);
+        QTest::keyClick(reader.window, Qt::Key_Minus, Qt::ControlModifier);
+        QVERIFY(reader.page->document()->defaultFont().pointSizeF() < before);
+    }
+
+    // Neither too long to read, nor wider than the window.
+    void keepsLinesComfortable()
+    {
+        PageView page;
+        page.resize(1800, 700);
+        page.show(row("MD"));
+        const auto format = page.document()->rootFrame()->frameFormat();
+        const double line = 1800 - format.leftMargin() - format.rightMargin();
+        QVERIFY(line < 100 * page.fontMetrics().averageCharWidth());
+        QVERIFY(line > 60 * page.fontMetrics().averageCharWidth());
+        page.resize(500, 700);
+        QVERIFY(page.document()->rootFrame()->frameFormat().leftMargin() < 40);
+    }
+
+    void followsTheTheme()
+    {
+        Reader reader;
+        reader.window->show(row("MD"));
+        const auto codeGround = [&] {
+            for (QTextBlock block = reader.page->document()->begin(); block.isValid();
+                 block = block.next())
+                if (block.text().contains(QStringLiteral("reject"))
+                    && block.blockFormat().background().style() != Qt::NoBrush)
+                    return block.blockFormat().background().color();
+            return QColor();
+        };
+        QCOMPARE(codeGround(), lookOf(reader.page->palette()).panel);
+        const QColor light = codeGround();
+        reader.test.window->setTheme(Theme::Dark);
+        QTRY_COMPARE(codeGround(), lookOf(reader.page->palette()).panel);
+        QVERIFY(codeGround() != light);
+        reader.test.window->setTheme(Theme::Light);
+    }
+
+    void savesAPdf()
+    {
+        Reader reader;
+        auto prepared = std::make_unique<PreparedAnswers>(*reader.window);
+        PreparedAnswers& answers = *prepared;
+        reader.window->setQuestions(std::move(prepared));
+        answers.save = reader.test.path("page.pdf");
+        reader.window->show(row("LB"));
+        QTest::keyClick(reader.window, Qt::Key_P, Qt::ControlModifier);
+        QCOMPARE(answers.proposed, QStringLiteral("liang-barsky.pdf"));
+        QFile file(answers.save);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(5) == "%PDF-" && file.size() > 5000);
+        QVERIFY(reader.page->saveAsPdf(reader.test.path("no/such/folder.pdf")).has_value());
+    }
+
+    void rowsOfAlgorithmsOfferTheirPage()
+    {
+        Reader reader;
+        reader.window->hide();
+        reader.test.window->raisePanel("algorithm");
+        auto* list = reader.test.window->findChild<AlgorithmList*>();
+        const QRect third = list->visualRect(list->model()->index(2, 0));
+        QTest::mouseMove(list->viewport(), third.center());
+        QTest::mouseMove(list->viewport(), third.center() + QPoint(1, 0));
+        auto* about = list->viewport()->findChild<QToolButton*>();
+        QTRY_VERIFY(about->isVisible());
+        QTest::mouseClick(about, Qt::LeftButton);
+        QVERIFY(reader.window->isVisible());
+        QCOMPARE(reader.page->algorithm(), &clipping::algorithms()[2]);
+        const QPoint fifth = list->visualRect(list->model()->index(4, 0)).center();
+        QContextMenuEvent asked(QContextMenuEvent::Mouse, fifth,
+                                list->viewport()->mapToGlobal(fifth));
+        QCoreApplication::sendEvent(list->viewport(), &asked);
+        auto* menu = list->findChild<QMenu*>();
+        QVERIFY(menu);
+        menu->actions().front()->trigger();
+        QCOMPARE(reader.page->algorithm(), &clipping::algorithms()[4]);
+    }
+
+private:
+    static void everyAlgorithm()
+    {
+        QTest::addColumn<const clipping::Algorithm*>("algorithm");
+        for (const auto& algorithm : clipping::algorithms())
+            QTest::newRow(algorithm.key.data()) << &algorithm;
+    }
+};
+
+QTEST_MAIN(ExplanationTest)
+#include "explanation_test.moc"

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/explanation/explanation_window.h"
+
+#include "app/latin.h"
+#include "app/teaching/specimen.h"
+#include "app/teaching/trace_link.h"
+#include "app/view/numbers.h"
+#include "app/zoo/hard_case.h"
+#include "ui/docks/algorithm_list.h"
+#include "ui/explanation/page_view.h"
+#include "ui/explanation/title_painter.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/main_window.h"
+#include "ui/zoo/zoo_window.h"
+
+#include <QDesktopServices>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QScreen>
+#include <QSettings>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize usual(1040, 780), smallest(560, 360), frame(8, 40);
+constexpr int listWidth = 252, fieldWidth = 220;
+
+} // namespace
+
+ExplanationWindow::ExplanationWindow(MainWindow& window)
+    : QDialog(&window, Qt::Window), window_(window), questions_(std::make_unique<Questions>(*this)),
+      list_(new QListView), page_(new PageView), wanted_(new QLineEdit), found_(new QLabel),
+      strip_(new MessageStrip)
+{
+    setObjectName(QStringLiteral("explanation"));
+    list_->setModel(new AlgorithmModel(list_));
+    list_->setItemDelegate(new TitlePainter(list_));
+    list_->setAccessibleName(tr("Algorithms"));
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setMouseTracking(true);
+    list_->setFixedWidth(listWidth);
+    list_->viewport()->setAutoFillBackground(false);
+    auto* reading = new QVBoxLayout;
+    reading->setSpacing(0);
+    reading->addWidget(bar());
+    reading->addWidget(page_, 1);
+    reading->addWidget(finder());
+    reading->addWidget(strip_);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(list_);
+    row->addLayout(reading, 1);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& index) {
+                const auto& chosen = clipping::algorithms()[std::size_t(index.row())];
+                if (index.isValid() && page_->algorithm() != &chosen)
+                    page_->show(chosen);
+            });
+    connect(page_, &PageView::pageChanged, this, &ExplanationWindow::showPlace);
+    connect(page_, &PageView::linkChosen, this, &ExplanationWindow::follow);
+    connect(page_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
+    connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
+    resize(usual);
+    restoreGeometry(QSettings().value("explanationGeometry").toByteArray());
+    const QSize room = screen()->availableGeometry().size() - frame;
+    setMinimumSize(smallest.boundedTo(room));
+    resize(size().boundedTo(room));
+    page_->setZoom(QSettings().value("explanationZoom").toInt());
+}
+
+ExplanationWindow::~ExplanationWindow() = default;
+
+void ExplanationWindow::setQuestions(std::unique_ptr<Questions> questions)
+{
+    questions_ = std::move(questions);
+}
+
+QToolButton* ExplanationWindow::button(std::string_view iconKey, const QString& text,
+                                       const QKeySequence& keys)
+{
+    auto* made = new QToolButton;
+    if (iconKey.empty())
+        made->setText(text.section(u' ', 0, 0));
+    else
+        made->setIcon(icon(iconKey));
+    made->setAutoRaise(true);
+    made->setAccessibleName(text);
+    made->setToolTip(
+        keys.isEmpty() ? text : tr("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText)));
+    made->setFixedHeight(space::toolButton);
+    if (!keys.isEmpty())
+        connect(new QShortcut(keys, this), &QShortcut::activated, made, &QToolButton::click);
+    return made;
+}
+
+QWidget* ExplanationWindow::bar()
+{
+    back_ = button("step-back", tr("Back"), QKeySequence(QStringLiteral("Alt+Left")));
+    forward_ = button("step-on", tr("Forward"), QKeySequence(QStringLiteral("Alt+Right")));
+    auto* look = button("microscope", tr("Watch it through the microscope"), {});
+    look->setText(tr("Watch it work"));
+    look->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* smaller = button({}, tr("A− Smaller text"), QKeySequence::ZoomOut);
+    auto* larger = button({}, tr("A+ Larger text"), QKeySequence::ZoomIn);
+    auto* search = button("zoom", tr("Find on this page"), QKeySequence::Find);
+    auto* save = button("export", tr("Save as PDF…"), QKeySequence(QStringLiteral("Ctrl+P")));
+    back_->setEnabled(false);
+    forward_->setEnabled(false);
+    connect(back_, &QToolButton::clicked, page_, &QTextBrowser::backward);
+    connect(forward_, &QToolButton::clicked, page_, &QTextBrowser::forward);
+    connect(smaller, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() - 1); });
+    connect(larger, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() + 1); });
+    connect(new QShortcut(QKeySequence(QStringLiteral("Ctrl+0")), this), &QShortcut::activated,
+            this, [this] { page_->setZoom(0); });
+    connect(search, &QToolButton::clicked, this, [this] {
+        finder_->show();
+        wanted_->setFocus(Qt::ShortcutFocusReason);
+        wanted_->selectAll();
+    });
+    connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
+    connect(look, &QToolButton::clicked, this, [this] {
+        app::Specimen specimen = app::firstSpecimen(window_.session());
+        specimen.clipper = {page_->algorithm(), clipping::Form::Corrected};
+        window_.session().microscope.open(specimen);
+        window_.raise();
+        window_.activateWindow();
+    });
+    auto* whole = new QWidget;
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(space::dockMargin, 4, space::dockMargin, 4);
+    row->setSpacing(4);
+    for (QToolButton* one : {back_, forward_, look})
+        row->addWidget(one);
+    row->addStretch();
+    for (QToolButton* one : {smaller, larger, search, save})
+        row->addWidget(one);
+    return whole;
+}
+
+QWidget* ExplanationWindow::finder()
+{
+    finder_ = new QWidget;
+    wanted_->setPlaceholderText(tr("Find on this page"));
+    wanted_->setAccessibleName(tr("Find on this page"));
+    wanted_->setClearButtonEnabled(true);
+    wanted_->setFixedWidth(fieldWidth);
+    found_->setForegroundRole(QPalette::PlaceholderText);
+    auto* before = button("step-back", tr("Previous"), {});
+    auto* next = button("step-on", tr("Next"), {});
+    auto* close = button("close", tr("Close"), {});
+    connect(wanted_, &QLineEdit::textChanged, this, [this] {
+        page_->moveCursor(QTextCursor::Start);
+        find({});
+    });
+    connect(wanted_, &QLineEdit::returnPressed, this, [this] { find({}); });
+    connect(next, &QToolButton::clicked, this, [this] { find({}); });
+    connect(before, &QToolButton::clicked, this, [this] { find(QTextDocument::FindBackward); });
+    connect(close, &QToolButton::clicked, this, &ExplanationWindow::stopFinding);
+    auto* row = new QHBoxLayout(finder_);
+    row->setContentsMargins(space::dockMargin, 4, space::dockMargin, 4);
+    row->setSpacing(6);
+    for (QWidget* one : std::initializer_list<QWidget*>{wanted_, before, next, found_})
+        row->addWidget(one);
+    row->addStretch();
+    row->addWidget(close);
+    finder_->hide();
+    return finder_;
+}
+
+void ExplanationWindow::show(const clipping::Algorithm& algorithm)
+{
+    if (page_->algorithm() != &algorithm)
+        page_->show(algorithm);
+    QDialog::show();
+}
+
+void ExplanationWindow::showPlace()
+{
+    const auto* algorithm = page_->algorithm();
+    if (!algorithm)
+        return;
+    setWindowTitle(app::latin(algorithm->name));
+    list_->setCurrentIndex(
+        list_->model()->index(int(algorithm - clipping::algorithms().data()), 0));
+    if (finder_->isVisible() && !wanted_->text().isEmpty())
+        find({});
+}
+
+void ExplanationWindow::follow(const QUrl& link)
+{
+    if (const auto specimen = app::specimenOf(link)) {
+        window_.session().microscope.open(*specimen);
+        window_.raise();
+        window_.activateWindow();
+    } else if (link.scheme() != QStringLiteral("clearcut")) {
+        QDesktopServices::openUrl(link);
+    } else if (const auto* hard = app::findHardCase(link.path().section(u'/', 1))) {
+        showZoo(window_).choose(*hard);
+    } else if (link.path().startsWith(QStringLiteral("fails/"))) {
+        showZoo(window_).chooseFailing(link.path().section(u'/', 1));
+    }
+}
+
+void ExplanationWindow::find(QTextDocument::FindFlags direction)
+{
+    const int count = page_->find(wanted_->text(), direction);
+    found_->setText(wanted_->text().isEmpty() ? QString()
+                    : count == 0              ? tr("Not on this page")
+                    : count == 1
+                        ? tr("Once on this page")
+                        : tr("%1 times on this page").arg(app::countText(std::size_t(count))));
+}
+
+void ExplanationWindow::stopFinding()
+{
+    finder_->hide();
+    page_->forgetFound();
+    page_->setFocus();
+}
+
+void ExplanationWindow::savePdf()
+{
+    const QString name = app::latin(page_->algorithm()->key) + QStringLiteral(".pdf");
+    const QString file = questions_->fileToWrite(tr("Save page as PDF"), name, tr("PDF document"),
+                                                 QStringLiteral("pdf"));
+    if (file.isEmpty())
+        return;
+    if (const auto error = page_->saveAsPdf(file))
+        strip_->tell({Message::Kind::Warning, *error});
+    else
+        strip_->tell({});
+}
+
+void ExplanationWindow::hideEvent(QHideEvent* event)
+{
+    QSettings().setValue("explanationGeometry", saveGeometry());
+    QSettings().setValue("explanationZoom", page_->zoom());
+    QDialog::hideEvent(event);
+}
+
+/// Esc ends the search first.
+void ExplanationWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && finder_->isVisible())
+        return stopFinding();
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        return; // no button is the default one
+    QDialog::keyPressEvent(event);
+}
+
+ExplanationWindow& showExplanation(const clipping::Algorithm& algorithm, MainWindow& window)
+{
+    auto* explanation = window.findChild<ExplanationWindow*>();
+    if (!explanation)
+        explanation = new ExplanationWindow(window);
+    explanation->show(algorithm);
+    explanation->raise();
+    explanation->activateWindow();
+    return *explanation;
+}
+
+ExplanationWindow& showExplanation(MainWindow& window)
+{
+    const app::Session& session = window.session();
+    return showExplanation(session.microscope.isOpen()
+                               ? *session.microscope.specimen().clipper.algorithm
+                               : *session.display().algorithm,
+                           window);
+}
+
+} // namespace ui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+#include "ui/dialogs/questions.h"
+#include "ui/widgets/message_strip.h"
+
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QTextDocument>
+#include <QToolButton>
+
+namespace ui {
+
+class MainWindow;
+class PageView;
+
+/// What there is to read about each algorithm: their list at the left, a page at the right. The
+/// editor stays usable.
+class ExplanationWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ExplanationWindow(MainWindow& window);
+    ~ExplanationWindow() override;
+
+    /// What answers instead of dialogs (tests).
+    void setQuestions(std::unique_ptr<Questions> questions);
+    void show(const clipping::Algorithm& algorithm);
+    PageView& page() { return *page_; }
+
+protected:
+    void hideEvent(QHideEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* bar();
+    QWidget* finder();
+    QToolButton* button(std::string_view icon, const QString& text, const QKeySequence& keys);
+    void follow(const QUrl& link);
+    void find(QTextDocument::FindFlags direction);
+    void stopFinding();
+    void savePdf();
+    void showPlace();
+
+    MainWindow& window_;
+    std::unique_ptr<Questions> questions_;
+    QListView* list_;
+    PageView* page_;
+    QWidget* finder_ = nullptr;
+    QLineEdit* wanted_;
+    QLabel* found_;
+    MessageStrip* strip_;
+    QToolButton *back_ = nullptr, *forward_ = nullptr;
+};
+
+/// Shows the window that belongs to that one, at an algorithm's page; there is one at most.
+ExplanationWindow& showExplanation(const clipping::Algorithm& algorithm, MainWindow& window);
+/// At the page of what is in hand: under the microscope, or else what clips.
+ExplanationWindow& showExplanation(MainWindow& window);
+
+} // namespace ui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/explanation/page_style.h"
+
+#include <QFontDatabase>
+#include <QTextBlock>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
+
+namespace ui {
+
+namespace {
+
+constexpr double lineHeight = 140; // per cent
+constexpr int paragraphGap = 9, headingGap = 20, codeIndent = 10, cellPadding = 5, listIndent = 24;
+
+bool isCode(const QTextBlock& block)
+{
+    return block.blockFormat().hasProperty(QTextFormat::BlockCodeFence)
+           || block.blockFormat().hasProperty(QTextFormat::BlockCodeLanguage);
+}
+
+void styleBlock(const QTextBlock& block, const Look& look)
+{
+    QTextBlockFormat format = block.blockFormat();
+    const bool inList = block.textList();
+    if (isCode(block)) {
+        format.setBackground(look.panel);
+        format.setLeftMargin(codeIndent);
+        format.setRightMargin(codeIndent);
+        format.setTopMargin(isCode(block.previous()) ? 0 : paragraphGap);
+        format.setBottomMargin(isCode(block.next()) ? 0 : paragraphGap);
+        format.setNonBreakableLines(true);
+        // Higher ones would leave gaps in the ground.
+        format.setLineHeight(0, QTextBlockFormat::SingleHeight);
+    } else {
+        const int level = format.headingLevel();
+        format.setTopMargin(level > 1 ? headingGap : inList ? 2 : 0);
+        format.setBottomMargin(inList ? 2 : paragraphGap);
+        format.setLineHeight(level > 0 ? 110 : lineHeight, QTextBlockFormat::ProportionalHeight);
+        if (block.text().contains(QChar::ObjectReplacementCharacter)) // a figure
+            format.setLineHeight(0, QTextBlockFormat::SingleHeight);
+    }
+    if (QTextCursor(block).currentTable()) {
+        format.setTopMargin(0);
+        format.setBottomMargin(0);
+        format.setLineHeight(110, QTextBlockFormat::ProportionalHeight);
+    }
+    QTextCursor(block).setBlockFormat(format);
+}
+
+/// Code in the fixed font, a little smaller; links as everywhere in the program.
+void styleText(const QTextBlock& block, const Look& look)
+{
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+        const QTextFragment fragment = part.fragment();
+        QTextCharFormat format;
+        if (fragment.charFormat().fontFixedPitch()) {
+            format.setFontFamilies({QFontDatabase::systemFont(QFontDatabase::FixedFont).family()});
+            format.setProperty(QTextFormat::FontSizeAdjustment, 0);
+        }
+        if (fragment.charFormat().isAnchor())
+            format.setForeground(look.selection);
+        if (format.isEmpty())
+            continue;
+        QTextCursor cursor(block);
+        cursor.setPosition(fragment.position());
+        cursor.setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(format);
+        part = block.begin(); // the fragments are others now; those that are done stay done
+        while (!part.atEnd() && part.fragment().position() < fragment.position())
+            ++part;
+    }
+}
+
+void styleTable(QTextTable& table, const Look& look)
+{
+    QTextTableFormat format = table.format();
+    format.setBorder(1);
+    format.setBorderBrush(look.rule);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderCollapse(true);
+    format.setCellPadding(cellPadding);
+    format.setCellSpacing(0);
+    format.setTopMargin(paragraphGap);
+    format.setBottomMargin(paragraphGap);
+    table.setFormat(format);
+    for (int column = 0; column < table.columns(); ++column) {
+        QTextTableCell cell = table.cellAt(0, column);
+        QTextCharFormat head = cell.format();
+        head.setBackground(look.panel);
+        cell.setFormat(head);
+    }
+}
+
+} // namespace
+
+void styleMarkdown(QTextDocument& document, const Look& look)
+{
+    document.setUndoRedoEnabled(false);
+    document.setIndentWidth(listIndent);
+    QTextCursor all(&document);
+    all.beginEditBlock(); // laid out once, at the end
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        styleBlock(block, look);
+        styleText(block, look);
+    }
+    for (QTextFrame* frame : document.rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame))
+            styleTable(*table, look);
+    all.endEditBlock();
+}
+
+} // namespace ui

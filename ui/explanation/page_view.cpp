@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/explanation/page_view.h"
+
+#include "app/formats/replace_file.h"
+#include "app/latin.h"
+#include "app/teaching/page_figure.h"
+#include "app/teaching/reading.h"
+#include "ui/explanation/page_style.h"
+#include "ui/look.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <QKeyEvent>
+#include <QPdfWriter>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextFrame>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr int charactersInLine = 92, leastMargin = 24, smallestZoom = -3, largestZoom = 12;
+constexpr double step = 0.1;     // of the text size
+constexpr int figureWidth = 620; // logical pixels on paper
+constexpr double printRatio = 3; // pixels of a figure for each
+constexpr double printSize = 10; // points
+
+} // namespace
+
+PageView::PageView(QWidget* parent) : QTextBrowser(parent)
+{
+    setFrameShape(QFrame::NoFrame);
+    setOpenLinks(false);
+    setAccessibleName(tr("Page"));
+    connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
+}
+
+void PageView::show(const clipping::Algorithm& algorithm)
+{
+    setSource(QUrl(app::pageLink(algorithm)), QTextDocument::MarkdownResource);
+}
+
+const clipping::Algorithm* PageView::algorithm() const
+{
+    return app::algorithmOfPage(source().path());
+}
+
+void PageView::follow(const QUrl& link)
+{
+    if (const auto* algorithm =
+            link.scheme().isEmpty() ? app::algorithmOfPage(link.path()) : nullptr)
+        show(*algorithm);
+    else
+        emit linkChosen(link);
+}
+
+void PageView::doSetSource(const QUrl& url, QTextDocument::ResourceType type)
+{
+    document()->clear(); // pictures too: they have the colours of their time
+    QTextBrowser::doSetSource(url, type);
+    style();
+    emit pageChanged();
+}
+
+QVariant PageView::loadResource(int type, const QUrl& url)
+{
+    if (url.scheme() == QStringLiteral("figure"))
+        return app::pageFigure(url.toString(), groundOf(palette()), columnWidth(),
+                               devicePixelRatioF());
+    if (const auto* algorithm = app::algorithmOfPage(url.path()))
+        return app::readingOf(*algorithm).toUtf8();
+    return type == QTextDocument::ImageResource ? QVariant()
+                                                : QTextBrowser::loadResource(type, url);
+}
+
+void PageView::style()
+{
+    styleMarkdown(*document(), lookOf(palette()));
+    fitLines();
+}
+
+int PageView::columnWidth() const
+{
+    const int comfortable = fontMetrics().averageCharWidth() * charactersInLine;
+    return std::max(200, std::min(comfortable, viewport()->width() - 2 * leastMargin));
+}
+
+void PageView::fitLines()
+{
+    QTextFrameFormat format = document()->rootFrame()->frameFormat();
+    const int side = std::max(leastMargin, (viewport()->width() - columnWidth()) / 2);
+    format.setLeftMargin(side);
+    format.setRightMargin(side);
+    format.setTopMargin(leastMargin);
+    format.setBottomMargin(2 * leastMargin);
+    document()->rootFrame()->setFrameFormat(format);
+}
+
+void PageView::setZoom(int steps)
+{
+    zoom_ = std::clamp(steps, smallestZoom, largestZoom);
+    QFont larger;
+    larger.setPointSizeF(larger.pointSizeF() * (1 + step * zoom_));
+    setFont(larger);
+    if (algorithm())
+        reload();
+}
+
+int PageView::find(const QString& text, QTextDocument::FindFlags direction)
+{
+    const Look& look = lookOf(palette());
+    QList<QTextEdit::ExtraSelection> marks;
+    for (QTextCursor found = document()->find(text); !found.isNull() && !text.isEmpty();
+         found = document()->find(text, found)) {
+        QTextEdit::ExtraSelection mark;
+        mark.cursor = found;
+        mark.format.setBackground(look.tint);
+        marks << mark;
+    }
+    setExtraSelections(marks);
+    if (!marks.isEmpty() && !QTextBrowser::find(text, direction)) {
+        moveCursor(direction.testFlag(QTextDocument::FindBackward) ? QTextCursor::End
+                                                                   : QTextCursor::Start);
+        QTextBrowser::find(text, direction);
+    }
+    return int(marks.size());
+}
+
+void PageView::forgetFound()
+{
+    setExtraSelections({});
+    QTextCursor cursor = textCursor();
+    cursor.clearSelection();
+    setTextCursor(cursor);
+}
+
+std::optional<QString> PageView::saveAsPdf(const QString& file) const
+{
+    const QUrl figure(QStringLiteral("figure:") + app::latin(algorithm()->key));
+    QTextDocument paper;
+    QFont body;
+    body.setPointSizeF(printSize);
+    paper.setDefaultFont(body);
+    paper.addResource(
+        QTextDocument::ImageResource, figure,
+        app::pageFigure(figure.toString(), app::Ground::Light, figureWidth, printRatio));
+    paper.setMarkdown(app::readingOf(*algorithm()));
+    styleMarkdown(paper, lookOf(QPalette(Qt::white)));
+    return app::replaceFile(file, [&paper, this](QIODevice& out) -> std::optional<QString> {
+        QPdfWriter writer(&out);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins({22, 20, 22, 20}, QPageLayout::Millimeter);
+        writer.setTitle(app::latin(algorithm()->name));
+        paper.print(&writer);
+        return std::nullopt;
+    });
+}
+
+void PageView::resizeEvent(QResizeEvent* event)
+{
+    QTextBrowser::resizeEvent(event);
+    if (event->oldSize().width() == event->size().width() || !algorithm())
+        return;
+    const int before = verticalScrollBar()->value();
+    reload(); // figures are as wide as the lines
+    verticalScrollBar()->setValue(before);
+}
+
+void PageView::changeEvent(QEvent* event)
+{
+    QTextBrowser::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && algorithm()) {
+        const int before = verticalScrollBar()->value();
+        reload();
+        verticalScrollBar()->setValue(before);
+    }
+}
+
+void PageView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->matches(QKeySequence::ZoomIn) || event->matches(QKeySequence::ZoomOut))
+        return event->ignore(); // the window's commands
+    QTextBrowser::keyPressEvent(event);
+}
+
+void PageView::wheelEvent(QWheelEvent* event)
+{
+    if (!event->modifiers().testFlag(Qt::ControlModifier))
+        return QTextBrowser::wheelEvent(event);
+    if (event->angleDelta().y() != 0)
+        setZoom(zoom_ + (event->angleDelta().y() > 0 ? 1 : -1));
+    event->accept();
+}
+
+} // namespace ui
