@@ -60,7 +60,7 @@ std::vector<Place> wayOf(const HardCase& hard)
 
 } // namespace
 
-CaseScale::CaseScale(const HardCase& hard, const Answer* answer)
+CaseScale::CaseScale(const HardCase& hard, const CaseAnswer* answer)
 {
     const std::vector<Place> way = wayOf(hard);
     std::vector<Place> all = way;

@@ -13,7 +13,7 @@ namespace app {
 class CaseScale {
 public:
     /// Shows the case, and what somebody made of it (nothing that is no number).
-    explicit CaseScale(const HardCase& hard, const Answer* answer = nullptr);
+    explicit CaseScale(const HardCase& hard, const CaseAnswer* answer = nullptr);
 
     bool isTrue() const { return isTrue_; }
     /// What of the picture is used: all of it, unless the scale is true.

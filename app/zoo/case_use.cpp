@@ -62,8 +62,8 @@ Result<Sheet> sheetOf(const HardCase& hard)
 
 Clipper firstToLookAt(const HardCase& hard)
 {
-    const std::vector<Answer> answers = answersTo(hard);
-    const auto interest = [](const Answer& answer) {
+    const std::vector<CaseAnswer> answers = answersTo(hard);
+    const auto interest = [](const CaseAnswer& answer) {
         if (answer.good())
             return -1.0;
         if (answer.clipper.exhibit)

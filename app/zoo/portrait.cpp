@@ -18,7 +18,7 @@ constexpr double margin = 0.13; // of the shorter side, for the ends' numbers
 class PortraitPainter {
 public:
     PortraitPainter(QPainter& painter, const QRectF& area, const HardCase& hard,
-                    const PortraitColours& colours, double unit, const Answer* answer)
+                    const PortraitColours& colours, double unit, const CaseAnswer* answer)
         : painter_(painter), hard_(hard), colours_(colours), unit_(unit), answer_(answer),
           scale_(hard, answer), picture_(area)
     {
@@ -137,7 +137,7 @@ private:
     const HardCase& hard_;
     const PortraitColours& colours_;
     double unit_;
-    const Answer* answer_;
+    const CaseAnswer* answer_;
     CaseScale scale_;
     QRectF picture_;
 };
@@ -145,7 +145,7 @@ private:
 } // namespace
 
 void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitColours& colours, double unit, const Answer* answer)
+                   const PortraitColours& colours, double unit, const CaseAnswer* answer)
 {
     painter.save();
     painter.setClipRect(area);
@@ -155,7 +155,7 @@ void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
     painter.restore();
 }
 
-bool isToScale(const HardCase& hard, const Answer* answer)
+bool isToScale(const HardCase& hard, const CaseAnswer* answer)
 {
     return CaseScale(hard, answer).isTrue();
 }

@@ -19,9 +19,9 @@ struct PortraitColours {
 /// visible; and, where one is given, a wrong answer. Nothing is painted outside the area, whatever
 /// the numbers are. `unit` is the size of a stroke: 1 in usual logical pixels.
 void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitColours& colours, double unit, const Answer* answer = nullptr);
+                   const PortraitColours& colours, double unit, const CaseAnswer* answer = nullptr);
 
 /// Whether its distances are true; else only the order of the numbers is.
-bool isToScale(const HardCase& hard, const Answer* answer = nullptr);
+bool isToScale(const HardCase& hard, const CaseAnswer* answer = nullptr);
 
 } // namespace app

@@ -65,7 +65,7 @@ Ruling excusedOr(Ruling wrong, const HardCase& hard, const Clipper& clipper)
     return near ? Ruling::Allowed : wrong;
 }
 
-Ruling rulingOf(const Answer& answer, const HardCase& hard)
+Ruling rulingOf(const CaseAnswer& answer, const HardCase& hard)
 {
     if (!answer.visible) {
         if (isEndless(answer.clipper, hard))
@@ -106,9 +106,9 @@ std::optional<Ruling> findRuling(const QString& key)
     return std::nullopt;
 }
 
-Answer answerOf(const HardCase& hard, const Clipper& clipper)
+CaseAnswer answerOf(const HardCase& hard, const Clipper& clipper)
 {
-    Answer answer{.clipper = clipper, .visible = clipped(clipper, hard.line, hard.window)};
+    CaseAnswer answer{.clipper = clipper, .visible = clipped(clipper, hard.line, hard.window)};
     if (answer.visible && isFinite(*answer.visible)) {
         answer.beyond = beyond(*answer.visible, hard.window);
         if (hard.visible)
@@ -119,15 +119,15 @@ Answer answerOf(const HardCase& hard, const Clipper& clipper)
     return answer;
 }
 
-std::vector<Answer> answersTo(const HardCase& hard)
+std::vector<CaseAnswer> answersTo(const HardCase& hard)
 {
-    std::vector<Answer> answers;
+    std::vector<CaseAnswer> answers;
     for (const Clipper& clipper : clippers())
         answers.push_back(answerOf(hard, clipper));
     return answers;
 }
 
-QString words(const Answer& answer)
+QString words(const CaseAnswer& answer)
 {
     switch (answer.ruling) {
     case Ruling::Right:

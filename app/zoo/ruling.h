@@ -27,7 +27,7 @@ QString keyOf(Ruling ruling);
 std::optional<Ruling> findRuling(const QString& key);
 
 /// What one clipper makes of a hard case.
-struct Answer {
+struct CaseAnswer {
     Clipper clipper{};
     std::optional<clipping::Segment> visible{};
     Ruling ruling = Ruling::Right;
@@ -36,12 +36,12 @@ struct Answer {
 
     bool good() const { return ruling == Ruling::Right || ruling == Ruling::Allowed; }
 };
-Answer answerOf(const HardCase& hard, const Clipper& clipper);
+CaseAnswer answerOf(const HardCase& hard, const Clipper& clipper);
 /// Of all there are, in menu order.
-std::vector<Answer> answersTo(const HardCase& hard);
+std::vector<CaseAnswer> answersTo(const HardCase& hard);
 
 /// "right", "lost", "outside the window by 2.2e−16".
-QString words(const Answer& answer);
+QString words(const CaseAnswer& answer);
 /// "(1, 1) to (0.1, 0.1)", "the point (0, 1)", "nothing", all digits that there are.
 QString pieceText(const std::optional<clipping::Segment>& piece);
 

@@ -8,6 +8,8 @@
 #include <QTextFrame>
 #include <QTextTable>
 
+#include <vector>
+
 namespace ui {
 
 namespace {
@@ -50,27 +52,36 @@ void styleBlock(const QTextBlock& block, const Look& look)
     QTextCursor(block).setBlockFormat(format);
 }
 
-/// Code in the fixed font, a little smaller; links as everywhere in the program.
-void styleText(const QTextBlock& block, const Look& look)
+/// What becomes of a stretch of text.
+struct Stretch {
+    int from, length;
+    QTextCharFormat format;
+};
+
+/// Code in the fixed font; links as everywhere in the program.
+void addStretches(std::vector<Stretch>& all, const QTextBlock& block, const Look& look)
 {
+    static const QString fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont).family();
     for (auto part = block.begin(); !part.atEnd(); ++part) {
         const QTextFragment fragment = part.fragment();
         QTextCharFormat format;
-        if (fragment.charFormat().fontFixedPitch()) {
-            format.setFontFamilies({QFontDatabase::systemFont(QFontDatabase::FixedFont).family()});
-            format.setProperty(QTextFormat::FontSizeAdjustment, 0);
-        }
+        if (fragment.charFormat().fontFixedPitch())
+            format.setFontFamilies({fixed});
         if (fragment.charFormat().isAnchor())
             format.setForeground(look.selection);
-        if (format.isEmpty())
-            continue;
-        QTextCursor cursor(block);
-        cursor.setPosition(fragment.position());
-        cursor.setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);
-        cursor.mergeCharFormat(format);
-        part = block.begin(); // the fragments are others now; those that are done stay done
-        while (!part.atEnd() && part.fragment().position() < fragment.position())
-            ++part;
+        if (!format.isEmpty())
+            all.push_back({fragment.position(), fragment.length(), format});
+    }
+}
+
+/// After all are known: what is changed splits and joins the fragments.
+void set(QTextDocument& document, const std::vector<Stretch>& all)
+{
+    QTextCursor cursor(&document);
+    for (const Stretch& stretch : all) {
+        cursor.setPosition(stretch.from);
+        cursor.setPosition(stretch.from + stretch.length, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(stretch.format);
     }
 }
 
@@ -102,10 +113,12 @@ void styleMarkdown(QTextDocument& document, const Look& look)
     document.setIndentWidth(listIndent);
     QTextCursor all(&document);
     all.beginEditBlock(); // laid out once, at the end
+    std::vector<Stretch> stretches;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         styleBlock(block, look);
-        styleText(block, look);
+        addStretches(stretches, block, look);
     }
+    set(document, stretches);
     for (QTextFrame* frame : document.rootFrame()->childFrames())
         if (auto* table = qobject_cast<QTextTable*>(frame))
             styleTable(*table, look);

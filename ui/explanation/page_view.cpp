@@ -33,6 +33,9 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
 {
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or a page would change its own width
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &PageView::setAnew);
     setAccessibleName(tr("Page"));
     connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
 }
@@ -58,7 +61,6 @@ void PageView::follow(const QUrl& link)
 
 void PageView::doSetSource(const QUrl& url, QTextDocument::ResourceType type)
 {
-    document()->clear(); // pictures too: they have the colours of their time
     QTextBrowser::doSetSource(url, type);
     style();
     emit pageChanged();
@@ -158,24 +160,29 @@ std::optional<QString> PageView::saveAsPdf(const QString& file) const
     });
 }
 
+/// Later, for it may be in the middle of a page: figures are as wide as the lines, and have the
+/// palette's colours.
+void PageView::setAnew()
+{
+    if (!algorithm())
+        return;
+    const int before = verticalScrollBar()->value();
+    reload();
+    verticalScrollBar()->setValue(before);
+}
+
 void PageView::resizeEvent(QResizeEvent* event)
 {
     QTextBrowser::resizeEvent(event);
-    if (event->oldSize().width() == event->size().width() || !algorithm())
-        return;
-    const int before = verticalScrollBar()->value();
-    reload(); // figures are as wide as the lines
-    verticalScrollBar()->setValue(before);
+    if (event->oldSize().width() != event->size().width())
+        soon_.start();
 }
 
 void PageView::changeEvent(QEvent* event)
 {
     QTextBrowser::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && algorithm()) {
-        const int before = verticalScrollBar()->value();
-        reload();
-        verticalScrollBar()->setValue(before);
-    }
+    if (event->type() == QEvent::PaletteChange)
+        soon_.start();
 }
 
 void PageView::keyPressEvent(QKeyEvent* event)

@@ -4,6 +4,7 @@
 #include "clipping/algorithm.h"
 
 #include <QTextBrowser>
+#include <QTimer>
 
 #include <optional>
 
@@ -49,8 +50,10 @@ private:
     void style();
     void fitLines();
     int columnWidth() const;
+    void setAnew();
 
     int zoom_ = 0;
+    QTimer soon_;
 };
 
 } // namespace ui

@@ -27,7 +27,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override
     {
-        const app::Answer& answer = model_.answers()[std::size_t(index.row())];
+        const app::CaseAnswer& answer = model_.answers()[std::size_t(index.row())];
         const Look& look = lookOf(option.palette);
         table_.paintGround(*painter, option, index);
         QRect cell = option.rect.adjusted(DenseTable::gap, 0, -DenseTable::gap, 0);
@@ -82,7 +82,7 @@ int AnswerModel::columnCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : int(Columns);
 }
 
-QString AnswerModel::text(const app::Answer& answer, int column) const
+QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
 {
     switch (column) {
     case Name:
@@ -102,7 +102,7 @@ QString AnswerModel::text(const app::Answer& answer, int column) const
 
 QVariant AnswerModel::data(const QModelIndex& index, int role) const
 {
-    const app::Answer& answer = answers_[std::size_t(index.row())];
+    const app::CaseAnswer& answer = answers_[std::size_t(index.row())];
     if (role == Qt::DisplayRole)
         return text(answer, index.column());
     if (role == Qt::ToolTipRole)
@@ -143,11 +143,11 @@ void AnswerTable::show(const app::HardCase& hard, const app::Clipper& first)
     setFixedHeight(horizontalHeader()->sizeHint().height()
                    + model_.rowCount() * space::denseRowHeight);
     const auto& all = model_.answers();
-    const auto found = std::ranges::find(all, first, &app::Answer::clipper);
+    const auto found = std::ranges::find(all, first, &app::CaseAnswer::clipper);
     setCurrentIndex(model_.index(found == all.end() ? 0 : int(found - all.begin()), 0));
 }
 
-const app::Answer* AnswerTable::chosen() const
+const app::CaseAnswer* AnswerTable::chosen() const
 {
     return currentIndex().isValid() ? &model_.answers()[std::size_t(currentIndex().row())]
                                     : nullptr;

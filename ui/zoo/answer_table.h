@@ -17,7 +17,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const app::HardCase& hard);
-    const std::vector<app::Answer>& answers() const { return answers_; }
+    const std::vector<app::CaseAnswer>& answers() const { return answers_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -25,9 +25,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QString text(const app::Answer& answer, int column) const;
+    QString text(const app::CaseAnswer& answer, int column) const;
 
-    std::vector<app::Answer> answers_;
+    std::vector<app::CaseAnswer> answers_;
 };
 
 /// They as a table that is as high as it is: right ones with a tick, wrong ones in the colour of
@@ -41,7 +41,7 @@ public:
     /// Chooses `first` there.
     void show(const app::HardCase& hard, const app::Clipper& first);
     const AnswerModel& answers() const { return model_; }
-    const app::Answer* chosen() const; ///< null: none
+    const app::CaseAnswer* chosen() const; ///< null: none
 
 signals:
     void answerChosen();

@@ -133,7 +133,7 @@ void CaseView::showOrigin()
 
 void CaseView::showAnswer()
 {
-    const app::Answer* answer = table_->chosen();
+    const app::CaseAnswer* answer = table_->chosen();
     if (!hard_ || !answer)
         return;
     portrait_->show(*hard_, *answer);

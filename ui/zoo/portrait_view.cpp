@@ -22,7 +22,7 @@ app::PortraitColours portraitColours(const QPalette& palette)
 
 PortraitView::PortraitView(QWidget* parent) : QWidget(parent) { setFixedHeight(usualHeight); }
 
-void PortraitView::show(const app::HardCase& hard, std::optional<app::Answer> answer)
+void PortraitView::show(const app::HardCase& hard, std::optional<app::CaseAnswer> answer)
 {
     hard_ = &hard;
     answer_ = std::move(answer);

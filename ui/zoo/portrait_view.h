@@ -20,15 +20,15 @@ class PortraitView : public QWidget {
 public:
     explicit PortraitView(QWidget* parent = nullptr);
 
-    void show(const app::HardCase& hard, std::optional<app::Answer> answer);
-    const std::optional<app::Answer>& answer() const { return answer_; }
+    void show(const app::HardCase& hard, std::optional<app::CaseAnswer> answer);
+    const std::optional<app::CaseAnswer>& answer() const { return answer_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     const app::HardCase* hard_ = nullptr;
-    std::optional<app::Answer> answer_;
+    std::optional<app::CaseAnswer> answer_;
 };
 
 } // namespace ui

@@ -106,7 +106,7 @@ private slots:
         // Exact is nothing but exact, all corrected forms keep the contract.
         for (const auto& algorithm : clipping::algorithms()) {
             const auto piece = algorithm.corrected.clip(hard.line, hard.window);
-            const Answer answer = answerOf(hard, {&algorithm, Form::Corrected});
+            const CaseAnswer answer = answerOf(hard, {&algorithm, Form::Corrected});
             if (&algorithm == &clipping::exactAlgorithm())
                 QVERIFY(piece == hard.visible && answer.ruling == Ruling::Right);
             const std::string wrong = isProper(hard)
@@ -130,7 +130,7 @@ private slots:
         for (const Clipper& clipper : clippers()) {
             if (clipper.form == Form::Corrected)
                 continue;
-            const Answer answer = answerOf(hard, clipper);
+            const CaseAnswer answer = answerOf(hard, clipper);
             const QByteArray name = keyOf(clipper).toUtf8();
             QVERIFY2(keyOf(ruling(hard, clipper)) == keyOf(listed(hard, clipper)), name);
             QVERIFY2(answer.ruling == listed(hard, clipper), name);
@@ -188,11 +188,11 @@ private slots:
     void saysWhatCameOut()
     {
         const HardCase& md = *findHardCase(QStringLiteral("far-outside"));
-        const Answer far = answerOf(md, *findClipper(QStringLiteral("MD:published")));
+        const CaseAnswer far = answerOf(md, *findClipper(QStringLiteral("MD:published")));
         QCOMPARE(words(far), QStringLiteral("seen where nothing is"));
         QCOMPARE(far.beyond, 466.0);
         const HardCase& lb = *findHardCase(QStringLiteral("paper-outside"));
-        const Answer out = answerOf(lb, *findClipper(QStringLiteral("LB:published")));
+        const CaseAnswer out = answerOf(lb, *findClipper(QStringLiteral("LB:published")));
         QVERIFY(words(out) == QStringLiteral("outside the window by 1.1e−13"));
         QCOMPARE(pieceText(hardCases().front().visible),
                  QStringLiteral("(1, 1) to (1e−09, 1e−09)"));

@@ -60,6 +60,12 @@ struct Reader {
         QTest::keyClick(test.drawingArea(), Qt::Key_F1);
         window = test.window->findChild<ExplanationWindow*>();
         page = &window->page();
+        active();
+    }
+    void active() const
+    {
+        window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window));
     }
     void click(const QString& link) const
     {
@@ -233,13 +239,15 @@ private slots:
     {
         PageView page;
         page.resize(1800, 700);
+        page.QWidget::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
         page.show(row("MD"));
         const auto format = page.document()->rootFrame()->frameFormat();
         const double line = 1800 - format.leftMargin() - format.rightMargin();
         QVERIFY(line < 100 * page.fontMetrics().averageCharWidth());
         QVERIFY(line > 60 * page.fontMetrics().averageCharWidth());
         page.resize(500, 700);
-        QVERIFY(page.document()->rootFrame()->frameFormat().leftMargin() < 40);
+        QTRY_VERIFY(page.document()->rootFrame()->frameFormat().leftMargin() < 40);
     }
 
     void followsTheTheme()
