@@ -38,6 +38,8 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
     connect(&soon_, &QTimer::timeout, this, &PageView::setAnew);
     setAccessibleName(tr("Page"));
     connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
+    connect(this, &QTextBrowser::historyChanged, this,
+            &PageView::pageChanged); // source() is new now
 }
 
 void PageView::show(const clipping::Algorithm& algorithm)
@@ -63,7 +65,6 @@ void PageView::doSetSource(const QUrl& url, QTextDocument::ResourceType type)
 {
     QTextBrowser::doSetSource(url, type);
     style();
-    emit pageChanged();
 }
 
 QVariant PageView::loadResource(int type, const QUrl& url)

@@ -64,8 +64,9 @@ struct Reader {
     }
     void active() const
     {
+        QVERIFY(QTest::qWaitForWindowExposed(window));
         window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window));
+        QTRY_COMPARE(QApplication::activeWindow(), static_cast<QWidget*>(window));
     }
     void click(const QString& link) const
     {
