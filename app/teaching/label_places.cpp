@@ -31,7 +31,7 @@ double badness(const QRectF& place, std::size_t rank, const LabelObstacles& obst
 {
     const auto covered = std::ranges::count_if(
         obstacles.avoided, [&](const QLineF& line) { return crosses(line, place); });
-    return 9 * double(covered) + double(rank);
+    return 16 * double(covered) + double(rank);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
 
-constexpr double margin = 32, columnWidth = 396, gap = 28;
+constexpr double margin = 32, columnWidth = 420, gap = 28;
 constexpr double headerHeight = 68, sentenceHeight = 96, operationsHeight = 80;
 
 QString stepText(const Walk& walk, std::size_t step)
@@ -27,7 +27,7 @@ QString stepText(const Walk& walk, std::size_t step)
                                 : tr("Step %1 of %2").arg(step + 1).arg(walk.moments.size());
 }
 
-/// "End 1 −160, −30   End 2 70, 130   window −100, −75 to 100, 75".
+/// "Line from −160, −30 to 70, 130, window from −100, −75 to 100, 75".
 QString factsText(const Specimen& specimen)
 {
     return tr("Line from %1 to %2, window from %3 to %4")

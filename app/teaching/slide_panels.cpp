@@ -32,17 +32,25 @@ double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
     return area.top() + headingHeight;
 }
 
-/// The largest font in which the code fits, or the smallest that can be read.
+bool isTooWide(const QStringList& code, const QFont& font, double width)
+{
+    const QFontMetricsF metrics(font);
+    return std::ranges::any_of(
+        code, [&](const QString& line) { return metrics.horizontalAdvance(line) > width; });
+}
+
+double rowHeight(int pixelSize) { return std::ceil(1.3 * pixelSize); }
+
+/// The largest font in which all the code fits, or one that can still be read. Where there are too
+/// many lines only some are shown, so these do not make it the smallest.
 QFont codeFont(const QStringList& code, double width, double height)
 {
+    constexpr int largest = 15, readable = 12, smallest = 10;
     QFont font = slideFonts().code;
-    for (int size = 15; size > 10; --size) {
+    for (int size = largest; size >= smallest; --size) {
         font.setPixelSize(size);
-        const QFontMetricsF metrics(font);
-        double widest = 0;
-        for (const QString& line : code)
-            widest = std::max(widest, metrics.horizontalAdvance(line));
-        if (widest <= width && std::ceil(1.3 * size) * double(code.size()) <= height)
+        const bool tooHigh = size > readable && rowHeight(size) * double(code.size()) > height;
+        if (!tooHigh && !isTooWide(code, font, width))
             break;
     }
     return font;
@@ -155,7 +163,7 @@ double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::s
     const double top = paintHeading(painter, area, tr("Pseudo-code"), colours);
     const double height = area.bottom() - top;
     const QFont font = codeFont(walk.code, area.width() - numbers, height);
-    const double row = std::ceil(1.3 * font.pixelSize());
+    const double row = rowHeight(font.pixelSize());
     const auto lines = int(walk.code.size());
     const int room = std::min(lines, int(height / row));
     const int lit = step < walk.moments.size() ? walk.moments[step].line - 1 : -1;

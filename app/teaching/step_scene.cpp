@@ -9,31 +9,39 @@ namespace {
 
 using clipping::Edge;
 
-/// The edge of a step, or the one that the point lies on.
+bool isOn(clipping::Edge edge, const Point& at, const clipping::Window& window)
+{
+    return edge != Edge::None && edge <= Edge::Top
+           && at[clipping::axisOf(edge)] == clipping::levelOf(edge, window);
+}
+
+/// The edge of a step, unless the point lies on another.
 Edge edgeOf(const Moment& moment, const Point& at, const clipping::Window& window)
 {
-    if (moment.edge != Edge::None)
-        return moment.edge;
-    for (const Edge edge : {Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
-        if (at[clipping::axisOf(edge)] == clipping::levelOf(edge, window))
+    for (const Edge edge : {moment.edge, Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
+        if (isOn(edge, at, window))
             return edge;
-    return Edge::None;
+    return moment.edge;
 }
 
 /// Writes down that an end has moved. The last rounding of an end, as it is accepted, is no new
-/// cut.
-void noteCut(StepScene& scene, const CutPoint& cut, Mark mark)
+/// cut; nor is it one to go back to where an end was given, or to where it was cut before.
+void noteCut(StepScene& scene, const CutPoint& cut, const Point& given, Mark mark)
 {
+    CutPoint* same = nullptr;
     for (CutPoint& earlier : scene.cuts) {
-        if (earlier.end != cut.end || !earlier.stands)
+        if (earlier.end != cut.end)
             continue;
-        if (mark == Mark::Accept) {
+        if (mark == Mark::Accept && earlier.stands)
             earlier.at = cut.at;
-            return;
-        }
+        if (earlier.at == cut.at)
+            same = &earlier;
         earlier.stands = false;
     }
-    scene.cuts.push_back(cut);
+    if (same)
+        same->stands = true;
+    else if (cut.at != given)
+        scene.cuts.push_back(cut);
 }
 
 StepScene::State stateOf(Mark mark)
@@ -70,13 +78,14 @@ StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step
         const Moment& moment = walk.moments[i];
         before = scene.left;
         scene.left = leftAt(moment, walk);
-        for (const auto& [was, is, end] :
-             {std::tuple(before.a, scene.left.a, 1), std::tuple(before.b, scene.left.b, 2)})
+        const auto& [a, b] = specimen.line;
+        for (const auto& [was, is, given, end] :
+             {std::tuple(before.a, scene.left.a, a, 1), std::tuple(before.b, scene.left.b, b, 2)})
             if (was != is)
                 noteCut(
                     scene,
                     {.at = is, .end = end, .edge = edgeOf(moment, is, specimen.window), .step = i},
-                    moment.mark);
+                    given, moment.mark);
     }
     const Moment& now = walk.moments[step];
     scene.state = stateOf(now.mark);

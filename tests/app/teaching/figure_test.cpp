@@ -220,6 +220,21 @@ private slots:
             }
     }
 
+    void goingBackIsNoCut() // halving looks for one end after the other, each from the whole line
+    {
+        const Specimen s = specimen("midpoint-subdivision", {{-160, -30}, {70, 130}});
+        const Walk walk = walkOf(s);
+        const StepScene scene = stepScene(s, walk, walk.moments.size() - 1);
+        std::vector<clipping::Edge> edges;
+        for (const CutPoint& cut : scene.cuts)
+            if (cut.stands)
+                edges.push_back(cut.edge);
+        std::ranges::sort(edges);
+        QCOMPARE(edges, (std::vector{clipping::Edge::Left, clipping::Edge::Top}));
+        for (const CutPoint& cut : scene.cuts)
+            QVERIFY(cut.at != s.line.a && cut.at != s.line.b);
+    }
+
     void labelsAreInsideAndApart() // every form of every row
     {
         std::size_t wanted = 0, placed = 0;
