@@ -16,8 +16,8 @@ inline constexpr unsigned long memoryLimit = 512ul << 20;
 bool isChild(const QStringList& arguments);
 
 /// Loads the library, says on standard output how that went, and does what is asked. What the
-/// library prints goes to standard error. Never longer than a minute of the processor's time, in a
-/// session of its own, and never longer than the thread that started it.
+/// library prints goes to standard error. Never longer than two minutes of the processor's time, in
+/// a session of its own, and never longer than the thread that started it.
 int runChild(const QStringList& arguments);
 
 /// What the child says first, in one line: the word of how it went, a space, and the name of the

@@ -17,21 +17,21 @@ struct PlugIn {
 
 constexpr int glance = 20; // milliseconds between two looks at the clocks
 constexpr qsizetype mostPrinted = 2000;
+constexpr qint64 mostUnread = 1 << 20; // of answers: more comes only of somebody who never stops
 
 } // namespace
 
 ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
 {
     process_.start(program, arguments);
+    group_ = process_.processId();
 }
 
 ChildProcess::~ChildProcess()
 {
-    const auto id = process_.processId();
-    if (id > 0) {
-        ::kill(pid_t(-id), SIGKILL); // all of its session; it may not have one yet
-        process_.kill();
-    }
+    if (group_ > 0)
+        ::kill(pid_t(-group_), SIGKILL); // the child leads it, unless it has hardly begun
+    process_.kill();
     process_.waitForFinished();
 }
 
@@ -64,6 +64,8 @@ ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patien
             return News::Stopped;
         process_.waitForReadyRead(glance);
         keepPrinted();
+        if (available() > mostUnread)
+            return News::Stuck;
         if (available() != had) { // it moves
             had = available();
             wall.restart();

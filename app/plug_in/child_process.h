@@ -43,6 +43,7 @@ private:
     void keepPrinted();
 
     QProcess process_;
+    qint64 group_; ///< of the child and of what it starts, also when it has ended itself
     QByteArray printed_;
 };
 

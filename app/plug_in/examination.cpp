@@ -161,7 +161,7 @@ void Examination::hear(std::size_t category, const Question& question, const Ans
         return add(category, {*found.fault, category, question, expected(question), answer.piece(),
                               std::max(found.off, found.outside)});
     count.outside += found.outside > 0;
-    verdict_.mostOff = std::max(verdict_.mostOff, found.off);
+    verdict_.mostOff = std::max({verdict_.mostOff, found.off, found.outside});
 }
 
 /// The line that had no answer is the one to blame; the others are asked again of a new child.

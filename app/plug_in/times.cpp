@@ -2,6 +2,7 @@
 #include "app/plug_in/times.h"
 
 #include "app/experiment/record.h"
+#include "app/latin.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -111,7 +112,10 @@ std::optional<Times> timesOf(const QByteArray& json)
     for (const auto& fact : object["facts"].toArray())
         times.facts.emplace_back(fact[0].toString(), fact[1].toString());
     const auto isEmpty = [](const Contender& one) { return one.times.empty(); };
-    if (times.contenders.size() < 2 || std::ranges::any_of(times.contenders, isEmpty))
+    const bool hasExact =
+        std::ranges::count(times.contenders, latin(clipping::exactAlgorithm().key), &Contender::key)
+        == 1;
+    if (times.contenders.size() < 2 || !hasExact || std::ranges::any_of(times.contenders, isEmpty))
         return std::nullopt;
     return times;
 }

@@ -27,7 +27,7 @@ struct Times {
     std::vector<std::pair<QString, QString>> facts;
 };
 
-/// In one line, and back; nothing if it is not what was written.
+/// In one line, and back; nothing if it is not what was written, with `exact` among them.
 QByteArray jsonOf(const Times& times);
 std::optional<Times> timesOf(const QByteArray& json);
 

@@ -113,6 +113,20 @@ private slots:
         QVERIFY(sentence(verdict).contains("SIGSEGV"));
     }
 
+    void nothingThatItStartedIsLeft()
+    {
+        const auto verdict = verdictOn(caseOf("forking"));
+        QCOMPARE(verdict.fault(), Fault::Crashed);
+        const int left = verdict.printed.section('\n', 0, 0).toInt();
+        QVERIFY2(left > 0, qPrintable(verdict.printed));
+        // It is gone, or nobody has asked yet how it ended.
+        const auto gone = [left] {
+            QFile stat(QStringLiteral("/proc/%1/stat").arg(left));
+            return !stat.open(QIODevice::ReadOnly) || stat.readAll().contains(") Z ");
+        };
+        QTRY_VERIFY(gone());
+    }
+
     /// Only the corner is to blame.
     void theLostCornerIsACorner()
     {
@@ -225,7 +239,9 @@ private slots:
         QVERIFY(back.has_value());
         QCOMPARE(jsonOf(*back), jsonOf(times));
         QCOMPARE(ratioOf(*back, 1), 3.5 / 1.5);
-        for (const char* bad : {"", "{}", "0.5", "[1]", R"({"contenders":[{},{}]})"})
+        for (const char* bad :
+             {"", "{}", "0.5", "[1]", R"({"contenders":[{},{}]})",
+              R"({"contenders":[{"key":"yours","times":[1]},{"key":"lb","times":[1]}]})"})
             QVERIFY(!timesOf(bad).has_value());
     }
 
