@@ -235,7 +235,8 @@ void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& ver
 {
     view_->show(verdict);
     stack_->setCurrentWidget(view_);
-    state_->setText(tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
+    state_->setText(
+        tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
     showState();
 }
 
@@ -243,7 +244,7 @@ void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& ver
 void JudgeWindow::followFile()
 {
     const QFileInfo file(path_);
-    if (path_.isEmpty() || !file.exists())
+    if (path_.isEmpty() || !file.exists() || !isVisible())
         return;
     if (!watcher_.files().contains(path_))
         watcher_.addPath(path_);
@@ -292,8 +293,16 @@ void JudgeWindow::showState()
     file_->setToolTip(QDir::toNativeSeparators(path_));
 }
 
+/// What was compiled while it was closed is judged now.
+void JudgeWindow::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    followFile();
+}
+
 void JudgeWindow::hideEvent(QHideEvent* event)
 {
+    settled_.stop();
     QSettings().setValue("judgeGeometry", saveGeometry());
     if (judging_.active() && !event->spontaneous())
         cancel();

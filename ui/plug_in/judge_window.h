@@ -36,6 +36,7 @@ public:
     bool judging() const { return judging_.active(); }
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
