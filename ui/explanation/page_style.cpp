@@ -39,7 +39,7 @@ void styleBlock(const QTextBlock& block, const Look& look)
     } else {
         const int level = format.headingLevel();
         format.setTopMargin(level > 1 ? headingGap : inList ? 2 : 0);
-        format.setBottomMargin(inList ? 2 : paragraphGap);
+        format.setBottomMargin(inList && block.next().textList() ? 2 : paragraphGap);
         format.setLineHeight(level > 0 ? 110 : lineHeight, QTextBlockFormat::ProportionalHeight);
         if (block.text().contains(QChar::ObjectReplacementCharacter)) // a figure
             format.setLineHeight(0, QTextBlockFormat::SingleHeight);

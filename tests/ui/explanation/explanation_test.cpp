@@ -26,6 +26,21 @@ const clipping::Algorithm& row(const char* abbreviation)
     return *clipping::findAlgorithm(abbreviation);
 }
 
+/// What every page tells, in this order; then its references, one or more.
+const QStringList sections{
+    "History and citation", "Pseudo-code", "Step by step",  "Strengths",
+    "As published",         "Corrected",   "What it costs", "Three dimensions and polygons",
+    "Where rounding bites"};
+
+QStringList headingsOf(const QTextDocument& page)
+{
+    QStringList headings;
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
+        if (block.blockFormat().headingLevel() == 2)
+            headings << block.text();
+    return headings;
+}
+
 /// Every link of a page, as it stands in the document.
 QStringList linksOf(const QTextDocument& page)
 {
@@ -122,6 +137,20 @@ private slots:
         for (const QString& line : app::pageOf(*algorithm).code) // as a trace has it
             QVERIFY2(page.toPlainText().contains(line.trimmed()), qPrintable(line));
         QVERIFY(!page.grab().isNull());
+        QCOMPARE(headingsOf(*page.document()).mid(0, sections.size()), sections);
+        int figures = 0;
+        for (QTextBlock block = page.document()->begin(); block.isValid(); block = block.next())
+            for (auto part = block.begin(); !part.atEnd(); ++part) {
+                const QTextCharFormat format = part.fragment().charFormat();
+                if (!format.isImageFormat())
+                    continue;
+                const QUrl address(format.toImageFormat().name());
+                const auto picture =
+                    page.document()->resource(QTextDocument::ImageResource, address);
+                QVERIFY2(picture.value<QImage>().width() > 200, qPrintable(address.toString()));
+                ++figures;
+            }
+        QVERIFY(figures >= 1);
     }
 
     // All links of all pages lead somewhere: to a page, a line, a case, a filter, or the web.
