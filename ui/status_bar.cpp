@@ -111,8 +111,9 @@ void StatusBar::showPosition(std::optional<app::Point> position)
 
 void StatusBar::showPoint(std::optional<app::Point> point)
 {
-    position_->setText(point ? tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
-                             : QString());
+    position_->setText(
+        point ? tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
+              : QString());
 }
 
 /// While the microscope is open it tells of that, and not of times.
@@ -130,9 +131,10 @@ void StatusBar::showStep()
         return showPosition({});
     }
     const auto steps = microscope.walk().moments.size();
-    visible_->setText(steps == 0 ? tr("no steps")
-                                 : tr("step %1 of %2").arg(app::countText(microscope.step() + 1),
-                                                           app::countText(steps)));
+    visible_->setText(steps == 0
+                          ? tr("no steps")
+                          : tr("step %1 of %2")
+                                .arg(app::countText(microscope.step() + 1), app::countText(steps)));
     showAlgorithm(microscope.specimen().clipper);
 }
 
@@ -144,6 +146,11 @@ void StatusBar::showZoom()
 /// Every cell gets the room of the widest text that this drawing can bring.
 void StatusBar::keepRoom()
 {
+    const QFont type = captionFont(font()); // larger while presenting
+    for (QWidget* cell : std::initializer_list<QWidget*>{hint_, position_, visible_, algorithm_,
+                                                         times_, renderer_, zoom_})
+        if (cell && cell->font() != type)
+            cell->setFont(type);
     const auto& page = session_.sheet().page;
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;

@@ -3,6 +3,7 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/status_bar.h"
 
 #include <QDockWidget>
 #include <QToolBar>
@@ -52,6 +53,8 @@ private slots:
         QVERIFY(stage.window->isPresenting() && stage.window->isFullScreen());
         QCOMPARE(stage.shownDocks(), QStringList());
         QVERIFY(std::abs(stage.window->canvas().font().pointSizeF() / type - 1.5) < 0.01);
+        for (const auto* label : stage.window->status().findChildren<QLabel*>())
+            QVERIFY(label->font().pointSizeF() > type);
         stage.press(Qt::Key_F11);
         QVERIFY(!stage.window->isPresenting() && !stage.window->isFullScreen());
         QCOMPARE(stage.shownDocks(), docks);
