@@ -3,7 +3,9 @@
 
 #include "app/latin.h"
 #include "app/teaching/page.h"
+#include "app/teaching/trace_link.h"
 #include "app/zoo/case_filter.h"
+#include "app/zoo/case_use.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -18,6 +20,16 @@ constexpr std::size_t mostCases = 6; // on a page: the zoo has all of them
 const QString ending = QStringLiteral(".md");
 
 QString tr(const char* text) { return QCoreApplication::translate("reading", text); }
+
+/// What goes wrong, and a link to watch it.
+QString itemOf(const HardCase& hard, const Clipper& clipper)
+{
+    QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
+                       .arg(hard.title, hard.key, words(answerOf(hard, clipper)));
+    if (const auto watch = traceLink(specimenOf(hard, clipper)))
+        text += QStringLiteral(" ([%1](%2))").arg(tr("watch it through the microscope"), *watch);
+    return text + u'\n';
+}
 
 /// Where its published form fails, a line each.
 QString hardCasesOf(const clipping::Algorithm& algorithm)
@@ -34,8 +46,7 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
                             all ? tr("The published form fails at these lines.")
                                 : tr("The published form fails at these lines, among others."));
     for (std::size_t i = 0; i < std::min(cases.size(), mostCases); ++i)
-        text += QStringLiteral("- [%1](clearcut:case/%2): %3\n")
-                    .arg(cases[i]->title, cases[i]->key, words(answerOf(*cases[i], published)));
+        text += itemOf(*cases[i], published);
     if (!all)
         text += QStringLiteral("\n[%1](clearcut:fails/%2)\n")
                     .arg(tr("All %1 in the zoo of hard cases").arg(cases.size()), keyOf(published));

@@ -3,9 +3,11 @@
 
 #include "app/formats/number.h"
 
+#include <QLocale>
 #include <QUrlQuery>
 
 #include <array>
+#include <cmath>
 
 namespace app {
 
@@ -28,7 +30,29 @@ std::optional<Numbers> numbers(const QString& text)
     return all;
 }
 
+/// Nothing if one of them is no number.
+std::optional<QString> numbersText(const Point& p, const Point& q)
+{
+    QStringList all;
+    for (const double number : {p.x, p.y, q.x, q.y}) {
+        if (!std::isfinite(number))
+            return std::nullopt;
+        all << QString::number(number, 'g', QLocale::FloatingPointShortest).remove(u'+');
+    }
+    return all.join(u',');
+}
+
 } // namespace
+
+std::optional<QString> traceLink(const Specimen& specimen)
+{
+    const auto line = numbersText(specimen.line.a, specimen.line.b);
+    const auto window = numbersText(specimen.window.min, specimen.window.max);
+    if (!line || !window || specimen.clipper.exhibit)
+        return std::nullopt;
+    return QStringLiteral("clearcut:trace?a=%1&line=%2&w=%3")
+        .arg(keyOf(specimen.clipper), *line, *window);
+}
 
 std::optional<Specimen> specimenOf(const QUrl& link)
 {

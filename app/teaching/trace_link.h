@@ -12,4 +12,8 @@ namespace app {
 /// that of an algorithm, with `:published` for the printed form. Nothing: it says something else.
 std::optional<Specimen> specimenOf(const QUrl& link);
 
+/// Such a link, bit for bit. Nothing where a number is none, and for an exhibit, which has no
+/// steps.
+std::optional<QString> traceLink(const Specimen& specimen);
+
 } // namespace app

@@ -3,6 +3,7 @@
 #include "app/teaching/page.h"
 #include "app/teaching/reading.h"
 #include "app/teaching/trace_link.h"
+#include "app/zoo/case_use.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/explanation/page_view.h"
@@ -228,6 +229,33 @@ private slots:
         QCOMPARE(specimen.has_value(), good);
         if (specimen)
             QCOMPARE(specimen->y, app::YAxis::Up);
+    }
+
+    // The very same numbers, through the text of a link and back.
+    void linksKeepEveryBit()
+    {
+        for (const app::HardCase& hard : app::hardCases()) {
+            const auto there = app::specimenOf(hard, {&row("CS"), clipping::Form::Published});
+            if (const auto link = app::traceLink(there)) {
+                const auto back = app::specimenOf(QUrl(*link));
+                QVERIFY2(back, qPrintable(*link));
+                QVERIFY(back->line == there.line && back->window == there.window);
+                QCOMPARE(app::keyOf(back->clipper), QStringLiteral("cohen-sutherland:published"));
+            }
+        }
+    }
+
+    void watchesAHardCase()
+    {
+        Reader reader;
+        reader.window->show(row("CS"));
+        const app::HardCase& hard = *app::findHardCase(QStringLiteral("plotink-40"));
+        reader.click(
+            *app::traceLink(app::specimenOf(hard, {&row("CS"), clipping::Form::Published})));
+        const auto& microscope = reader.test.window->session().microscope;
+        QVERIFY(microscope.isOpen());
+        QCOMPARE(microscope.specimen().line, hard.line);
+        QVERIFY(microscope.walk().outcome == clipping::Outcome::DidNotEnd);
     }
 
     void findsOnThePage()
