@@ -132,6 +132,8 @@ void CostMapPanel::setWindow(const clipping::Window& window)
     plan_.window = window;
     plan_.area = app::areaAround(window);
     plan_.fixed = plan_.area.min + (plan_.area.max - plan_.area.min) * share;
+    if (!isVisible())
+        return; // it asks as it is shown
     ask();
     point(std::nullopt);
 }
