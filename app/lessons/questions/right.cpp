@@ -30,7 +30,7 @@ std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::siz
                      .arg(shortText(found[0].ulps));
     return Question{tr("Will what %1 finds be right?").arg(nameOf(specimen.clipper)),
                     {tr("Yes, but for rounding"), tr("No")},
-                    found.empty() ? 0 : 1,
+                    found.empty() && walk.outcome != clipping::Outcome::DidNotEnd ? 0 : 1,
                     reason};
 }
 
