@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plug_in/verdict.h"
+#include "app/teaching/line_text.h"
 #include "app/teaching/walk.h"
 
 #include <QCoreApplication>
@@ -34,12 +35,7 @@ QString numbers(const std::optional<clipping::Segment>& piece)
     return piece ? numbers(piece->a, piece->b) : PlugIn::tr("nothing");
 }
 
-/// "(−0.5, 3)"; "(−0,5; 3)" where a comma is part of a number.
-QString words(const glm::dvec2& p)
-{
-    const bool comma = QLocale().decimalPoint() == u",";
-    return QStringLiteral("(%1%2 %3)").arg(shortText(p.x), comma ? u";" : u",", shortText(p.y));
-}
+QString words(const glm::dvec2& p) { return pairText(shortText(p.x), shortText(p.y)); }
 
 QString words(const glm::dvec2& p, const glm::dvec2& q, const QString& between)
 {

@@ -13,6 +13,8 @@ namespace {
 
 bool commaIsDecimal() { return QLocale().decimalPoint() == QStringLiteral(","); }
 
+QString separator() { return commaIsDecimal() ? QStringLiteral("; ") : QStringLiteral(", "); }
+
 /// With the decimal mark of the locale; all else as everywhere, so that it can be read back.
 QString number(double value)
 {
@@ -50,10 +52,11 @@ QStringList parts(const QString& text)
 
 QString lineText(const clipping::Segment& line)
 {
-    const QString separator = commaIsDecimal() ? QStringLiteral("; ") : QStringLiteral(", ");
-    const auto end = [&](const glm::dvec2& p) { return number(p.x) + separator + number(p.y); };
+    const auto end = [](const glm::dvec2& p) { return number(p.x) + separator() + number(p.y); };
     return end(line.a) + QStringLiteral(" \u2192 ") + end(line.b);
 }
+
+QString pairText(const QString& x, const QString& y) { return u'(' + x + separator() + y + u')'; }
 
 std::optional<clipping::Segment> lineFrom(const QString& text)
 {

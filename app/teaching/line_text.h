@@ -13,6 +13,9 @@ namespace app {
 /// the decimal mark is a comma, a semicolon parts x from y.
 QString lineText(const clipping::Segment& line);
 
+/// A point: "(−0.5, 3)"; "(−0,5; 3)" where the decimal mark is a comma.
+QString pairText(const QString& x, const QString& y);
+
 /// Four numbers, by commas, semicolons or spaces, with an arrow ("->" or "→") between the ends or
 /// without; a decimal point, or the mark of the locale. "nan" and "inf" are numbers too. Nothing:
 /// it is no line.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/zoo/ruling.h"
 
+#include "app/teaching/line_text.h"
 #include "app/teaching/walk.h"
 #include "app/zoo/hard_case.h"
 
@@ -89,10 +90,7 @@ QString roughText(double length)
         .replace(u'-', u'\u2212');
 }
 
-QString point(const glm::dvec2& p)
-{
-    return QStringLiteral("(%1, %2)").arg(exactText(p.x), exactText(p.y));
-}
+QString point(const glm::dvec2& p) { return pairText(exactText(p.x), exactText(p.y)); }
 
 } // namespace
 

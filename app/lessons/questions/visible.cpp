@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
+#include "app/teaching/line_text.h"
 
 #include <QCoreApplication>
 
@@ -19,9 +20,9 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, 
         !piece ? tr("No point of the line lies inside the window.")
         : *piece == specimen.line
             ? tr("Both ends lie inside, and a window is convex: the whole line does.")
-            : tr("What is left runs from (%1; %2) to (%3; %4).")
-                  .arg(shortText(piece->a.x), shortText(piece->a.y), shortText(piece->b.x),
-                       shortText(piece->b.y));
+            : tr("What is left runs from %1 to %2.")
+                  .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
+                       pairText(shortText(piece->b.x), shortText(piece->b.y)));
     return Question{tr("Is any part of this line visible in the window?"),
                     {tr("Yes, some or all of it"), tr("No, nothing")},
                     piece ? 0 : 1,

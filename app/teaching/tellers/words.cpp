@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/tellers/words.h"
 
+#include "app/teaching/line_text.h"
+
 #include <QCoreApplication>
 
 #include <bit>
@@ -38,7 +40,7 @@ QString axisName(clipping::Edge edge)
 
 QString end(int number) { return tr("End %1").arg(number); }
 
-QString point(const Point& p) { return QStringLiteral("(%1, %2)").arg(number(p.x), number(p.y)); }
+QString point(const Point& p) { return pairText(number(p.x), number(p.y)); }
 
 QString number(double value)
 {

@@ -50,6 +50,12 @@ private slots:
             QVERIFY2(app::lineFrom(text) == line, qPrintable(locale.name() + ": " + text));
         }
     }
+    void aPointIsReadInEveryCountry()
+    {
+        QCOMPARE(app::pairText("-0.5", "3"), "(-0.5, 3)");
+        QLocale::setDefault(QLocale(QLocale::Greek));
+        QCOMPARE(app::pairText("-0,5", "3"), "(-0,5; 3)");
+    }
     void aDecimalCommaIsOneWhereItIsUsed()
     {
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
