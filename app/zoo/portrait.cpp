@@ -36,10 +36,10 @@ public:
     {
         paintWindow();
         stroke(wayPath(), QPen(colours_.muted, 1.25 * unit_, Qt::DashLine, Qt::FlatCap));
+        if (answer_ && answer_->visible && !answer_->good()) // wider, and seen below the truth
+            paintPiece(*answer_->visible, colours_.differs, 5);
         if (hard_.visible)
-            paintPiece(*hard_.visible, colours_.visible, 3);
-        if (answer_ && answer_->visible && !answer_->good())
-            paintPiece(*answer_->visible, colours_.differs, 2);
+            paintPiece(*hard_.visible, colours_.visible, 2.5);
         paintEnd(hard_.line.a, hard_.line.b, QStringLiteral("1"));
         if (!(hard_.line.a == hard_.line.b))
             paintEnd(hard_.line.b, hard_.line.a, QStringLiteral("2"));

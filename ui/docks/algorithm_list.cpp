@@ -58,8 +58,9 @@ public:
         text(x, abbreviation, look.text, semiBold(option.font), app::latin(row.abbreviation));
         x += abbreviation;
         text(x, r.right() - year - 8 - x, look.text, option.font, app::latin(row.name));
-        text(r.right() - year, year + 1, look.muted, captionFont(option.font),
-             QString::number(row.year), Qt::AlignRight);
+        if (!(option.state & QStyle::State_MouseOver)) // else the "?" is there
+            text(r.right() - year, year + 1, look.muted, captionFont(option.font),
+                 QString::number(row.year), Qt::AlignRight);
     }
 
 private:

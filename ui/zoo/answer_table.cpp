@@ -15,7 +15,7 @@ namespace ui {
 
 namespace {
 
-constexpr int nameWidth = 168, verdictWidth = 216, errorWidth = 92, iconSize = 14;
+constexpr int nameWidth = 162, verdictWidth = 238, errorWidth = 84, iconSize = 14;
 
 class AnswerCells : public QStyledItemDelegate {
 public:
