@@ -38,6 +38,47 @@ std::optional<Specimen> specimenOf(const QStringList& words)
     return Specimen{*clipper, {*a, *b}, {*min, *max}, YAxis::Up, {}};
 }
 
+/// The step that a page wants to be seen: which of all, or of those with a mark, from 1.
+struct WantedStep {
+    std::optional<Mark> mark;
+    std::size_t which;
+};
+
+/// "first", "last", "7"; "cut", or "cut-2" for the second. Nothing: it is none of them.
+std::optional<WantedStep> stepOf(const QString& word)
+{
+    struct Row {
+        const char* word;
+        WantedStep step;
+    };
+    static constexpr std::size_t beyondAll = -1;
+    static constexpr std::array rows{
+        Row{"", {{}, 1}},
+        Row{"first", {{}, 1}},
+        Row{"last", {{}, beyondAll}},
+        Row{"look", {Mark::Look, 1}},
+        Row{"compare", {Mark::Compare, 1}},
+        Row{"divide", {Mark::Divide, 1}},
+        Row{"cut", {Mark::Cut, 1}},
+        Row{"accept", {Mark::Accept, 1}},
+        Row{"reject", {Mark::Reject, 1}},
+    };
+    bool isNumber = false;
+    if (const uint number = word.toUInt(&isNumber); isNumber)
+        return number > 0 ? std::optional(WantedStep{{}, number}) : std::nullopt;
+    const QStringList parts = word.split(u'-');
+    const auto row = std::ranges::find_if(
+        rows, [&](const Row& r) { return parts[0] == QLatin1StringView(r.word); });
+    if (row == rows.end() || parts.size() > 2)
+        return std::nullopt;
+    if (parts.size() == 1)
+        return row->step;
+    const uint which = parts[1].toUInt(&isNumber);
+    return row->step.mark && isNumber && which > 0
+               ? std::optional(WantedStep{row->step.mark, which})
+               : std::nullopt;
+}
+
 /// What is being read of a lesson.
 struct Reading {
     Lesson lesson;
@@ -69,7 +110,7 @@ struct Reading {
             looked = looked || specimen;
             return specimen.has_value();
         }
-        if (what == QStringLiteral("step") && words.size() == 2)
+        if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
         else if (what == QStringLiteral("ask") && words.size() >= 2)
             page.question = Asking{words[1], words.mid(2)};
@@ -129,30 +170,15 @@ const std::vector<Lesson>& lessons()
 
 std::size_t wantedStep(const LessonPage& page, const Walk& walk)
 {
-    struct Row {
-        const char* word;
-        Mark mark;
-    };
-    static constexpr std::array marks{Row{"compare", Mark::Compare}, Row{"divide", Mark::Divide},
-                                      Row{"cut", Mark::Cut},         Row{"accept", Mark::Accept},
-                                      Row{"reject", Mark::Reject},   Row{"look", Mark::Look}};
+    const auto wanted = stepOf(page.step);
     const std::size_t count = walk.moments.size();
-    if (count == 0 || page.step.isEmpty() || page.step == QStringLiteral("first"))
+    if (!wanted || count == 0)
         return 0;
-    if (page.step == QStringLiteral("last"))
-        return count - 1;
-    // "cut", or "cut-2" for the second
-    const QStringList parts = page.step.split(u'-');
-    int which = parts.size() > 1 ? parts[1].toInt() : 1;
-    for (const Row& row : marks)
-        if (parts[0] == QLatin1StringView(row.word)) {
-            for (std::size_t i = 0; i < count; ++i)
-                if (walk.moments[i].mark == row.mark && --which == 0)
-                    return i;
-            return count - 1;
-        }
-    const auto number = std::size_t(std::max(page.step.toInt(), 1));
-    return std::min(number, count) - 1;
+    std::size_t left = wanted->which;
+    for (std::size_t i = 0; i < count; ++i)
+        if ((!wanted->mark || walk.moments[i].mark == *wanted->mark) && --left == 0)
+            return i;
+    return count - 1;
 }
 
 } // namespace app

@@ -122,6 +122,9 @@ private slots:
             error("# T\n> S\n:: look nobody line 0,0 1,1 window 0,0 1,1\nt").contains("line 3"));
         QVERIFY(error("# T\n:: look cs line 0,0 1 window 0,0 1,1\nt").contains("line 2"));
         QVERIFY(error("# T\n:: dance\nt").contains("line 2"));
+        for (const char* step : {"cutt", "0", "-1", "first-2", "cut-0", "cut-2-3"})
+            QVERIFY2(error(QByteArray("# T\n> S\n:: step ") + step + "\nt").contains("line 3"),
+                     step);
         QVERIFY(!error("# T\ntext, but nothing to look at").isEmpty());
         QVERIFY(!error("").isEmpty());
     }
