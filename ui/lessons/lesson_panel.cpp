@@ -59,7 +59,10 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(list_, &LessonList::chosen, this,
             [this](int lesson) { course_.begin(std::size_t(lesson)); });
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
-    connect(choices_, &ChoiceList::chosen, &course_, &app::Course::choose);
+    connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
+        course_.choose(choice);
+        next_->setFocus(); // the buttons are gone
+    });
     connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
     connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
     connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
@@ -178,8 +181,6 @@ void LessonPanel::showPage()
     back_->setEnabled(course_.page() > 0);
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
-    if (course_.answer())
-        next_->setFocus();
 }
 
 void LessonPanel::changeEvent(QEvent* event)

@@ -253,7 +253,10 @@ void MicroscopePage::setSide(QWidget* side)
 {
     if (side == side_)
         return;
-    delete std::exchange(side_, side);
+    if (QWidget* before = std::exchange(side_, side)) {
+        before->hide();
+        before->deleteLater(); // it may be what asked for it
+    }
     if (!side)
         return;
     across_->insertWidget(0, side);
