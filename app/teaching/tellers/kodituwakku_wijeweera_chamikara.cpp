@@ -40,7 +40,7 @@ QString between(const Telling& telling)
     const glm::length_t axis = telling.step.line == 31 ? 0 : 1;
     if (telling.step.line == 40)
         return telling.holds()
-                   ? tr("The line is a single point, %1, and it is not inside.")
+                   ? tr("The line is a single point, %1, and it counts as outside.")
                          .arg(words::point(a))
                    : tr("The line is a single point, %1, and it is inside.").arg(words::point(a));
     const QString ground =
@@ -62,6 +62,9 @@ QString tooShort(const Telling& telling)
     const double length = vertical ? std::abs(a.y - b.y) : std::abs(a.x - b.x);
     const QString name =
         vertical ? QStringLiteral("|y1 \u2212 y2|") : QStringLiteral("|x1 \u2212 x2|");
+    if (std::isnan(length))
+        return tr("Now %1 is no number, which no comparison calls less than 1: the line is drawn.")
+            .arg(name);
     return telling.holds()
                ? tr("Now %1 = %2, less than 1. The authors take that for a line that has shrunk to "
                     "a "
