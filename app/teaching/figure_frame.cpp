@@ -60,6 +60,22 @@ Span around(double middle, double half)
     return {std::max(middle - half, -most), std::min(middle + half, most)};
 }
 
+/// Whether an edge of the window, and not only the line that it lies on, may be in the picture.
+bool showsEdge(const FigureFrame& frame, const clipping::Window& window)
+{
+    const auto& [min, max] = frame.seen;
+    const auto within = [&](double level, glm::length_t axis) {
+        return level > min[axis] && level < max[axis];
+    };
+    const auto overlaps = [&](glm::length_t axis) {
+        return window.min[axis] < max[axis] && window.max[axis] > min[axis];
+    };
+    const auto crossed = [&](glm::length_t axis) {
+        return within(window.min[axis], axis) || within(window.max[axis], axis);
+    };
+    return overlaps(0) && overlaps(1) && (crossed(0) || crossed(1));
+}
+
 } // namespace
 
 QPointF FigureFrame::at(const Point& point) const
@@ -106,6 +122,23 @@ FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFon
     y = around(y.middle(), perPixel * size.height());
     return {
         .size = size, .seen = {{x.low, y.low}, {x.high, y.high}}, .y = specimen.y, .font = font};
+}
+
+FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font)
+{
+    constexpr double shortLine = 56, fillsWell = 0.4;
+    const FigureFrame frame = figureFrame(specimen, size, font);
+    const auto& [a, b] = specimen.line;
+    const double length = QLineF(frame.at(a), frame.at(b)).length();
+    if (!(length > 0) || length > shortLine || !frame.shows(a) || !frame.shows(b))
+        return frame;
+    const double wanted = fillsWell * std::min(size.width(), size.height());
+    const Point middle = a / 2.0 + b / 2.0;
+    const Point half = (frame.seen.max / 2.0 - frame.seen.min / 2.0) * (length / wanted);
+    FigureFrame near = frame;
+    near.seen = {middle - half, middle + half};
+    const bool precise = half.x > 1e-12 * std::max(std::abs(middle.x), std::abs(middle.y));
+    return precise && showsEdge(near, specimen.window) ? near : frame;
 }
 
 } // namespace app

@@ -35,4 +35,8 @@ struct FigureFrame {
 /// longer than the window only the part near it is seen.
 FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
 
+/// The same, but a line that would be a mere dot beside its window fills a good part of the
+/// picture, with the edges that it crosses; unless then nothing of the window could be seen.
+FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
+
 } // namespace app

@@ -74,7 +74,7 @@ void paintSentence(QPainter& painter, const QRectF& area, const QString& text,
 void paintFigure(QPainter& painter, const QRectF& area, const Specimen& specimen, const Walk& walk,
                  std::size_t step, Ground ground)
 {
-    const FigureFrame frame = figureFrame(specimen, area.size(), slideFonts().body);
+    const FigureFrame frame = nearFrame(specimen, area.size(), slideFonts().body);
     painter.save();
     painter.translate(area.topLeft());
     paintStep(painter, specimen, walk, step, frame, figureColours(ground));

@@ -15,7 +15,8 @@ namespace {
 constexpr int previewWidth = 480;
 
 /// The step as a slide.
-QPixmap previewOf(const app::TraceExport& trace, std::size_t step, double ratio)
+QPixmap previewOf(const app::TraceExport& trace, std::size_t step, const QColor& border,
+                  double ratio)
 {
     const double scale = previewWidth / app::slideWidth;
     QPixmap picture((QSizeF(app::slideWidth, app::slideHeight) * scale * ratio).toSize());
@@ -24,6 +25,9 @@ QPixmap previewOf(const app::TraceExport& trace, std::size_t step, double ratio)
     QPainter painter(&picture);
     painter.scale(scale, scale);
     app::paintSlide(painter, trace.specimen, trace.walk, step, trace.parts, trace.ground);
+    painter.setPen(QPen(border, 2 / scale));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(0, 0, app::slideWidth, app::slideHeight));
     return picture;
 }
 
@@ -50,7 +54,6 @@ void ExportStepsDialog::addFields()
         format_->addItem(format.name);
     ground_->addItems({tr("Light"), tr("Dark")});
     ground_->setCurrentIndex(trace_.ground == app::Ground::Dark ? 1 : 0);
-    preview_->setFrameShape(QFrame::Box);
     preview_->setAccessibleName(tr("Preview"));
     auto* form = new QFormLayout(this);
     form->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
@@ -95,7 +98,7 @@ void ExportStepsDialog::refresh()
 {
     ground_->setEnabled(format().forPeople);
     pictureOnly_->setEnabled(format().forPeople);
-    preview_->setPixmap(previewOf(trace(), step_, devicePixelRatioF()));
+    preview_->setPixmap(previewOf(trace(), step_, lookOf(palette()).border, devicePixelRatioF()));
 }
 
 } // namespace ui

@@ -15,7 +15,7 @@ namespace ui {
 
 namespace {
 
-constexpr double ringRadius = 9, shortLine = 56; // pixels
+constexpr double ringRadius = 9; // pixels
 
 } // namespace
 
@@ -42,38 +42,10 @@ void MicroscopeView::refit()
 {
     QFont body = font();
     body.setPixelSize(QFontInfo(body).pixelSize());
-    frame_ = app::figureFrame(microscope_.specimen(), QSizeF(size()), body);
-    enlargeShortLine();
+    frame_ = app::nearFrame(microscope_.specimen(), QSizeF(size()), body);
     frame_.reserved = reserved_;
     update();
     emit framed();
-}
-
-/// A line that would be a mere dot beside its window fills a good part of the view, with the edges
-/// that it crosses; unless then nothing of the window could be seen.
-void MicroscopeView::enlargeShortLine()
-{
-    const clipping::Segment& line = microscope_.specimen().line;
-    const clipping::Window& window = microscope_.specimen().window;
-    const double length = QLineF(frame_.at(line.a), frame_.at(line.b)).length();
-    const double wanted = 0.4 * std::min(width(), height());
-    if (!(length > 0) || length > shortLine || !frame_.shows(line.a) || !frame_.shows(line.b))
-        return;
-    const app::Point middle = line.a / 2.0 + line.b / 2.0;
-    const app::Point half = (frame_.seen.max / 2.0 - frame_.seen.min / 2.0) * (length / wanted);
-    app::FigureFrame near = frame_;
-    near.seen = {middle - half, middle + half};
-    const auto& edges = near.seen;
-    const bool vertical = (window.min.x > edges.min.x && window.min.x < edges.max.x)
-                          || (window.max.x > edges.min.x && window.max.x < edges.max.x);
-    const bool horizontal = (window.min.y > edges.min.y && window.min.y < edges.max.y)
-                            || (window.max.y > edges.min.y && window.max.y < edges.max.y);
-    const bool overlaps = window.min.x < edges.max.x && window.max.x > edges.min.x
-                          && window.min.y < edges.max.y && window.max.y > edges.min.y;
-    const double size = edges.max.x - edges.min.x;
-    if ((vertical || horizontal) && overlaps && size > 1e-12 * std::abs(middle.x)
-        && size > 1e-12 * std::abs(middle.y))
-        frame_ = near;
 }
 
 void MicroscopeView::reserve(const QRectF& place)

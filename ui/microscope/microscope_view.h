@@ -60,7 +60,6 @@ private:
 
     void follow();
     void refit();
-    void enlargeShortLine();
     void keepInSight();
     void moveEnd(LineEnd end, const app::Point& point);
     void choose(std::optional<LineEnd> end);

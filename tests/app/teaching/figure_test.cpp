@@ -244,7 +244,8 @@ private slots:
             for (int i = 0; i < 150; ++i) {
                 const Specimen s = anySpecimen(clipper);
                 const Walk walk = walkOf(s);
-                const FigureFrame frame = figureFrame(s, size, font());
+                const FigureFrame frame =
+                    i % 2 ? figureFrame(s, size, font()) : nearFrame(s, size, font());
                 for (const std::size_t step : {walk.moments.size() / 2, walk.moments.size() - 1}) {
                     const StepScene scene = stepScene(s, walk, step);
                     const auto labels = figureLabels(s, walk, scene, frame);
@@ -335,6 +336,20 @@ private slots:
             QVERIFY2(std::abs(across / down - 1) < 1e-9, told(s, 0)); // nothing is stretched
             const Point back = frame.pointAt(frame.at(s.window.min));
             QVERIFY(std::abs(back.x - s.window.min.x) < 1e-6 * (1 + std::abs(s.window.min.x)));
+        }
+    }
+
+    void shortLinesAreEnlarged()
+    {
+        const Specimen crossing = specimen("exact", {{99, 10}, {102, 12}});
+        const FigureFrame near = nearFrame(crossing, size, font());
+        const auto& [a, b] = crossing.line;
+        QVERIFY(QLineF(near.at(a), near.at(b)).length() > 0.3 * size.height());
+        QVERIFY(near.shows({100, 11}));
+        for (const clipping::Segment& line : // far from every edge; long; a point
+             {clipping::Segment{{10, 10}, {11, 11}}, {{-90, 0}, {90, 20}}, {{100, 3}, {100, 3}}}) {
+            const Specimen s = specimen("exact", line);
+            QCOMPARE(nearFrame(s, size, font()).seen, figureFrame(s, size, font()).seen);
         }
     }
 
