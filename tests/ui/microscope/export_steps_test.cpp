@@ -3,6 +3,7 @@
 #include "ui/microscope/export_steps.h"
 #include "ui/microscope/export_steps_dialog.h"
 
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -119,7 +120,7 @@ private slots:
         type->setCurrentIndex(type->count() - 1);
         QCOMPARE(dialog->format().key, app::traceFormats().back().key);
         QVERIFY(!boxes[1]->isEnabled()); // data has no picture
-        QTest::keyClick(dialog, Qt::Key_Escape);
+        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
         QVERIFY(!dialog->isVisible());
         session().microscope.close();
         QVERIFY(!action->isEnabled());
