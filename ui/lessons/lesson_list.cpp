@@ -6,6 +6,7 @@
 #include "ui/look_icon.h"
 
 #include <QAbstractButton>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QSettings>
@@ -39,6 +40,13 @@ public:
     QSize sizeHint() const override { return {240, heightForWidth(240)}; }
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            click();
+        else
+            QAbstractButton::keyPressEvent(event);
+    }
     void paintEvent(QPaintEvent*) override
     {
         const Look& look = lookOf(palette());

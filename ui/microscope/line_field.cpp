@@ -38,6 +38,7 @@ void LineField::read()
     setModified(false);
     emit typed(*line);
     show(*line);
+    emit done();
 }
 
 /// Esc belongs to the field while something else stands in it than was there.

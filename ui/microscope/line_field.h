@@ -18,6 +18,7 @@ public:
 
 signals:
     void typed(const clipping::Segment& line);
+    void done(); ///< with typing: the keys may step again
     void refused(const QString& sentence);
 
 protected:

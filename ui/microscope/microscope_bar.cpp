@@ -117,6 +117,7 @@ void MicroscopeBar::addLine()
     previous_ = addButton("step-back", tr("Previous line of the drawing (Shift+F8)"));
     next_ = addButton("step-on", tr("Next line of the drawing (F8)"));
     connect(line_, &LineField::typed, this, &MicroscopeBar::setLine);
+    connect(line_, &LineField::done, this, &MicroscopeBar::lineDone);
     connect(line_, &LineField::refused, this, &MicroscopeBar::refused);
     connect(swap, &QToolButton::clicked, this, [this] {
         const auto& [a, b] = microscope_.specimen().line;

@@ -28,6 +28,7 @@ signals:
     void refused(const QString& sentence);
     void exportWanted();
     void closeWanted();
+    void lineDone(); ///< with typing it: the keys may step again
 
 protected:
     void paintEvent(QPaintEvent* event) override;

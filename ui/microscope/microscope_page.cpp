@@ -92,6 +92,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     });
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopePage::showPlace);
     connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
+    connect(bar_, &MicroscopeBar::lineDone, view_, [this] { view_->setFocus(); });
     connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);
     connect(bar_, &MicroscopeBar::exportWanted, this, &MicroscopePage::exportWanted);
     connect(bar_, &MicroscopeBar::refused, this, &MicroscopePage::refused);
