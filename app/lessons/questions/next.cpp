@@ -33,7 +33,7 @@ std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step,
         QStringList choices;
         for (const Event& other : events)
             choices << tr(other.words);
-        return Question{tr("What does it do next, comparisons aside?"), choices,
+        return Question{tr("What does it do next, after it has compared?"), choices,
                         int(event - events.begin()),
                         tr("Step %1: %2").arg(i + 1).arg(moment.sentence)};
     }

@@ -104,8 +104,9 @@ QString sentence(const Telling& telling)
     if (what == "reject")
         return rejected(telling) + words::lost(telling);
     if (what == "p and q")
-        return tr("Seen from %1, the line goes outwards at the rate p = %2, and End 1 lies q = %3 "
-                  "inside (less than 0: outside).")
+        return tr("The line goes out across %1 at the rate p = %2 (less than 0: it comes in), and "
+                  "End 1 "
+                  "lies q = %3 inside (less than 0: outside).")
             .arg(edge, number(telling, "p"), number(telling, "q"));
     if (what == "r")
         return (telling.step.line == 6

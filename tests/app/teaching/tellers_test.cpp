@@ -303,8 +303,9 @@ private slots:
     }
     void liangBarsky()
     {
-        const QString seen("4: Seen from the %1 edge, the line goes outwards at the rate p = %2, "
-                           "and End 1 lies q = %3 inside (less than 0: outside).");
+        const QString seen(
+            "4: The line goes out across the %1 edge at the rate p = %2 (less than 0: "
+            "it comes in), and End 1 lies q = %3 inside (less than 0: outside).");
         compareLists(
             sentences("lb:published", across),
             {seen.arg("left", "−230", "−60"),
