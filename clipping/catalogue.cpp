@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/algorithm.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "clipping/chunks.h"
 
 #include "clipping/batch/sets.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/outside.h"
 
+#include "clipping/ieee_numbers.h"
+
 #include <cassert>
 
 namespace clipping {

@@ -2,6 +2,7 @@
 #include "clipping/polyline.h"
 
 #include "clipping/batch/kernels.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <array>

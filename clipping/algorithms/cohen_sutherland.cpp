@@ -12,6 +12,7 @@
 #include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 
 namespace clipping {

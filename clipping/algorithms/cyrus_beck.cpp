@@ -12,6 +12,7 @@
 #include "clipping/along.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/polygon/uses.h"
 
 #include <array>

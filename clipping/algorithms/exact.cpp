@@ -15,6 +15,7 @@
 #include "clipping/batch/sets.h"
 #include "clipping/describe.h"
 #include "clipping/exact/line.h"
+#include "clipping/ieee_numbers.h"
 
 namespace clipping {
 namespace {

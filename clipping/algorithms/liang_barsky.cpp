@@ -11,6 +11,7 @@
 #include "clipping/along.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 
 namespace clipping {
 

@@ -23,6 +23,7 @@
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/halving.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 
 namespace clipping {

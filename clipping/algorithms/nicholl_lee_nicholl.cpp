@@ -13,6 +13,7 @@
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/symmetry.h"
 
 namespace clipping {

@@ -12,6 +12,7 @@
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 #include "clipping/polygon/uses.h"
 

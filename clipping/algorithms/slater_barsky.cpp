@@ -21,6 +21,7 @@
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 
 namespace clipping {
 

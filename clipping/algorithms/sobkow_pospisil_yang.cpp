@@ -15,6 +15,7 @@
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/batch/vector_kernel.h"
+#include "clipping/ieee_numbers.h"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 

@@ -2,6 +2,7 @@
 #include "clipping/algorithm.h"
 #include "clipping/batch/vector_kernel.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "clipping/box/moving_end.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 
 #include <bit>
 

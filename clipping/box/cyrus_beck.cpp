@@ -6,6 +6,7 @@
 #include "clipping/box/part.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
 
 namespace clipping {
 namespace {

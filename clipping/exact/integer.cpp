@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/exact/integer.h"
 
+#include "clipping/ieee_numbers.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>

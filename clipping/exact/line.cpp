@@ -2,6 +2,7 @@
 #include "clipping/exact/line.h"
 
 #include "clipping/exact/integer.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,6 +2,7 @@
 #include "clipping/parallel/clip_all.h"
 
 #include "clipping/batch/kernels.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <cassert>

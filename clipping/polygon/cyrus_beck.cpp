@@ -7,6 +7,7 @@
 // depths is the authors' D, the speed along the normal; the signs are exact, so that an end that is
 // inside is never cut, and D is never a quotient's zero.
 
+#include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
 
 namespace clipping {

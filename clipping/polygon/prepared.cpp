@@ -3,6 +3,7 @@
 
 #include "clipping/exact/turn.h"
 #include "clipping/frame.h"
+#include "clipping/ieee_numbers.h"
 
 #include <algorithm>
 #include <cmath>

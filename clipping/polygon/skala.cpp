@@ -13,6 +13,7 @@
 // All signs are exact, so that nothing is ever wrongly seen or lost. As with windows, a line that
 // has no corner strictly on its left is asked again with "on it" for "left".
 
+#include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
 
 namespace clipping {
