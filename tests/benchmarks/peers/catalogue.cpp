@@ -12,7 +12,7 @@
 std::span<const PeerLibrary> peerLibraries()
 {
     static const PeerLibrary all[] = {
-        {"OpenCV", "libopencv-imgproc-dev", openCvPeers},
+        {"OpenCV", "libopencv-dev", openCvPeers},
         {"AGG", "libagg-dev", aggPeers},
         {"Boost.Geometry", "libboost-dev", boostGeometryPeers},
         {"CGAL", "libcgal-dev", cgalPeers},
