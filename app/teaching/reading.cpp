@@ -57,7 +57,7 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
 
 QString readingOf(const clipping::Algorithm& algorithm)
 {
-    static const QRegularExpression comment(QStringLiteral("^<!--.*?-->\\s*"),
+    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
                                             QRegularExpression::DotMatchesEverythingOption);
     return pageOf(algorithm).markdown.remove(comment).trimmed() + hardCasesOf(algorithm);
 }
