@@ -121,6 +121,31 @@ std::array<double, 4> meanOf(const QString& page, Form form)
     return mean;
 }
 
+/// All numbers of these commands and their answers, without their signs.
+QList<double> printedBy(const QStringList& commands)
+{
+    static const QRegularExpression number(QStringLiteral("\\d+(?:\\.\\d+)?"));
+    QList<double> numbers;
+    for (const QString& command : commands) {
+        const QString all = command + QString::fromUtf8(resultOf(command).out);
+        for (auto found = number.globalMatch(all); found.hasNext();)
+            numbers << found.next().captured().toDouble();
+    }
+    return numbers;
+}
+
+/// Decimal numbers of the text, without those of its commands and without 0.0999…
+QStringList decimalsOf(const QString& paragraph)
+{
+    static const QRegularExpression decimal(QStringLiteral("\\d+\\.\\d+(?![\\d…])")),
+        code(QStringLiteral("`[^`]*`|<!--.*?-->"));
+    const QString text = QString(paragraph).remove(code);
+    QStringList all;
+    for (auto found = decimal.globalMatch(text); found.hasNext();)
+        all << found.next().captured();
+    return all;
+}
+
 } // namespace
 
 class PagesTest : public QObject {
@@ -181,32 +206,26 @@ private slots:
         QCOMPARE(int(std::ranges::count(rows, QStringLiteral("400,000"), &CostRow::line)), 1);
     }
 
-    /// The numbers of a worked example are those of its trace.
-    void examplesAreTraced_data() { everyAlgorithm(); }
+    /// The numbers of worked examples, which have no marks, are those of their traces.
     void examplesAreTraced()
     {
-        QFETCH(const Algorithm*, algorithm);
-        static const QRegularExpression decimal(QStringLiteral("\\d+\\.\\d+(?![\\d…])")),
-            code(QStringLiteral("`[^`]*`|<!--.*?-->")), number(QStringLiteral("\\d+(?:\\.\\d+)?"));
-        for (const QString& paragraph : paragraphsOf(pageOf(*algorithm))) {
-            const auto traces = commandsOf(paragraph).filter(QRegularExpression("^trace .*\\d$"));
-            if (traces.isEmpty() || !claimsOf(paragraph).empty())
-                continue;
-            QList<double> known;
-            for (const QString& trace : traces) {
-                const auto& [exit, out, err] = resultOf(trace);
-                QVERIFY2(exit == 0 && !out.isEmpty(), qPrintable(trace + err));
-                for (auto all = number.globalMatch(trace + QString::fromUtf8(out)); all.hasNext();)
-                    known << all.next().captured().toDouble();
+        static const QRegularExpression traced(QStringLiteral("^trace .*\\d$"));
+        int numbers = 0;
+        for (const Algorithm& algorithm : clipping::algorithms())
+            for (const QString& paragraph : paragraphsOf(pageOf(algorithm))) {
+                const QStringList traces = commandsOf(paragraph).filter(traced);
+                if (traces.isEmpty() || !claimsOf(paragraph).empty())
+                    continue;
+                const QList<double> known = printedBy(traces);
+                for (const QString& said : decimalsOf(paragraph)) {
+                    const auto is = [&](double number) { return agrees(said, number); };
+                    QVERIFY2(std::ranges::any_of(known, is),
+                             qPrintable(QStringLiteral("%1 is not printed by %2")
+                                            .arg(said, traces.join(u' '))));
+                    ++numbers;
+                }
             }
-            const QString prose = QString(paragraph).remove(code);
-            for (auto all = decimal.globalMatch(prose); all.hasNext();) {
-                const QString said = all.next().captured();
-                QVERIFY2(
-                    std::ranges::any_of(known, [&](double k) { return agrees(said, k); }),
-                    qPrintable(said + QStringLiteral(" is not printed by ") + traces.join(u' ')));
-            }
-        }
+        QVERIFY(numbers > 20);
     }
 
     void commandsRun_data() { everyAlgorithm(); }

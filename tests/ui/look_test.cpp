@@ -68,10 +68,14 @@ private slots:
         for (const ToolInfo& tool : tools())
             QVERIFY2(!opaqueColours(icon(tool.key).pixmap(40, 40).toImage()).empty(),
                      tool.key.data());
+        int icons = 0;
         for (const QAction* action : t.window->findChildren<QAction*>())
-            if (!action->icon().isNull())
+            if (!action->icon().isNull()) {
                 QVERIFY2(!opaqueColours(action->icon().pixmap(40, 40).toImage()).empty(),
                          qPrintable(action->text()));
+                ++icons;
+            }
+        QVERIFY(icons > 10);
     }
     void iconsFollowTheTheme()
     {

@@ -50,12 +50,15 @@ private slots:
         QList<QList<QAction*>> lists{t.window->menuBar()->actions()};
         for (const QAction* top : t.window->menuBar()->actions())
             lists << top->menu()->actions();
+        qsizetype all = 0;
         for (const auto& list : lists) {
             QStringList letters = mnemonics(list);
             const auto count = letters.size();
+            all += count;
             letters.removeDuplicates();
             QVERIFY2(letters.size() == count, qPrintable(letters.join(' ')));
         }
+        QVERIFY(all > 30);
     }
     void shortcutsAreUniqueAndNoneIsMissing()
     {
@@ -436,6 +439,7 @@ private slots:
         t.window->showStart();
         t.show();
         t.action("panes-4")->trigger();
+        int controls = 0;
         for (const QWidget* widget : t.window->findChildren<QWidget*>()) {
             const bool control =
                 widget->focusPolicy() != Qt::NoFocus
@@ -444,6 +448,7 @@ private slots:
                     || widget->inherits("QAbstractItemView"));
             if (!control || !widget->isVisible())
                 continue;
+            ++controls;
             QAccessibleInterface* read =
                 QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
             QVERIFY2(read && !read->text(QAccessible::Name).isEmpty(),
@@ -451,6 +456,7 @@ private slots:
                                 + widget->objectName() + " in "
                                 + widget->parent()->metaObject()->className()));
         }
+        QVERIFY(controls > 10);
     }
 };
 

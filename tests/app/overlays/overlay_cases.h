@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "tests/clipping/random.h"
+#include "tests/not_empty.h"
 
 // Windows, lines and points for overlays: half of them small whole numbers, so that many lie on
 // edges, in line with corners, and in one another.
@@ -60,7 +61,7 @@ inline std::vector<app::Clipper> formsOf(std::initializer_list<std::string_view>
     std::erase_if(forms, [&](const app::Clipper& c) {
         return std::ranges::find(abbreviations, c.algorithm->abbreviation) == abbreviations.end();
     });
-    return forms;
+    return notEmpty(std::move(forms));
 }
 
 inline clipping::Trace traceOf(const app::Clipper& clipper, const clipping::Segment& line,

@@ -196,12 +196,14 @@ private slots:
 
     void whatIsCutOffAndWhatIsLeftIsTheLine() // of every row that keeps the contract
     {
-        for (const auto& algorithm : clipping::algorithms())
+        for (const auto& algorithm : clipping::algorithms()) {
+            int visible = 0;
             for (int i = 0; i < 300; ++i) {
                 const Specimen s = anySpecimen({&algorithm, clipping::Form::Corrected});
                 const Walk walk = walkOf(s);
                 if (!walk.visible)
                     continue;
+                ++visible;
                 const std::size_t last = walk.moments.size() - 1;
                 const StepScene scene = stepScene(s, walk, last);
                 QCOMPARE(scene.state, StepScene::State::Accepted);
@@ -218,6 +220,8 @@ private slots:
                         QVERIFY2(cut.at == (cut.end == 1 ? scene.left.a : scene.left.b),
                                  told(s, last));
             }
+            QVERIFY2(visible > 30, algorithm.key.data());
+        }
     }
 
     void goingBackIsNoCut() // halving looks for one end after the other, each from the whole line

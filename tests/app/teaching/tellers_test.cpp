@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/clipping/inputs.h"
+#include "tests/not_empty.h"
 
 namespace {
 
@@ -45,7 +46,7 @@ std::vector<app::Clipper> toldClippers()
                || std::ranges::find(app::tellers(), clipper.algorithm->key, &app::Teller::key)
                       == app::tellers().end();
     });
-    return all;
+    return notEmpty(std::move(all));
 }
 
 const app::Teller& tellerOf(const app::Clipper& clipper)
@@ -60,7 +61,7 @@ void forEachStep(const app::Clipper& clipper, const clipping::Segment& line,
     const app::Specimen specimen{clipper, line, w, y, {}};
     const auto trace = clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, w);
     const clipping::Step* before = nullptr;
-    for (const auto& step : trace.steps) {
+    for (const auto& step : notEmpty(trace.steps)) {
         of(app::Telling{specimen, step, before});
         before = &step;
     }
@@ -126,7 +127,7 @@ private slots:
 
     void everyTellerHasItsAlgorithm()
     {
-        for (const auto& teller : app::tellers())
+        for (const auto& teller : notEmpty(app::tellers()))
             QVERIFY2(clipping::findAlgorithm(teller.key), teller.key.data());
     }
 
@@ -200,7 +201,7 @@ private slots:
         for (const app::Clipper& clipper : toldClippers())
             for (const auto& line : lines(200)) {
                 const auto walk = app::walkOf({clipper, line, window, app::YAxis::Up, {}});
-                for (const auto& moment : walk.moments) {
+                for (const auto& moment : notEmpty(walk.moments)) {
                     QVERIFY(moment.line >= 1 && moment.line <= walk.code.size());
                     const QString& code = walk.code[moment.line - 1];
                     const QByteArray where =
@@ -220,7 +221,7 @@ private slots:
     void pseudoCodeIsPlain()
     {
         for (const app::Clipper& clipper : toldClippers())
-            for (const QString& code : app::pageOf(*clipper.algorithm).code)
+            for (const QString& code : notEmpty(app::pageOf(*clipper.algorithm).code))
                 for (const QChar c : code)
                     QVERIFY2(c.unicode() >= 32 && c.unicode() < 127, code.toUtf8());
     }

@@ -35,9 +35,13 @@ private slots:
     }
     void zeroIsExactlyZero()
     {
+        int zeros = 0;
         for (const app::Tick& tick : app::ticks(-0.31, 0.33, 1000))
-            if (std::abs(tick.value) < 1e-9)
+            if (std::abs(tick.value) < 1e-9) {
                 QCOMPARE(tick.value, 0.0);
+                ++zeros;
+            }
+        QCOMPARE(zeros, 1);
     }
     void nonsenseHasNoTicks()
     {

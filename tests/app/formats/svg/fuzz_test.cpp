@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/not_empty.h"
 
 namespace {
 
@@ -69,7 +70,7 @@ private slots:
     {
         QTest::addColumn<QString>("path");
         const QDir folder(SOURCE_DIR "/tests/app/formats/data");
-        for (const QString& name : folder.entryList({"*.svg"}))
+        for (const QString& name : notEmpty(folder.entryList({"*.svg"})))
             QTest::newRow(qPrintable(name)) << folder.filePath(name);
     }
     void damagedFiles()
