@@ -83,6 +83,12 @@ void StatusBar::showTimes()
         return;
     visible_->setText(
         tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
+    if (last_.painting) {
+        times_->setText(tr("painting…"));
+        times_->setToolTip(tr("The picture takes a while. Until it is ready, the canvas shows the "
+                              "previous one."));
+        return;
+    }
     if (last_.total < app::leastLinesToTime) {
         times_->setText(tr("too few to time"));
         times_->setToolTip(

@@ -2,6 +2,8 @@
 #include "app/view/raster.h"
 
 #include "app/view/caps.h"
+#include "app/view/coverage.h"
+#include "app/view/long_stroke.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -17,30 +19,37 @@ namespace {
 // ends; it takes ten times as long where it has to make an outline of round ends.
 constexpr double roundEndsShow = 3; // device pixels
 constexpr qsizetype batch = 1024;
-constexpr std::size_t stretch = 64; // points of a long thin polyline that are painted at a time
+constexpr std::size_t fewPoints = 128; // QPainter is quick with them, whatever they cross
+constexpr std::size_t stretch = 64;    // points of a long thin polyline that are painted at a time
 
 QColor qColor(const Colour& c) { return QColor(c.red, c.green, c.blue, c.alpha); }
 
 class Painting {
 public:
-    Painting(QImage& image, int top, double pixelRatio) : painter_(&image)
+    Painting(QImage& image, int top, const RasterOptions& options)
+        : painter_(&image), cancelled_(options.cancelled), device_(image.rect()),
+          ratio_(options.pixelRatio)
     {
         painter_.setRenderHint(QPainter::Antialiasing);
         painter_.translate(0, -top);
-        painter_.scale(pixelRatio, pixelRatio);
-        top_ = top / pixelRatio;
-        bottom_ = (top + image.height()) / pixelRatio;
-        ratio_ = pixelRatio;
+        painter_.scale(ratio_, ratio_);
+        top_ = top / ratio_;
+        bottom_ = (top + image.height()) / ratio_;
     }
     void paint(const Plate& plate)
     {
-        for (const Coat& coat : plate.coats)
+        for (const Coat& coat : plate.coats) {
+            if (cancelled_())
+                return;
             coat.stroke ? stroke(plate, coat) : fill(plate, coat);
+        }
     }
 
 private:
     void fill(const Plate& plate, const Coat& coat)
     {
+        if (const auto pixels = pixelsToSum(plate, plate.chainsOf(coat), 0))
+            return pixels->isEmpty() ? void() : fillSummed(plate, coat, *pixels);
         QPainterPath path;
         path.setFillRule(coat.rule == FillRule::EvenOdd ? Qt::OddEvenFill : Qt::WindingFill);
         for (const Chain& chain : plate.chainsOf(coat)) {
@@ -50,6 +59,56 @@ private:
                 path.lineTo(p);
         }
         painter_.fillPath(path, qColor(coat.fill));
+    }
+
+    void fillSummed(const Plate& plate, const Coat& coat, const QRect& pixels)
+    {
+        Coverage coverage(pixels);
+        for (const Chain& chain : plate.chainsOf(coat)) {
+            if (cancelled_())
+                return;
+            const auto points = plate.pointsOf(chain);
+            coverage.add(
+                painter_.transform().map(QPolygonF(QList<QPointF>(points.begin(), points.end()))));
+        }
+        put(coverage.inked(coat.rule, coat.fill), pixels);
+    }
+
+    // The pixels of the image that the chains may cover, if summing takes less time.
+    std::optional<QRect> pixelsToSum(const Plate& plate, std::span<const Chain> chains,
+                                     double margin) const
+    {
+        std::size_t count = 0;
+        for (const Chain& chain : chains)
+            count += chain.count;
+        if (count < fewPoints)
+            return std::nullopt;
+        double height = 0;
+        QPointF min = plate.pointsOf(chains[0])[0], max = min;
+        for (const Chain& chain : chains) {
+            const auto points = plate.pointsOf(chain);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const QPointF& p = points[i];
+                min = {std::min(min.x(), p.x()), std::min(min.y(), p.y())};
+                max = {std::max(max.x(), p.x()), std::max(max.y(), p.y())};
+                height += i == 0 ? 0 : std::abs(p.y() - points[i - 1].y());
+            }
+        }
+        const QPointF room(margin, margin);
+        const QRect pixels = painter_.transform()
+                                 .mapRect(QRectF(min - room, max + room))
+                                 .intersected(device_)
+                                 .toAlignedRect();
+        const bool summed = worthSumming(height * ratio_, pixels);
+        return summed ? std::optional(pixels) : std::nullopt;
+    }
+
+    void put(const QImage& image, const QRect& pixels)
+    {
+        painter_.save();
+        painter_.resetTransform();
+        painter_.drawImage(pixels.topLeft(), image);
+        painter_.restore();
     }
 
     void stroke(const Plate& plate, const Coat& coat)
@@ -64,6 +123,8 @@ private:
         const QPen flat =
             penFor(ink, Qt::FlatCap); // for chains of which an end was made by the window
         for (const Chain& chain : plate.chainsOf(coat)) {
+            if (cancelled_())
+                return;
             const auto points = plate.pointsOf(chain);
             const bool own = (chain.capAtStart && chain.capAtEnd) || thin || ink.cap == Cap::Butt;
             if (points.size() == 2 && own && !roundShows) {
@@ -71,12 +132,37 @@ private:
                 continue;
             }
             flush(pen);
+            if (const auto pixels =
+                    thin ? std::nullopt : pixelsToSum(plate, {&chain, 1}, margin_)) {
+                if (!pixels->isEmpty())
+                    strokeSummed(points, chain, capped(ink, roundShows), *pixels);
+                continue;
+            }
             painter_.setPen(own ? pen : flat);
             polyline(points, chain.closed, thin && ink.colour.alpha == 255);
             if (!own)
                 ends(points, chain, ink);
         }
         flush(pen);
+    }
+
+    // Every pixel gets the ink once, however often the stroke crosses itself.
+    void strokeSummed(std::span<const QPointF> points, const Chain& chain, const Ink& ink,
+                      const QRect& pixels)
+    {
+        Coverage coverage(pixels);
+        visitContours({points, chain, ink}, painter_.transform(), cancelled_,
+                      [&](std::span<const QPointF> contour) { coverage.add(contour); });
+        if (!cancelled_())
+            put(coverage.inked(FillRule::NonZero, ink.colour), pixels);
+    }
+
+    // Round ends that do not show are square, as QPainter gets them.
+    static Ink capped(Ink ink, bool roundShows)
+    {
+        if (ink.cap == Cap::Round && !roundShows)
+            ink.cap = Cap::Square;
+        return ink;
     }
 
     QPen penFor(const Ink& ink, Qt::PenCapStyle cap) const
@@ -156,7 +242,10 @@ private:
     }
 
     QPainter painter_;
-    double top_ = 0, bottom_ = 0, ratio_ = 1; // logical pixels
+    const Cancelled& cancelled_;
+    QRect device_;
+    double ratio_;
+    double top_ = 0, bottom_ = 0; // logical pixels
     double margin_ = 0;
     std::vector<QLineF> lines_;
 };
@@ -170,17 +259,17 @@ QImage transparent(int width, int height)
 
 } // namespace
 
-QImage rasterised(const Picture& picture, int width, Band band, double pixelRatio, double ghost)
+QImage rasterised(const Picture& picture, Band band, const RasterOptions& options)
 {
-    QImage image = transparent(width, band.height);
+    QImage image = transparent(options.width, band.height);
     if (!picture.ghost.coats.empty()) {
-        QImage below = transparent(width, band.height);
-        Painting(below, band.top, pixelRatio).paint(picture.ghost);
+        QImage below = transparent(options.width, band.height);
+        Painting(below, band.top, options).paint(picture.ghost);
         QPainter painter(&image);
-        painter.setOpacity(ghost);
+        painter.setOpacity(options.ghost);
         painter.drawImage(0, 0, below);
     }
-    Painting painting(image, band.top, pixelRatio);
+    Painting painting(image, band.top, options);
     painting.paint(picture.kept);
     painting.paint(picture.lit);
     painting.paint(picture.differing);

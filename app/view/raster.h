@@ -5,17 +5,31 @@
 
 #include <QImage>
 
+#include <functional>
+
 namespace app {
+
+/// Asked in short intervals by what may take long; true: stop, the result is not wanted any more.
+using Cancelled = std::function<bool()>;
+inline bool neverCancelled() { return false; }
 
 /// A horizontal band of an image, in device pixels.
 struct Band {
     int top, height;
 };
 
-/// The picture painted without a graphics card, on a transparent ground: the rows of `band`, each
-/// `width` device pixels wide. `pixelRatio` is device pixels per logical one, `ghost` the opacity
-/// of the removed part. Bands of one picture may be painted by several threads at a time.
-QImage rasterised(const Picture& picture, int width, Band band, double pixelRatio, double ghost);
+/// What a picture is painted for.
+struct RasterOptions {
+    int width = 0;         ///< device pixels
+    double pixelRatio = 1; ///< device pixels per logical one
+    double ghost = 1;      ///< opacity of the removed part
+    Cancelled cancelled = neverCancelled;
+};
+
+/// The picture painted without a graphics card, on a transparent ground: the rows of `band`. Bands
+/// of one picture may be painted by several threads at a time. Cancelled: of its size, with
+/// anything in it.
+QImage rasterised(const Picture& picture, Band band, const RasterOptions& options);
 
 /// As many bands as are worth a thread each.
 std::vector<Band> bandsOf(int height, int threads);

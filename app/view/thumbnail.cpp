@@ -49,8 +49,8 @@ QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
     PictureOptions options{.view = view, .page = plain(colours.page)};
     options.leastWidth = 0.5;
     const QSize pixels = points * pixelRatio;
-    const QImage lines = rasterised(picture(sheet, scene, frame, options), pixels.width(),
-                                    {0, pixels.height()}, pixelRatio, colours.ghost);
+    const QImage lines = rasterised(picture(sheet, scene, frame, options), {0, pixels.height()},
+                                    {pixels.width(), pixelRatio, colours.ghost});
     QImage image(pixels, QImage::Format_RGB32);
     image.fill(colours.page);
     QPainter painter(&image);

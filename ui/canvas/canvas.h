@@ -26,6 +26,7 @@ struct FrameTimes {
     std::uint64_t clipNanoseconds = 0;
     std::size_t visible = 0, total = 0;
     std::optional<app::Clipper> choice{}; ///< what clipped
+    bool painting = false; ///< its picture is not ready: the last one is shown, moved and scaled
 };
 
 /// The drawing on the screen, with its rulers, and the tool that works on it. All segments are

@@ -4,8 +4,9 @@
 #include "ui/canvas/surface.h"
 
 #include <QElapsedTimer>
+#include <QFutureWatcher>
 #include <QPainter>
-#include <QThread>
+#include <QPromise>
 #include <QThreadPool>
 #include <QWidget>
 
@@ -17,15 +18,25 @@ namespace {
 constexpr double atOnceMs = 8; // pictures as fast as this are painted in the frame itself
 constexpr double expectedMsPerLine = 6e-4; // until it was measured
 
-// One picture being painted, band by band.
+// One picture being painted, band by band. The threads that paint it own it too, and know no
+// widget.
 struct Job {
     FrameKey key;
     app::Picture picture;
+    app::RasterOptions options;
     std::vector<QImage> bands;
     std::vector<app::Band> places;
     std::atomic<int> left;
     bool begun = false;
     QElapsedTimer clock;
+    QPromise<void> promise; ///< finished with the last band, or cancelled
+
+    void paint(std::size_t band)
+    {
+        bands[band] = app::rasterised(picture, places[band], options);
+        if (--left == 0)
+            promise.finish();
+    }
 };
 
 // The art, as far as it is painted.
@@ -44,9 +55,10 @@ public:
         : QWidget(parent), controller_(controller), pane_(pane), report_(std::move(report))
     {
         setAttribute(Qt::WA_OpaquePaintEvent);
-        pool_.setMaxThreadCount(std::max(1, QThread::idealThreadCount()));
+        connect(&watcher_, &QFutureWatcherBase::finished, this, &RasterSurface::deliver);
+        connect(&controller.session(), &app::Session::loaded, this, &RasterSurface::forget);
     }
-    ~RasterSurface() override { pool_.waitForDone(); }
+    ~RasterSurface() override { cancel(); }
 
     QWidget& widget() override { return *this; }
 
@@ -55,7 +67,7 @@ public:
         repaint();
         while (job_) {
             begin(job_);
-            pool_.waitForDone();
+            job_->promise.future().waitForFinished();
             deliver();
             repaint();
         }
@@ -63,7 +75,7 @@ public:
 
     void forget() override
     {
-        job_.reset(); // its threads hold it, and deliver to nobody
+        cancel();
         art_ = {};
     }
 
@@ -83,10 +95,12 @@ protected:
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         const double waitMs = art_.key == key ? 0 : lastMs_; // painted by others meanwhile
         report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
-                 frame.inside.size(), frame.total, pane_.choice});
+                 frame.inside.size(), frame.total, pane_.choice, art_.key != key});
     }
 
 private:
+    // That of the whole program: QCoreApplication sees to it that no thread outlives it.
+    static QThreadPool& pool() { return *QThreadPool::globalInstance(); }
     QSize deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
 
     void renew(const app::Frame& frame, const FrameKey& key)
@@ -100,13 +114,16 @@ private:
         job->clock.start();
         job->key = key;
         job->picture = controller_.picture(frame, pane_, devicePixelRatioF());
+        job->options = {deviceSize().width(), devicePixelRatioF(), controller_.ghostOpacity(),
+                        [wish = job.get()] { return wish->promise.isCanceled(); }};
         measuredLines_ = frame.total;
-        job->places = app::bandsOf(deviceSize().height(), pool_.maxThreadCount());
+        job->places = app::bandsOf(deviceSize().height(), pool().maxThreadCount());
         job->bands.resize(job->places.size());
         job->left = int(job->places.size());
+        job->promise.start();
         if (atOnce) {
             for (std::size_t i = 0; i < job->places.size(); ++i)
-                job->bands[i] = painted(job->picture, job->places[i]);
+                job->paint(i);
             accept(*job);
             return;
         }
@@ -120,20 +137,17 @@ private:
     {
         if (job != job_ || std::exchange(job->begun, true))
             return;
+        watcher_.setFuture(job->promise.future());
         for (std::size_t i = 0; i < job->places.size(); ++i)
-            pool_.start([this, job, i, band = job->places[i], width = deviceSize().width(),
-                         ratio = devicePixelRatioF(), ghost = controller_.ghostOpacity()] {
-                job->bands[i] = app::rasterised(job->picture, width, band, ratio, ghost);
-                if (--job->left == 0)
-                    QMetaObject::invokeMethod(
-                        this, [this] { deliver(); }, Qt::QueuedConnection);
-            });
+            pool().start([job, i] { job->paint(i); });
     }
 
-    QImage painted(const app::Picture& picture, app::Band band) const
+    // Its threads notice soon; nobody waits for them.
+    void cancel()
     {
-        return app::rasterised(picture, deviceSize().width(), band, devicePixelRatioF(),
-                               controller_.ghostOpacity());
+        if (job_)
+            job_->promise.future().cancel();
+        job_.reset();
     }
 
     void accept(const Job& job)
@@ -164,8 +178,8 @@ private:
     Controller& controller_;
     const Pane& pane_;
     Report report_;
-    QThreadPool pool_;
     std::shared_ptr<Job> job_;
+    QFutureWatcher<void> watcher_; // of the job
     Art art_;
     double lastMs_ = 0;
     std::size_t measuredLines_ = 0;

@@ -37,7 +37,7 @@ struct Stage {
             session.scene.clip(session.uses(), session.sheet().window, app::Scene::Removed::Kept);
         return app::picture(session.sheet(), session.scene, frame, options);
     }
-    QImage image() { return app::rasterised(picture(), 100, {0, 100}, 1, 0.32); }
+    QImage image() { return app::rasterised(picture(), {0, 100}, {100, 1, 0.32}); }
 
     app::Session session;
     app::PictureOptions options;
@@ -164,10 +164,10 @@ private slots:
         }
         Stage stage(std::move(shapes));
         const app::Picture picture = stage.picture();
-        const QImage whole = app::rasterised(picture, 100, {0, 100}, 1, 0.32);
+        const QImage whole = app::rasterised(picture, {0, 100}, {100, 1, 0.32});
         std::vector<QImage> parts;
         for (const app::Band band : app::bandsOf(100, 7))
-            parts.push_back(app::rasterised(picture, 100, band, 1, 0.32));
+            parts.push_back(app::rasterised(picture, band, {100, 1, 0.32}));
         QCOMPARE(app::joined(parts).size(), whole.size());
         const QImage joined = app::joined(parts);
         for (int y = 0; y < 100; ++y)

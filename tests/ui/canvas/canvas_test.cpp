@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QThreadPool>
+
+#include <random>
+
 #include "tests/ui/canvas/canvas_cases.h"
 
 class CanvasTest : public QObject {
@@ -47,8 +51,45 @@ private slots:
         stage.session.drawing.splice(0, shapes.size(), {});
         QCOMPARE(stage.colourAt({100, 30}), QColor(Qt::white));
     }
+    // Painted in one piece it would take minutes, longer than a test function may; so would waiting
+    // for it when the canvas goes.
+    void aStrokeThatCrossesItselfIsPaintedAndLeft()
+    {
+        Stage stage(ui::Backend::Raster);
+        bool painting = false;
+        int frames = 0;
+        connect(stage.canvas.get(), &ui::Canvas::frameShown, [&](const ui::FrameTimes& times) {
+            painting = times.painting;
+            ++frames;
+        });
+        stage.session.drawing.splice(0, 1, {scribble(100'000)});
+        QTRY_VERIFY(frames > 0);
+        QVERIFY(painting);
+        QTRY_VERIFY_WITH_TIMEOUT(!painting, 120'000);
+        QCOMPARE(stage.colourAt({100, 50}), QColor(0, 0, 200));
+        for (int i = 0; i < 3;
+             ++i) { // and cancelled: here, where it is painted, and while it waits
+            stage.canvas->zoomBy(1.5);
+            frames = 0;
+            QTRY_VERIFY(frames > 0);
+            QVERIFY(painting);
+            if (i == 0)
+                stage.session.load({stage.session.sheet(), {}});
+        }
+        stage.canvas.reset();
+        QVERIFY(QThreadPool::globalInstance()->waitForDone(120'000));
+    }
 
 private:
+    static app::Shape scribble(int points)
+    {
+        std::mt19937 random(3);
+        const auto below = [&](int most) { return double(random() % unsigned(most * 100)) / 100; };
+        app::Shape shape = line({below(200), below(100)}, {below(200), below(100)});
+        while (points-- > 0)
+            shape.paths.front().stretches.push_back({{below(200), below(100)}});
+        return shape;
+    }
     static constexpr ui::Backend backend = ui::Backend::Raster;
 };
 

@@ -238,6 +238,18 @@ private slots:
         frame("md", 2);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }
+    void whatIsBeingPaintedIsSaid()
+    {
+        TestWindow t;
+        const auto frame = [&](bool painting) {
+            emit t.window->canvas().frameShown(
+                {.clipMs = 2, .drawMs = 1, .total = 5000, .painting = painting});
+        };
+        frame(true);
+        QTRY_COMPARE(t.window->status().times(), "painting…");
+        frame(false);
+        QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
+    }
     void theStatusBarCounts()
     {
         TestWindow t;

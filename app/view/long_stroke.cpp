@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/long_stroke.h"
+
+#include "app/view/caps.h"
+
+#include <QPainterPathStroker>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr std::size_t pieceLength = 64; // points
+constexpr double longEnough = 2;        // widths: where a segment can be parted without a trace
+constexpr double finer = 2;             // Qt flattens round joins for QPainter so much finer
+
+class Outliner {
+public:
+    Outliner(const Ink& ink, const QTransform& toDevice, const VisitContour& visit)
+        : least_(longEnough * ink.width), toFiner_(toDevice * QTransform::fromScale(finer, finer)),
+          visit_(visit)
+    {
+        stroker_.setWidth(ink.width);
+        stroker_.setMiterLimit(ink.miterLimit);
+        stroker_.setCapStyle(Qt::FlatCap);
+        stroker_.setJoinStyle(ink.join == Join::Miter   ? Qt::SvgMiterJoin
+                              : ink.join == Join::Round ? Qt::RoundJoin
+                                                        : Qt::BevelJoin);
+    }
+
+    // Pieces meet in the middle of a segment, where no join is.
+    void open(std::span<const QPointF> points, const Cancelled& cancelled)
+    {
+        QPolygonF piece;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (std::size_t(piece.size()) > pieceLength && isLong(points[i - 1], points[i])) {
+                piece << middle(points[i - 1], points[i]);
+                outline(piece, false);
+                if (cancelled())
+                    return;
+                piece = {piece.back()};
+            }
+            piece << points[i];
+        }
+        outline(piece, false);
+    }
+
+    // Begun and ended in the middle of a long segment, it is as good as open.
+    void closed(std::span<const QPointF> points, const Cancelled& cancelled)
+    {
+        std::size_t i = 1;
+        while (i < points.size() && !isLong(points[i - 1], points[i]))
+            ++i;
+        if (i == points.size())
+            return outline(QPolygonF(QList<QPointF>(points.begin(), points.end() - 1)), true);
+        const QPointF start = middle(points[i - 1], points[i]);
+        std::vector<QPointF> round{start};
+        round.insert(round.end(), points.begin() + std::ptrdiff_t(i), points.end());
+        round.insert(round.end(), points.begin() + 1, points.begin() + std::ptrdiff_t(i));
+        round.push_back(start);
+        open(round, cancelled);
+    }
+
+    // As a contour that goes round in the sense of the stroker's: their areas add up.
+    void cap(const QPointF& at, const QPointF& away, const Ink& ink)
+    {
+        visitAll(capAt(at, away, ink, 0), [](QPolygonF& contour) {
+            double area = 0;
+            for (qsizetype i = 0; i < contour.size(); ++i) {
+                const QPointF &a = contour[i], &b = contour[i + 1 == contour.size() ? 0 : i + 1];
+                area += a.x() * b.y() - b.x() * a.y();
+            }
+            if (area < 0)
+                std::ranges::reverse(contour);
+        });
+    }
+
+private:
+    bool isLong(const QPointF& a, const QPointF& b) const
+    {
+        return std::hypot(b.x() - a.x(), b.y() - a.y()) >= least_;
+    }
+    static QPointF middle(const QPointF& a, const QPointF& b) { return (a + b) / 2; }
+
+    void outline(const QPolygonF& points, bool closed)
+    {
+        QPainterPath path;
+        path.addPolygon(points);
+        if (closed)
+            path.closeSubpath();
+        visitAll(stroker_.createStroke(path), [](QPolygonF&) {});
+    }
+
+    template <class Prepare>
+    void visitAll(const QPainterPath& path, Prepare prepare)
+    {
+        for (QPolygonF& contour : path.toSubpathPolygons(toFiner_)) {
+            prepare(contour);
+            for (QPointF& p : contour)
+                p /= finer;
+            visit_(contour);
+        }
+    }
+
+    QPainterPathStroker stroker_;
+    double least_;
+    QTransform toFiner_;
+    const VisitContour& visit_;
+};
+
+} // namespace
+
+void visitContours(const LongStroke& stroke, const QTransform& toDevice, const Cancelled& cancelled,
+                   const VisitContour& visit)
+{
+    const auto& [points, chain, ink] = stroke;
+    Outliner outliner(ink, toDevice, visit);
+    if (chain.closed)
+        return outliner.closed(points, cancelled);
+    outliner.open(points, cancelled);
+    if (chain.capAtStart && ink.cap != Cap::Butt)
+        outliner.cap(points[0], points[0] - points[1], ink);
+    if (chain.capAtEnd && ink.cap != Cap::Butt)
+        outliner.cap(points.back(), points.back() - points[points.size() - 2], ink);
+}
+
+} // namespace app
