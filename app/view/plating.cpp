@@ -8,13 +8,17 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace app {
 namespace {
 
 constexpr double closest = 0.25;        // pixels between the points of a chain
 constexpr double shortestPattern = 1.5; // pixels; finer dashes are drawn solid
+constexpr std::size_t recentChains = 4096;
 
 bool contains(const clipping::Window& w, const Point& p)
 {
@@ -55,7 +59,8 @@ std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segm
     return all;
 }
 
-Plating::Plating(const PictureOptions& options, std::size_t expectedPieces) : options_(options)
+Plating::Plating(const PictureOptions& options, std::size_t expectedPieces)
+    : options_(options), recent_(recentChains)
 {
     plate_.points.reserve(2 * expectedPieces);
     plate_.chains.reserve(expectedPieces);
@@ -206,10 +211,38 @@ void Plating::finishDashed(bool capAtEnd)
     }
 }
 
+// Painting a chain takes long where it covers many pixels, and a file may hold the same line a
+// hundred thousand times. Opaque ink shows only the first of them, translucent ink adds up.
 void Plating::pushChain(const Chain& chain)
 {
+    if (plate_.coats.back().stroke->colour.alpha == 255 && liesOnAnother(chain)) {
+        plate_.points.resize(chain.first);
+        return;
+    }
     plate_.chains.push_back(chain);
     ++plate_.coats.back().chains;
+}
+
+// Exactly, on one of the latest chains of the same coat.
+bool Plating::liesOnAnother(const Chain& chain)
+{
+    const auto points = plate_.pointsOf(chain);
+    std::uint64_t hash = 0;
+    for (const QPointF& p : points)
+        for (const double coordinate : {p.x(), p.y()})
+            hash = (std::rotl(hash, 5) ^ std::bit_cast<std::uint64_t>(coordinate))
+                   * 0x9e3779b97f4a7c15;
+    std::uint32_t& slot = recent_[(hash >> 32) % recentChains];
+    const std::uint32_t earlier = std::exchange(slot, std::uint32_t(plate_.chains.size()));
+    if (earlier < plate_.coats.back().firstChain || earlier >= plate_.chains.size())
+        return false;
+    const Chain& other = plate_.chains[earlier];
+    const bool same = other.closed == chain.closed && other.capAtStart == chain.capAtStart
+                      && other.capAtEnd == chain.capAtEnd
+                      && std::ranges::equal(plate_.pointsOf(other), points, std::equal_to<>());
+    if (same)
+        slot = earlier;
+    return same;
 }
 
 Colour Plating::shown(const Colour& colour)

@@ -45,6 +45,7 @@ private:
     void finish(bool capAtEnd);
     void finishDashed(bool capAtEnd);
     void pushChain(const Chain& chain);
+    bool liesOnAnother(const Chain& chain);
     Colour shown(const Colour& colour);
     QPointF onScreen(const Point& p) const;
 
@@ -56,6 +57,7 @@ private:
     std::vector<double> pattern_; // of the shape's dashes, in pixels
     Colour lastAsked_;
     std::optional<Colour> lastShown_;
+    std::vector<std::uint32_t> recent_; // chains, by a hash of their points
 };
 
 } // namespace app

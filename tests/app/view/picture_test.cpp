@@ -209,6 +209,31 @@ private slots:
         stage.options.differing = {};
         QVERIFY(stage.picture().differing.coats.empty());
     }
+    // A file may hold the same line a hundred thousand times.
+    void opaqueLinesThatLieOnOneAnotherArePaintedOnce()
+    {
+        app::Shape line;
+        line.paths.push_back({{5, 5}, {{{45, 60}}}, false});
+        line.style.stroke = app::Colour{0, 0, 200};
+        app::Shape other = line;
+        other.paths.front().start = {5, 6};
+        app::Shape wider = line;
+        wider.style.width = 3;
+        const auto chainsOf = [](const std::vector<app::Shape>& shapes) {
+            return Stage(shapes).picture().kept.chains.size();
+        };
+        QCOMPARE(chainsOf({line}), 1u);
+        QCOMPARE(chainsOf(std::vector(1000, line)), 1u);
+        QCOMPARE(chainsOf({line, other, line, other, line}), 2u);
+        QCOMPARE(chainsOf({line, wider, line}), 3u); // the last one is over the wider one
+        line.style.stroke->alpha = 128;
+        QCOMPARE(chainsOf(std::vector(1000, line)), 1000u); // they add up
+        line.style.stroke->alpha = 255;
+        line.style.dashes = {4, 2};
+        const auto dashes = chainsOf({line});
+        QVERIFY(dashes > 5);
+        QCOMPARE(chainsOf(std::vector(1000, line)), dashes);
+    }
 };
 
 QTEST_GUILESS_MAIN(PictureTest)
