@@ -6,8 +6,12 @@
 #include "ui/widgets/sample_button.h"
 
 #include <QEvent>
+#include <QPromise>
 #include <QResizeEvent>
-#include <QThread>
+#include <QThreadPool>
+
+#include <atomic>
+#include <memory>
 
 namespace ui {
 
@@ -22,11 +26,21 @@ QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
     return imported ? app::thumbnail(imported.value->sheet, points, ratio, colours) : QImage();
 }
 
+constexpr int behindTheCanvas = -1; // in the queue for a thread; the usual is 0
+
+// All pictures in one size. The threads that make them own it too, and know no widget.
+struct Sitting {
+    QPromise<QImage> promise; ///< finished with the last one, or cancelled
+    std::atomic<int> left;
+};
+
 } // namespace
 
 Gallery::Gallery(QWidget* parent) : QWidget(parent), samples_(app::samples())
 {
     setAccessibleName(tr("Samples"));
+    connect(&watcher_, &QFutureWatcherBase::resultReadyAt, this,
+            [this](int i) { buttons_[std::size_t(i)]->setPicture(watcher_.resultAt(i)); });
     for (const app::Sample& sample : samples_) {
         auto* button = new SampleButton(sample.title, this);
         buttons_.push_back(button);
@@ -34,12 +48,7 @@ Gallery::Gallery(QWidget* parent) : QWidget(parent), samples_(app::samples())
     }
 }
 
-Gallery::~Gallery()
-{
-    ++generation_;
-    for (QThread* painter : findChildren<QThread*>()) // ends after the picture that it is at
-        painter->wait();
-}
+Gallery::~Gallery() { watcher_.cancel(); }
 
 void Gallery::mark(const QString& key)
 {
@@ -50,7 +59,7 @@ void Gallery::mark(const QString& key)
 void Gallery::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (generation_ == 0)
+    if (!begun_)
         paintPictures();
 }
 
@@ -70,7 +79,7 @@ void Gallery::resizeEvent(QResizeEvent* event)
 void Gallery::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && generation_ > 0)
+    if (event->type() == QEvent::PaletteChange && begun_)
         paintPictures();
 }
 
@@ -78,24 +87,24 @@ void Gallery::paintPictures()
 {
     if (buttons_.empty())
         return;
-    const int generation = ++generation_;
+    begun_ = true;
     const Look& look = lookOf(palette());
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
-    // The thread touches nothing of this widget but the counter and its list of events.
-    auto* painter =
-        QThread::create([this, samples = samples_, points = buttons_.front()->pictureSize(),
-                         colours, generation, ratio = devicePixelRatioF()] {
-            for (std::size_t i = 0; i < samples.size() && generation_ == generation; ++i) {
-                const QImage image = pictureOf(samples[i], points, ratio, colours);
-                QMetaObject::invokeMethod(this, [this, generation, i, image] {
-                    if (generation_ == generation)
-                        buttons_[i]->setPicture(image);
-                });
-            }
-        });
-    painter->setParent(this);
-    connect(painter, &QThread::finished, painter, &QObject::deleteLater);
-    painter->start(QThread::LowPriority);
+    const QSize points = buttons_.front()->pictureSize();
+    auto sitting = std::make_shared<Sitting>();
+    sitting->left = int(samples_.size());
+    sitting->promise.start();
+    watcher_.cancel();
+    watcher_.setFuture(sitting->promise.future());
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        QThreadPool::globalInstance()->start(
+            [=, sample = samples_[i], ratio = devicePixelRatioF()] {
+                if (!sitting->promise.isCanceled())
+                    sitting->promise.addResult(pictureOf(sample, points, ratio, colours), int(i));
+                if (--sitting->left == 0)
+                    sitting->promise.finish();
+            },
+            behindTheCanvas);
 }
 
 } // namespace ui

@@ -3,16 +3,16 @@
 
 #include "app/document/samples.h"
 
+#include <QFutureWatcher>
+#include <QImage>
 #include <QWidget>
-
-#include <atomic>
 
 namespace ui {
 
 class SampleButton;
 
-/// The samples in two columns, with their windows, clipped by the library. The pictures are made on
-/// a thread of their own after the widget is first seen, and again when colours or sizes change.
+/// The samples in two columns, with their windows, clipped by the library. The pictures are made in
+/// the background after the widget is first seen, and again when colours or sizes change.
 class Gallery : public QWidget {
     Q_OBJECT
 
@@ -36,7 +36,8 @@ private:
 
     std::vector<app::Sample> samples_;
     std::vector<SampleButton*> buttons_;
-    std::atomic<int> generation_ = 0; ///< pictures of an older one are dropped
+    QFutureWatcher<QImage> watcher_; ///< of the pictures in the size and colours of now
+    bool begun_ = false;
 };
 
 } // namespace ui
