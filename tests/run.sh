@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds a preset and runs every test, with or without a display: tests/run.sh [PRESET [CTEST ARGUMENT...]]
+# Builds a preset and runs its tests, with or without a display: tests/run.sh [PRESET [CTEST ARGUMENT...]]
 # The preset is `release`; what is missing is installed.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -9,7 +9,12 @@ shift || true
 
 # The program's own packages (boost: also the oracle's exact numbers); xvfb, xauth: tests with OpenGL;
 # librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
-bash "$root/app/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libglm-dev \
+case $preset in
+tidy) more=(clang-tidy) ;;
+fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
+*) more=() ;;
+esac
+bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libglm-dev \
     libboost-dev xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'

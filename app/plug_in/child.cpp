@@ -28,6 +28,9 @@ void limit(__rlimit_resource what, rlim_t most)
     ::setrlimit(what, &both);
 }
 
+#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ // they take terabytes of addresses
+void limitMemory() {}
+#else
 /// Address space that is in use now: the first number of statm, in pages.
 rlim_t usedMemory()
 {
@@ -35,6 +38,9 @@ rlim_t usedMemory()
     std::ifstream("/proc/self/statm") >> pages;
     return pages * rlim_t(::sysconf(_SC_PAGESIZE));
 }
+
+void limitMemory() { limit(RLIMIT_AS, usedMemory() + memoryLimit); }
+#endif
 
 void limitEverything()
 {
@@ -45,9 +51,7 @@ void limitEverything()
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, processorSeconds);
     limit(RLIMIT_FSIZE, largestFile);
-#ifndef __SANITIZE_ADDRESS__ // which takes terabytes of addresses for itself
-    limit(RLIMIT_AS, usedMemory() + memoryLimit);
-#endif
+    limitMemory();
 }
 
 /// The pipes to the judge, out of the way of what the library reads and prints.

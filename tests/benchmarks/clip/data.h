@@ -6,7 +6,9 @@
 #include "clipping/chunks.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <span>
 
 #include "tests/clipping/scenes.h"
 
@@ -20,7 +22,7 @@ struct Data {
 
     explicit Data(Scene<T> of) : scene(std::move(of)), out(scene.segments.size()), chunks(in())
     {
-        std::memset(static_cast<void*>(out.data()), 1, out.size() * sizeof out[0]);
+        std::ranges::fill(std::as_writable_bytes(std::span(out)), std::byte{1});
     }
     std::span<const S> in() const { return scene.segments; }
     clipping::Batch<T> batch(std::size_t begin, std::size_t end)
