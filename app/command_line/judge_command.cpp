@@ -2,6 +2,7 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
+#include "app/command_line/terminal.h"
 #include "app/plug_in/example_files.h"
 #include "app/plug_in/judge.h"
 
@@ -10,11 +11,15 @@
 namespace app {
 namespace {
 
+constexpr quint64 mostSeconds = 100; ///< the child's own limit is 120
+
 void writeExample(const QString& folder)
 {
-    const auto written = plug_in::writeExample(folder);
-    if (!written)
-        throw Failure{written.error};
+    const auto result = plug_in::writeExample(folder, plug_in::Existing::Keep);
+    if (!result)
+        throw Failure{result.error};
+    for (const QString& path : result.value->kept)
+        say(Commands::tr("%1 was kept: it differs from the file that would replace it.").arg(path));
 }
 
 plug_in::Case caseOf(const Given& given)
@@ -25,6 +30,8 @@ plug_in::Case caseOf(const Given& given)
                      .value_or(which.seed);
     if (given.has(QStringLiteral("strict")))
         which.contract.strictness = plug_in::Strictness::Clearcuts;
+    which.seconds = double(given.count(QStringLiteral("seconds"), 1, mostSeconds)
+                               .value_or(std::uint64_t(which.seconds)));
     which.race = given.has(QStringLiteral("no-race")) ? Race::No : Race::Yes;
     return which;
 }
@@ -44,7 +51,9 @@ void judge(const Given& given)
     const plug_in::Verdict verdict = judged(which);
     if (verdict.unusable)
         throw Failure{plug_in::sentence(verdict)};
-    writeTables(output, plug_in::tablesOf(verdict));
+    const bool isText = output.format.key == tableFormats().front().key;
+    writeTables(output, plug_in::tablesOf(verdict, isText ? plug_in::Reader::Terminal
+                                                          : plug_in::Reader::File));
     if (!verdict.passed())
         throw CheckFailed{};
 }
@@ -60,10 +69,14 @@ Command judgeCommand()
                       "window, not by one bit.")},
         {{"seed"}, "N", Commands::tr("Which random lines (1).")},
         {{"no-race"}, {}, Commands::tr("Do not time it.")},
+        {{"seconds"},
+         "N",
+         Commands::tr("How much processor time its answers may take (30 s), three times as much by "
+                      "the clock; then the verdict tells what was tested so far.")},
         {{"save-example"},
          {},
-         Commands::tr("Write the header and an example to compile into the folder LIBRARY, instead "
-                      "of judging.")}};
+         Commands::tr("Write the header, a skeleton to fill in and examples to compile into the "
+                      "folder LIBRARY, instead of judging; what you have changed there is kept.")}};
     const auto more = tableOptions();
     options.insert(options.end(), more.begin(), more.end());
     return {"judge",

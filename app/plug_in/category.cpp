@@ -243,6 +243,24 @@ Questions random(const Scope& scope)
     return all;
 }
 
+/// Every twentieth line of the others, in any order.
+Questions again(const Scope& scope)
+{
+    constexpr std::size_t step = 20;
+    Questions all;
+    for (const Category& category : categories()) {
+        if (category.asked != Asked::Once)
+            continue;
+        const Questions first = category.questions(scope);
+        for (std::size_t i = 0; i < first.size(); i += step)
+            all.push_back(first[i]);
+    }
+    Dice dice(scope.seed + 4);
+    for (std::size_t left = all.size(); left > 1; --left)
+        std::swap(all[left - 1], all[std::size_t(dice.between(0, double(left)))]);
+    return all;
+}
+
 } // namespace
 
 std::span<const Category> categories()
@@ -262,19 +280,25 @@ std::span<const Category> categories()
         {"small-windows", PlugIn::tr("Windows without area"),
          PlugIn::tr("A window that is a line or a point, in whole numbers."), 0, smallWindows},
         {"directions", PlugIn::tr("To and fro"),
-         PlugIn::tr("Each line from both of its ends; level and upright ones too."), usual,
+         PlugIn::tr("Each line from both of its ends; horizontal and vertical ones too."), usual,
          directions},
         {"near-corners", PlugIn::tr("Near corners"),
-         PlugIn::tr("Lines that pass a corner by a hair, inside or outside; corners in tenths."),
+         PlugIn::tr("Lines that pass very near a corner, inside or outside; corners in tenths."),
          usual, nearCorners},
         {"sizes", PlugIn::tr("Huge and tiny"),
          PlugIn::tr("The same lines 2¹⁰⁰ times as large and as small; ends that are far away."),
          usual, sizes},
         {"nonsense", PlugIn::tr("Nonsense"),
-         PlugIn::tr("Infinity, what is not a number, and windows inside out: nothing is visible."),
-         usual, nonsense},
+         PlugIn::tr("Infinities, NaNs and inverted windows: nothing is visible."), usual, nonsense},
         {"random", PlugIn::tr("Random lines"),
          PlugIn::tr("The paper's scene: both ends anywhere around the window."), usual, random},
+        {"again", PlugIn::tr("Asked again"),
+         PlugIn::tr("Some of these lines a second time, in another order: the answers must not "
+                    "change."),
+         usual, again, Asked::Again},
+        {"race", PlugIn::tr("In the race"),
+         PlugIn::tr("What it finds while it is timed; no answer may change from run to run."),
+         usual, random, Asked::InTheRace},
     };
     return all;
 }

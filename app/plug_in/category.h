@@ -14,6 +14,10 @@ struct Scope {
     std::size_t randomLines = 100'000;            ///< of the paper's scene
 };
 
+/// When the lines of a category are clipped. Again: a second time, in another order, when all
+/// others are done; the answer must be the first one, bit for bit. InTheRace: while it is timed.
+enum class Asked : std::uint8_t { Once, Again, InTheRace };
+
 /// One row of the catalogue of what a library is asked.
 struct Category {
     QString key;           ///< in files: "corners"
@@ -21,9 +25,11 @@ struct Category {
     QString meaning;       ///< one sentence
     double visibilityUlps; ///< how far edges may move for a wrong visibility; 0: not at all
     std::vector<Question> (*questions)(const Scope& scope); ///< depend on the scope alone
+    Asked asked = Asked::Once;
 };
 
-/// In the order in which they are asked: the simple ones first, many random lines last.
+/// In the order in which they are asked: the simple ones first, then many random lines, then some
+/// of all these again, at last the race.
 std::span<const Category> categories();
 
 } // namespace app::plug_in

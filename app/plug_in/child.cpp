@@ -4,8 +4,11 @@
 #include "app/plug_in/child_race.h"
 #include "app/plug_in/library.h"
 #include "app/plug_in/question.h"
+#include "app/plug_in/warden.h"
 
 #include <QByteArray>
+#include <QDir>
+#include <QFile>
 
 #include <bit>
 #include <csignal>
@@ -15,12 +18,14 @@
 #include <limits>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace app::plug_in {
 namespace {
 
 constexpr rlim_t processorSeconds = 120, largestFile = 1 << 20;
+constexpr rlim_t ownTasks = 256; ///< processes and threads that a library may start
 
 void limit(__rlimit_resource what, rlim_t most)
 {
@@ -42,15 +47,35 @@ rlim_t usedMemory()
 void limitMemory() { limit(RLIMIT_AS, usedMemory() + memoryLimit); }
 #endif
 
+/// Processes and threads that the user has now, whom the system counts together.
+rlim_t tasksOfTheUser()
+{
+    rlim_t count = 0;
+    for (const QString& id : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+        const QByteArray folder = "/proc/" + id.toLatin1();
+        struct stat owner {};
+        QFile stat(QString::fromLatin1(folder + "/stat"));
+        if (!id.front().isDigit() || ::stat(folder.constData(), &owner) != 0
+            || owner.st_uid != ::getuid() || !stat.open(QIODevice::ReadOnly))
+            continue;
+        const QByteArray all = stat.readAll(); // the name may hold spaces and brackets
+        constexpr int threads = 17;            // field 20, counted after the name
+        count += all.mid(all.lastIndexOf(')') + 2).split(' ').value(threads).toULong();
+    }
+    return count;
+}
+
+/// The system does not hold root to the limit of processes; the warden ends those afterwards.
 void limitEverything()
 {
-    ::setsid(); // so that what it starts can be ended with it
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE})
+    ::setsid(); // so that a signal to its group reaches nothing else
+    for (const int signal :
+         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE, SIGXFSZ, SIGXCPU})
         std::signal(signal, SIG_DFL); // a crash is told by its signal
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, processorSeconds);
     limit(RLIMIT_FSIZE, largestFile);
+    limit(RLIMIT_NPROC, tasksOfTheUser() + ownTasks);
     limitMemory();
 }
 
@@ -113,8 +138,12 @@ bool isChild(const QStringList& arguments)
 
 int runChild(const QStringList& arguments)
 {
+    stayBehindAsWarden();
     const Pipes pipes = pipesOfTheJudge();
     limitEverything();
+    const std::string id = std::to_string(::getpid()) + '\n';
+    if (!send(pipes.out, id.data(), id.size()))
+        ::_exit(EXIT_FAILURE);
     const Library library = loaded(arguments[2].toLocal8Bit().constData());
     const std::string line =
         (library.clip ? hello::ready + (' ' + library.name) : library.error) + '\n';

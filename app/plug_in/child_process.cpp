@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plug_in/child_process.h"
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QFile>
 
 #include <csignal>
 #include <ctime>
-#include <map>
 
 namespace app::plug_in {
 namespace {
 
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
-
 constexpr int glance = 20; // milliseconds between two looks at the clocks
 constexpr qsizetype mostPrinted = 2000;
 constexpr qint64 mostUnread = 1 << 20; // of answers: more comes only of somebody who never stops
+constexpr int wardensTime = 10'000;    // milliseconds, of which it needs some
 
 } // namespace
 
@@ -27,19 +23,41 @@ ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
     group_ = process_.processId();
 }
 
+/// The warden kills what the library left, also where it has ended itself, and ends then.
 ChildProcess::~ChildProcess()
 {
+    process_.terminate();
+    if (process_.waitForFinished(wardensTime))
+        return;
     if (group_ > 0)
-        ::kill(pid_t(-group_), SIGKILL); // the child leads it, unless it has hardly begun
+        ::kill(pid_t(-group_), SIGKILL); // the warden leads it
     process_.kill();
     process_.waitForFinished();
+}
+
+ChildProcess::News ChildProcess::waitForStart(const Patience& patience, const std::stop_token& stop)
+{
+    const News news = waitForLine(patience, stop);
+    if (news == News::Came)
+        library_ = readLine().toLongLong();
+    return news;
+}
+
+/// The third field of its line in /proc, after the name, which may hold anything.
+bool ChildProcess::isAsleep() const
+{
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(library_));
+    if (library_ <= 0 || !stat.open(QIODevice::ReadOnly))
+        return true;
+    const QByteArray line = stat.readAll();
+    return line.mid(line.lastIndexOf(')') + 2, 1) != "R";
 }
 
 double ChildProcess::processorSeconds() const
 {
     clockid_t clock{};
     timespec time{};
-    const auto id = pid_t(process_.processId());
+    const auto id = pid_t(library_ > 0 ? library_ : process_.processId());
     if (id <= 0 || ::clock_getcpuclockid(id, &clock) != 0 || ::clock_gettime(clock, &time) != 0)
         return 0;
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
@@ -72,9 +90,12 @@ ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patien
             used = processorSeconds();
         } else if (process_.state() == QProcess::NotRunning) {
             return News::Ended;
-        } else if (processorSeconds() - used > patience.processorSeconds
-                   || double(wall.elapsed()) > 1000 * patience.wallSeconds) {
+        } else if (processorSeconds() - used > patience.processorSeconds) {
             return News::Stuck;
+        } else if (!isAsleep()) { // it works, or waits for a processor
+            wall.restart();
+        } else if (double(wall.elapsed()) > 1000 * patience.wallSeconds) {
+            return News::Asleep;
         }
     }
     return News::Came;
@@ -89,22 +110,6 @@ ChildProcess::News ChildProcess::waitFor(qint64 bytes, const Patience& patience,
 ChildProcess::News ChildProcess::waitForLine(const Patience& patience, const std::stop_token& stop)
 {
     return waitUntil([&] { return process_.canReadLine(); }, patience, stop);
-}
-
-QString signalText(int signal)
-{
-    static const std::map<int, QString> words{
-        {SIGSEGV, PlugIn::tr("it used memory that is not its own, or called itself without end "
-                             "(SIGSEGV)")},
-        {SIGBUS, PlugIn::tr("it used memory that is not there (SIGBUS)")},
-        {SIGFPE, PlugIn::tr("it divided a whole number by zero (SIGFPE)")},
-        {SIGABRT, PlugIn::tr("it gave up: abort, a failed assert or an exception (SIGABRT)")},
-        {SIGILL, PlugIn::tr("it came to an instruction that this processor does not have "
-                            "(SIGILL)")},
-        {SIGXCPU, PlugIn::tr("it used up its time (SIGXCPU)")},
-    };
-    const auto found = words.find(signal);
-    return found != words.end() ? found->second : PlugIn::tr("signal %1").arg(signal);
 }
 
 } // namespace app::plug_in

@@ -8,14 +8,14 @@
 namespace app::plug_in {
 
 /// How long nothing may come of a child. What counts is the processor's time, which other programs
-/// do not use up; the clock on the wall only where it sleeps.
+/// do not use up; the clock on the wall only while it sleeps.
 struct Patience {
     double processorSeconds = 1;
-    double wallSeconds = 20;
+    double wallSeconds = 5;
 };
 
 /// This program as the child of a judge. Needs no event loop: it belongs to the thread that waits.
-/// When it goes, the child and what that started are killed.
+/// When it goes, the child and what that started are killed by the child's warden (warden.h).
 class ChildProcess {
 public:
     ChildProcess(const QString& program, const QStringList& arguments);
@@ -24,7 +24,10 @@ public:
 
     void write(const QByteArray& bytes) { process_.write(bytes); }
 
-    enum class News : std::uint8_t { Came, Ended, Stuck, Stopped };
+    /// Stuck: it works without an end. Asleep: it waits for something, and uses no processor.
+    enum class News : std::uint8_t { Came, Ended, Stuck, Asleep, Stopped };
+    /// Until the process of the library is known: before all else.
+    News waitForStart(const Patience& patience, const std::stop_token& stop);
     /// Until `bytes` can be read, or a whole line.
     News waitFor(qint64 bytes, const Patience& patience, const std::stop_token& stop);
     News waitForLine(const Patience& patience, const std::stop_token& stop);
@@ -41,13 +44,12 @@ private:
     template <class Enough>
     News waitUntil(Enough enough, const Patience& patience, const std::stop_token& stop);
     void keepPrinted();
+    bool isAsleep() const;
 
-    QProcess process_;
-    qint64 group_; ///< of the child and of what it starts, also when it has ended itself
+    QProcess process_;   ///< the warden
+    qint64 group_;       ///< of the warden
+    qint64 library_ = 0; ///< the number of the process that loads the library; 0: not known yet
     QByteArray printed_;
 };
-
-/// "it used memory that is not its own (SIGSEGV)".
-QString signalText(int signal);
 
 } // namespace app::plug_in

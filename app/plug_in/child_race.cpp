@@ -4,6 +4,7 @@
 #include "app/experiment/class_profile.h"
 #include "app/experiment/legs.h"
 #include "app/latin.h"
+#include "app/plug_in/race_check.h"
 #include "app/plug_in/times.h"
 
 #include <unistd.h>
@@ -18,7 +19,8 @@ using clipping::Window;
 /// The rows with a `clipAll` that calls line by line have one each, and no room for more.
 constexpr std::size_t mostRows = 32;
 
-Clip own; ///< a pointer to a function holds nothing, so this process holds it
+Clip own;                   ///< a pointer to a function holds nothing, so this process holds it
+RaceCheck* check = nullptr; ///< likewise
 
 std::optional<Segment> clipOwn(const Segment& line, const Window& window)
 {
@@ -39,7 +41,9 @@ std::size_t oneByOne(std::span<const Segment> in, const Window& window, std::spa
 
 std::size_t clipAllOwn(std::span<const Segment> in, const Window& window, std::span<Clipped> out)
 {
-    return oneByOne(in, window, out, &clipOwn);
+    const std::size_t count = oneByOne(in, window, out, &clipOwn);
+    check->turn(in, window, out.first(count));
+    return count;
 }
 
 template <std::size_t row>
@@ -108,11 +112,16 @@ void race(int out, const Library& library, const QStringList& arguments)
     options.lines = arguments.value(0).toULongLong();
     options.runs = arguments.value(1).toULongLong();
     options.seed = arguments.value(2).toULongLong();
+    RaceCheck checking({.strictness = strictnessOf(arguments.value(3))});
+    check = &checking;
+    options.clock = checking.clock();
     Legs legs(follower, {1, 2});
     const auto record = recorded(options, contestants, legs.next());
     const auto profile = classProfile(options, contestants, legs.next());
-    if (record && profile)
-        tell(out, jsonOf(timesOf(*record, *profile)));
+    if (!record || !profile)
+        return;
+    tell(out, jsonOf(checking.found()));
+    tell(out, jsonOf(timesOf(*record, *profile)));
 }
 
 } // namespace app::plug_in

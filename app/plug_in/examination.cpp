@@ -2,10 +2,14 @@
 #include "app/plug_in/examination.h"
 
 #include "app/plug_in/child.h"
+#include "app/plug_in/library_file.h"
+#include "app/plug_in/signal_text.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace app::plug_in {
@@ -15,16 +19,30 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr std::size_t atOnce = 1024; ///< questions on their way
-constexpr int mostDeaths = 6;        ///< crashes and lines without end, before it is given up
-constexpr int mostOfACategory = 2;   ///< of them, before the next category is asked about
-constexpr std::size_t mostShown = 8; ///< findings of a category
+constexpr std::size_t mostAtOnce = 1024; ///< questions on their way
+constexpr double someTime = 30;          ///< milliseconds between two looks at the time
+constexpr int mostDeaths = 6;            ///< crashes and lines without end, before it is given up
+constexpr int mostOfACategory = 2;       ///< of them, before the next category is asked about
+constexpr std::size_t mostShown = 8;     ///< findings of a category
 
 /// Why there was no answer.
 QString deathText(const ChildProcess& child)
 {
     return child.crashed() ? signalText(child.exitCode())
                            : PlugIn::tr("exit code %1").arg(child.exitCode());
+}
+
+std::array<std::uint64_t, 8> bitsOf(const Question& question)
+{
+    return std::bit_cast<std::array<std::uint64_t, 8>>(question);
+}
+
+/// What was written where nothing is visible is nobody's business.
+bool sameAnswer(const Answer& one, const Answer& other)
+{
+    if ((one.returned != 0) != (other.returned != 0))
+        return false;
+    return one.returned == 0 || std::memcmp(&one.visible, &other.visible, sizeof one.visible) == 0;
 }
 
 } // namespace
@@ -41,6 +59,7 @@ Examination::Examination(const Case& which, const Follower& follower)
     verdict_.path = case_.library;
     verdict_.name = file.fileName();
     verdict_.contract = case_.contract;
+    verdict_.seconds = case_.seconds;
     taken_.start();
 }
 
@@ -48,20 +67,31 @@ bool Examination::run()
 {
     if (!QFileInfo(case_.library).isFile())
         return unusable(Unusable::NoFile, {}) != Went::Stopped;
+    if (const auto why = whyNoLibrary(case_.library))
+        return unusable(Unusable::NotCompiled, *why) != Went::Stopped;
     Went went = open();
-    std::vector<std::vector<Question>> all;
     if (went == Went::On)
-        for (const Category& category : categories()) {
-            all.push_back(
-                category.questions({case_.seed, case_.contract.strictness, case_.randomLines}));
-            verdict_.categories.push_back({.lines = all.back().size()});
-        }
-    for (std::size_t i = 0; i < all.size() && went == Went::On; ++i)
-        went = ask(i, all[i]);
+        prepare();
+    for (std::size_t i = 0; i < questions_.size() && went == Went::On; ++i)
+        went = ask(i);
     leave();
     if (verdict_.judged() > 0)
         verdict_.nanoseconds = 1e9 * processorSeconds_ / double(verdict_.judged());
     return went != Went::Stopped;
+}
+
+void Examination::prepare()
+{
+    const Scope scope{case_.seed, case_.contract.strictness, case_.randomLines};
+    for (const Category& category : categories()) {
+        if (category.asked == Asked::InTheRace)
+            continue;
+        questions_.push_back(category.questions(scope));
+        verdict_.categories.push_back({.lines = questions_.back().size()});
+        if (category.asked == Asked::Again)
+            for (const Question& question : questions_.back())
+                first_[bitsOf(question)] = std::nullopt;
+    }
 }
 
 /// What the child has used and printed is known only as long as it is there.
@@ -75,15 +105,24 @@ void Examination::leave()
     child_.reset();
 }
 
-bool Examination::isTimeUp() const
+/// Of the time that there is: 1 or more when it is up.
+double Examination::spent() const
 {
-    constexpr double wall = 10; // of what is processor's time at most, or it sleeps
-    return processorSeconds_ + child_->processorSeconds() > case_.seconds
-           || double(taken_.elapsed()) > 1000 * wall * case_.seconds;
+    if (case_.seconds <= 0)
+        return 1;
+    const double processor = processorSeconds_ + (child_ ? child_->processorSeconds() : 0);
+    const double wall = 1e-3 * double(taken_.elapsed()) / wallFactor;
+    return std::max(processor, wall) / case_.seconds;
 }
 
+/// What was found before a crash stays, also where the library cannot be loaded again.
 Examination::Went Examination::unusable(Unusable why, const QString& more)
 {
+    if (wasLoaded_) {
+        verdict_.notReloaded = more;
+        leave();
+        return Went::Over;
+    }
     verdict_.unusable = why;
     verdict_.more = more;
     leave();
@@ -96,10 +135,13 @@ Examination::Went Examination::open()
     child_ = std::make_unique<ChildProcess>(
         programOf(case_), QStringList{QLatin1StringView(childKey), QStringLiteral("answer"), path});
     // The child's own start takes some, too.
-    const auto news = child_->waitForLine({4, 30}, follower_.stop);
+    constexpr Patience patience{4, 30};
+    auto news = child_->waitForStart(patience, follower_.stop);
+    if (news == ChildProcess::News::Came)
+        news = child_->waitForLine(patience, follower_.stop);
     if (news == ChildProcess::News::Stopped)
         return Went::Stopped;
-    if (news == ChildProcess::News::Stuck)
+    if (news == ChildProcess::News::Stuck || news == ChildProcess::News::Asleep)
         return unusable(Unusable::Broken, PlugIn::tr("it did not end"));
     if (news == ChildProcess::News::Ended)
         return unusable(Unusable::Broken, deathText(*child_));
@@ -113,20 +155,46 @@ Examination::Went Examination::open()
         return unusable(Unusable::OtherVersion, more);
     if (!more.isEmpty())
         verdict_.name = more;
+    wasLoaded_ = true;
     return Went::On;
 }
 
-Examination::Went Examination::ask(std::size_t category, std::span<const Question> questions)
+/// Of the time that is left: by its lines, but not less than any other category that is left.
+double Examination::shareOf(std::size_t category) const
+{
+    double lines = 0;
+    for (std::size_t i = category; i < questions_.size(); ++i)
+        lines += double(questions_[i].size());
+    return std::max(double(questions_[category].size()) / lines,
+                    1.0 / double(questions_.size() - category));
+}
+
+Examination::Went Examination::ask(std::size_t category)
+{
+    const double now = spent();
+    if (now >= 1)
+        return Went::Over;
+    const double share = shareOf(category);
+    auto& questions = questions_[category];
+    if (categories()[category].asked == Asked::Again) // what was answered
+        std::erase_if(questions, [this](const Question& q) { return !first_.at(bitsOf(q)); });
+    return askAll(category, questions, now + (1 - now) * share);
+}
+
+Examination::Went Examination::askAll(std::size_t category, std::span<const Question> questions,
+                                      double until)
 {
     const int enough = deaths_ + mostOfACategory;
-    while (!questions.empty() && deaths_ < enough) {
-        if (isTimeUp())
-            return Went::Over;
+    while (!questions.empty() && deaths_ < enough && spent() < until) {
+        QElapsedTimer took;
+        took.start();
         std::size_t answered = 0;
-        const auto some = questions.first(std::min(atOnce, questions.size()));
+        const auto some = questions.first(std::min(atOnce_, questions.size()));
         if (const Went went = askSome(category, some, answered); went != Went::On)
             return went;
         questions = questions.subspan(answered);
+        atOnce_ = double(took.elapsed()) > someTime ? std::max<std::size_t>(1, atOnce_ / 2)
+                                                    : std::min(mostAtOnce, 2 * atOnce_);
         tell();
     }
     return Went::On;
@@ -153,15 +221,31 @@ Examination::Went Examination::askSome(std::size_t category, std::span<const Que
 
 void Examination::hear(std::size_t category, const Question& question, const Answer& answer)
 {
+    if (categories()[category].asked == Asked::Again)
+        return hearAgain(category, question, answer);
+    if (const auto known = first_.find(bitsOf(question)); known != first_.end())
+        known->second = answer;
     CategoryCount& count = verdict_.categories[category];
     const auto found =
         judged(question, answer, case_.contract, categories()[category].visibilityUlps);
     ++count.judged;
+    count.visible += expected(question).has_value();
     if (found.fault)
         return add(category, {*found.fault, category, question, expected(question), answer.piece(),
                               std::max(found.off, found.outside)});
     count.outside += found.outside > 0;
     verdict_.mostOff = std::max({verdict_.mostOff, found.off, found.outside});
+}
+
+/// Whether the first answer was right is told in its own category.
+void Examination::hearAgain(std::size_t category, const Question& question, const Answer& answer)
+{
+    ++verdict_.categories[category].judged;
+    verdict_.categories[category].visible += expected(question).has_value();
+    if (!sameAnswer(*first_.at(bitsOf(question)), answer))
+        add(category,
+            {Fault::Changed, category, question, expected(question), answer.piece(),
+             judged(question, answer, case_.contract, categories()[category].visibilityUlps).off});
 }
 
 /// The line that had no answer is the one to blame; the others are asked again of a new child.
@@ -170,11 +254,12 @@ Examination::Went Examination::mourn(ChildProcess::News news, std::size_t catego
 {
     if (news == ChildProcess::News::Stopped)
         return Went::Stopped;
-    const bool stuck = news == ChildProcess::News::Stuck;
+    const bool stuck = news != ChildProcess::News::Ended;
     const Fault fault = stuck               ? Fault::DidNotEnd
                         : child_->crashed() ? Fault::Crashed
                                             : Fault::LeftProgram;
     ++verdict_.categories[category].judged;
+    verdict_.categories[category].visible += expected(question).has_value();
     add(category, {fault, category, question, expected(question), std::nullopt, 0,
                    stuck ? QString() : deathText(*child_)});
     leave();
@@ -187,6 +272,7 @@ void Examination::add(std::size_t category, Finding finding)
 {
     CategoryCount& count = verdict_.categories[category];
     ++verdict_.byFault[std::size_t(finding.fault)];
+    count.wrongVisible += finding.expected.has_value();
     if (count.wrong++ < mostShown || infoOf(finding.fault).fatal)
         verdict_.findings.push_back(std::move(finding));
 }
@@ -195,7 +281,8 @@ void Examination::tell()
 {
     if (!follower_.progress)
         return;
-    const double share = double(verdict_.judged()) / double(verdict_.lines());
+    const double tested = double(verdict_.judged()) / double(verdict_.lines());
+    const double share = std::min(1.0, std::max(tested, spent()));
     const double seconds = 1e-3 * double(taken_.elapsed());
     follower_.progress({share, share > 0 ? seconds * (1 - share) / share : 0});
 }

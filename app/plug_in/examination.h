@@ -6,6 +6,8 @@
 
 #include <QElapsedTimer>
 
+#include <array>
+#include <map>
 #include <memory>
 
 namespace app::plug_in {
@@ -26,12 +28,16 @@ public:
 private:
     enum class Went : std::uint8_t { On, Over, Stopped };
     Went open();
-    bool isTimeUp() const;
+    double spent() const;
+    double shareOf(std::size_t category) const;
     Went unusable(Unusable why, const QString& more);
-    Went ask(std::size_t category, std::span<const Question> questions);
+    void prepare();
+    Went ask(std::size_t category);
+    Went askAll(std::size_t category, std::span<const Question> questions, double until);
     /// How many of them were answered.
     Went askSome(std::size_t category, std::span<const Question> questions, std::size_t& answered);
     void hear(std::size_t category, const Question& question, const Answer& answer);
+    void hearAgain(std::size_t category, const Question& question, const Answer& answer);
     Went mourn(ChildProcess::News news, std::size_t category, const Question& question);
     void add(std::size_t category, Finding finding);
     void tell();
@@ -42,8 +48,13 @@ private:
     Verdict verdict_;
     std::unique_ptr<ChildProcess> child_;
     QElapsedTimer taken_;
+    /// The questions, category by category, and the first answers to what will be asked again.
+    std::vector<std::vector<Question>> questions_;
+    std::map<std::array<std::uint64_t, 8>, std::optional<Answer>> first_;
+    std::size_t atOnce_ = 1; ///< questions on their way: about what takes `someTime`
     int deaths_ = 0;
     double processorSeconds_ = 0;
+    bool wasLoaded_ = false;
 };
 
 } // namespace app::plug_in

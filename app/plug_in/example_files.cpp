@@ -8,30 +8,48 @@
 #include <QFile>
 
 namespace app::plug_in {
+namespace {
+
+QByteArray ours(const QString& name)
+{
+    QFile file(QStringLiteral(":/plug_in/") + name);
+    [[maybe_unused]] const bool there = file.open(QIODevice::ReadOnly);
+    return file.readAll();
+}
+
+bool differs(const QString& path, const QByteArray& text)
+{
+    QFile file(path);
+    return file.exists() && (!file.open(QIODevice::ReadOnly) || file.readAll() != text);
+}
+
+} // namespace
 
 QStringList exampleNames()
 {
-    return {QStringLiteral("clearcut_algorithm.h"), QStringLiteral("cohen_sutherland.c"),
-            QStringLiteral("example.c")};
+    return {QStringLiteral("clearcut_algorithm.h"), QStringLiteral("skeleton.c"),
+            QStringLiteral("cohen_sutherland.c"), QStringLiteral("example.c")};
 }
 
-Result<QStringList> writeExample(const QString& folder)
+Result<WrittenExample> writeExample(const QString& folder, Existing existing)
 {
-    QStringList paths;
+    WrittenExample all;
     for (const QString& name : exampleNames()) {
-        QFile ours(QStringLiteral(":/plug_in/") + name);
-        [[maybe_unused]] const bool there = ours.open(QIODevice::ReadOnly);
-        const QByteArray text = ours.readAll();
-        paths << QDir(folder).filePath(name);
-        const auto error = replaceFile(paths.back(), [&](QIODevice& out) {
+        const QByteArray text = ours(name);
+        const QString path = QDir(folder).filePath(name);
+        if (existing == Existing::Keep && differs(path, text)) {
+            all.kept << path;
+            continue;
+        }
+        const auto error = replaceFile(path, [&](QIODevice& out) {
             return out.write(text) == text.size() ? std::nullopt : std::optional(out.errorString());
         });
         if (error)
-            return Result<QStringList>::failure(
-                QCoreApplication::translate("PlugIn", "Cannot write %1: %2")
-                    .arg(paths.back(), *error));
+            return Result<WrittenExample>::failure(
+                QCoreApplication::translate("PlugIn", "Cannot write %1: %2").arg(path, *error));
+        all.written << path;
     }
-    return Result<QStringList>::of(paths);
+    return Result<WrittenExample>::of(all);
 }
 
 } // namespace app::plug_in

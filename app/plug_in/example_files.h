@@ -7,11 +7,20 @@
 
 namespace app::plug_in {
 
-/// What one begins with: the header, and an example that says how it is compiled, and one
-/// that looks right and is wrong.
+/// What one begins with: the header, a frame to fill in with the contract as its comment, an
+/// algorithm that is right, and one that looks right and is wrong. Each says how it is compiled.
 QStringList exampleNames();
 
-/// Writes them into a folder, over what is called like them, and says where they are.
-Result<QStringList> writeExample(const QString& folder);
+/// What becomes of a file that is there already and differs from ours, such as a frame that was
+/// filled in.
+enum class Existing : std::uint8_t { Keep, Replace };
+
+struct WrittenExample {
+    QStringList written; ///< paths
+    QStringList kept;    ///< paths of what was there and differs
+};
+
+/// Writes them into a folder.
+Result<WrittenExample> writeExample(const QString& folder, Existing existing);
 
 } // namespace app::plug_in

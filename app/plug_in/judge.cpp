@@ -4,6 +4,8 @@
 #include "app/experiment/legs.h"
 #include "app/plug_in/child.h"
 #include "app/plug_in/examination.h"
+#include "app/plug_in/race_check.h"
+#include "app/plug_in/signal_text.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -27,43 +29,109 @@ std::uint64_t linesFor(double nanoseconds)
     return std::uint64_t(std::min(most, mostLines));
 }
 
-/// False: it was stopped.
-bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
+std::size_t raceCategory()
 {
-    const auto lines = linesFor(verdict.nanoseconds);
-    if (double(lines) < fewestLines) {
-        verdict.noTimes =
-            PlugIn::tr("It was not timed: it takes about %1 µs a line, too long for a "
-                       "race.")
-                .arg(verdict.nanoseconds / 1000, 0, 'f', 0);
-        return true;
+    return std::size_t(std::ranges::find(categories(), Asked::InTheRace, &Category::asked)
+                       - categories().begin());
+}
+
+/// What was wrong in the race is wrong.
+void addFindings(Verdict& verdict, const RaceFindings& found)
+{
+    verdict.categories.push_back({.lines = found.lines,
+                                  .judged = found.lines,
+                                  .wrong = found.wrong(),
+                                  .visible = found.visible,
+                                  .wrongVisible = found.wrongVisible});
+    for (std::size_t i = 0; i < found.byFault.size(); ++i)
+        verdict.byFault[i] += found.byFault[i];
+    const std::size_t category = raceCategory();
+    for (const auto& [fault, question, answer] : found.first) {
+        const auto result =
+            judged(question, answer, verdict.contract, categories()[category].visibilityUlps);
+        verdict.findings.push_back({fault, category, question, expected(question), answer.piece(),
+                                    std::max(result.off, result.outside)});
     }
-    const Patience patience{10, 60};
-    ChildProcess child(programOf(which),
-                       {QLatin1StringView(childKey), QStringLiteral("race"),
-                        QFileInfo(which.library).absoluteFilePath(), QString::number(lines),
-                        QString::number(int(runs)), QString::number(which.seed)});
-    for (bool first = true;; first = false) {
-        const auto news = child.waitForLine(patience, follower.stop);
-        if (news == ChildProcess::News::Stopped)
-            return false;
+}
+
+/// The library ended the race, or did not go on: a fault, whose line is not known.
+void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child,
+            std::uint64_t lines)
+{
+    const bool stuck = news == ChildProcess::News::Stuck;
+    const Fault fault = stuck             ? Fault::DidNotEnd
+                        : child.crashed() ? Fault::Crashed
+                                          : Fault::LeftProgram;
+    verdict.categories.push_back({.lines = std::size_t(lines), .judged = 1, .wrong = 1});
+    ++verdict.byFault[std::size_t(fault)];
+    verdict.raceEnd = stuck             ? PlugIn::tr("it did not go on")
+                      : child.crashed() ? signalText(child.exitCode())
+                                        : PlugIn::tr("exit code %1").arg(child.exitCode());
+    verdict.noTimes = PlugIn::tr("It was not timed: it did not come to the end of the race.");
+}
+
+QStringList raceArguments(const Case& which, std::uint64_t lines)
+{
+    return {QLatin1StringView(childKey),
+            QStringLiteral("race"),
+            QFileInfo(which.library).absoluteFilePath(),
+            QString::number(lines),
+            QString::number(int(runs)),
+            QString::number(which.seed),
+            wordOf(which.contract.strictness)};
+}
+
+/// Reads what the child tells until the race is over, or it tells no more.
+ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Follower& follower)
+{
+    const Patience patience{10, 20};
+    auto news = child.waitForStart(patience, follower.stop);
+    if (news == ChildProcess::News::Came)
+        news = child.waitForLine(patience, follower.stop);
+    child.readLine(); // what it is called is known
+    while (news == ChildProcess::News::Came && !verdict.times) {
+        news = child.waitForLine(patience, follower.stop);
         if (news != ChildProcess::News::Came)
             break;
         const QByteArray line = child.readLine();
-        if (first)
-            continue; // what it is called is known
-        if ((verdict.times = timesOf(line)))
-            return true;
-        if (follower.progress)
+        if (const auto found = raceFindingsOf(line))
+            addFindings(verdict, *found);
+        else if (!(verdict.times = timesOf(line)) && follower.progress)
             follower.progress({line.toDouble(), 0});
     }
-    verdict.noTimes = PlugIn::tr("It was not timed: it did not come to the end of the race.");
+    return news;
+}
+
+/// False: it was stopped.
+bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
+{
+    if (verdict.judged() < verdict.lines() && verdict.wrong() == 0) {
+        verdict.noTimes = PlugIn::tr("It was not timed: it was too slow for the tests.");
+        return true;
+    }
+    const auto lines = linesFor(verdict.nanoseconds);
+    if (double(lines) < fewestLines) {
+        verdict.noTimes = PlugIn::tr("It was not timed: it takes about %1 µs a line, too long for "
+                                     "a race.")
+                              .arg(verdict.nanoseconds / 1000, 0, 'f', 0);
+        return true;
+    }
+    ChildProcess child(programOf(which), raceArguments(which, lines));
+    const auto news = follow(child, verdict, follower);
+    if (news == ChildProcess::News::Stopped)
+        return false;
+    if (verdict.times)
+        verdict.times->ownWrong = verdict.categories.back().wrong;
+    else if (news == ChildProcess::News::Asleep)
+        verdict.noTimes = PlugIn::tr("It was not timed: it sleeps, and a race takes too long.");
+    else if (verdict.categories.size() < categories().size())
+        addEnd(verdict, news, child, lines);
     return true;
 }
 
 bool isAlive(const Verdict& verdict)
 {
-    return !verdict.unusable && verdict.judged() > 0
+    return !verdict.unusable && verdict.judged() > 0 && verdict.notReloaded.isEmpty()
            && std::ranges::none_of(faults(), [&](const FaultInfo& info) {
                   return info.fatal && verdict.byFault[std::size_t(info.fault)] > 0;
               });

@@ -13,15 +13,16 @@ struct Case {
     Contract contract{};
     std::size_t randomLines = Scope{}.randomLines;
     enum class Race : std::uint8_t { Yes, No } race = Race::Yes;
-    /// Of the processor's time that the library takes, after which no further line is asked about;
-    /// on the wall it is ten times as much.
+    /// Of the processor's time that the library takes, after which no further line is tested; on
+    /// the wall it is wallFactor times as much. Every category gets its share.
     double seconds = 30;
 };
 
-/// Asks the library about every category and compares with `exact`, then times it beside every row.
+/// Asks the library about every category and compares with `exact`, asks some lines again, then
+/// times it beside every row; what it finds in the race counts like any other answer.
 /// The library is loaded only into a process of its own, which may neither hang (a second of the
-/// processor's time for one line), nor take more than memoryLimit; after a crash it is started
-/// again, a few times. Takes some seconds. Nothing if it was stopped.
+/// processor's time for one line), nor take more than memoryLimit, nor leave a process behind;
+/// after a crash it is started again, a few times. Takes some seconds. Nothing if it was stopped.
 std::optional<Verdict> judge(const Case& which, const Follower& follower = {});
 
 } // namespace app::plug_in

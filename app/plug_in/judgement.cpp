@@ -92,11 +92,12 @@ std::span<const FaultInfo> faults()
         {Fault::WroteBeyond, "wrote-beyond", PlugIn::tr("Writes beyond visible"),
          PlugIn::tr("writes beside visible[0] to visible[3]"), false},
         {Fault::Nonsense, "nonsense", PlugIn::tr("Keeps nonsense"),
-         PlugIn::tr("keeps a line where a number is infinite or none, or the window is turned "
-                    "inside out"),
+         PlugIn::tr("keeps lines where a number is infinite or NaN, or the window is inverted"),
          false},
         {Fault::NotANumber, "not-a-number", PlugIn::tr("Not a number"),
          PlugIn::tr("gives an end that is infinite, not a number, or was never written"), false},
+        {Fault::Changed, "changed", PlugIn::tr("Changes its answer"),
+         PlugIn::tr("gives different answers to the same question"), false},
         {Fault::Lost, "lost", PlugIn::tr("Lost"), PlugIn::tr("loses lines that are visible"),
          false},
         {Fault::Invented, "invented", PlugIn::tr("Invented"),
@@ -112,6 +113,17 @@ std::span<const FaultInfo> faults()
 }
 
 const FaultInfo& infoOf(Fault fault) { return faults()[std::size_t(fault)]; }
+
+QString wordOf(Strictness strictness)
+{
+    return strictness == Strictness::Clearcuts ? QStringLiteral("strict")
+                                               : QStringLiteral("textbook");
+}
+
+Strictness strictnessOf(const QString& word)
+{
+    return word == wordOf(Strictness::Clearcuts) ? Strictness::Clearcuts : Strictness::Textbook;
+}
 
 std::optional<Segment> expected(const Question& question)
 {

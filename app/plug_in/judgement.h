@@ -17,6 +17,7 @@ enum class Fault : std::uint8_t {
     WroteBeyond,
     Nonsense,
     NotANumber,
+    Changed,
     Lost,
     Invented,
     Outside,
@@ -45,6 +46,10 @@ struct Contract {
     double ulps = 64;
     Strictness strictness = Strictness::Textbook;
 };
+
+/// "strict", "textbook": in files and between processes, and back.
+QString wordOf(Strictness strictness);
+Strictness strictnessOf(const QString& word);
 
 /// How an answer compares with the truth.
 struct Judgement {

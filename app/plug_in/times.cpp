@@ -139,7 +139,9 @@ Table raceTable(const Times& times, Reader reader)
         const auto bound = [&](double time) {
             return std::isfinite(time) ? nanoseconds(std::max(time, 0.0)) : QString();
         };
-        table.rows.push_back({nameFor(reader, one), placeText(places[i]),
+        const bool isWrong = i == 0 && times.ownWrong > 0;
+        table.rows.push_back({nameFor(reader, one),
+                              isWrong ? QStringLiteral("wrong") : placeText(places[i]),
                               nanoseconds(summaries[i].median), bound(summaries[i].confidence.low),
                               bound(summaries[i].confidence.high), nanoseconds(ratioOf(times, i)),
                               QString::number(one.found.visible), QString::number(one.found.lost),

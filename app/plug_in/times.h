@@ -25,6 +25,8 @@ struct Times {
     std::vector<Contender> contenders;               ///< the library is the first
     std::array<double, lineClasses.size()> shares{}; ///< of the scene, by class
     std::vector<std::pair<QString, QString>> facts;
+    std::size_t ownWrong = 0; ///< lines that the library got wrong while it was timed: then its
+                              ///< time has no rank. Known to the judge alone.
 };
 
 /// In one line, and back; nothing if it is not what was written, with `exact` among them.
@@ -34,8 +36,9 @@ std::optional<Times> timesOf(const QByteArray& json);
 /// How many times as long as the other the first one takes, by medians.
 double ratioOf(const Times& times, std::size_t to);
 
-/// Whom a table is for: a file holds keys, a person reads words and numbers of the locale.
-enum class Reader : std::uint8_t { File, Person };
+/// Whom a table is for: a file holds keys and plain numbers, a terminal keys and errors in words, a
+/// person reads words and numbers of the locale.
+enum class Reader : std::uint8_t { File, Terminal, Person };
 
 /// One row each, the fastest first: place, time, and how many times as long as it the library
 /// takes.

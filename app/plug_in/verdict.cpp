@@ -2,7 +2,9 @@
 #include "app/plug_in/verdict.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/duration.h"
 #include "app/latin.h"
+#include "app/plug_in/points.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -31,6 +33,8 @@ QString unusableText(const Verdict& v)
     switch (*v.unusable) {
     case Unusable::NoFile:
         return PlugIn::tr("There is no file %1: compile the library first.").arg(v.path);
+    case Unusable::NotCompiled:
+        return v.more;
     case Unusable::NotLoadable:
         return PlugIn::tr("%1 cannot be loaded. The loader says: %2.").arg(v.path, v.more);
     case Unusable::NoFunction:
@@ -68,15 +72,47 @@ QString wrongText(const Verdict& v)
     const FaultInfo& info = infoOf(*v.fault());
     const auto worst =
         std::ranges::find_if(v.findings, [&](const Finding& f) { return f.fault == info.fault; });
-    if (info.fatal && worst != v.findings.end())
-        return worst->more.isEmpty()
-                   ? PlugIn::tr("Wrong: %1 %2 (%3).")
-                         .arg(v.name, info.sentence, categories()[worst->category].name)
-                   : PlugIn::tr("Wrong: %1 %2 (%3): %4.")
-                         .arg(v.name, info.sentence, categories()[worst->category].name,
-                              worst->more);
+    if (info.fatal) {
+        const bool inRace = worst == v.findings.end();
+        const QString& where =
+            categories()[inRace ? v.categories.size() - 1 : worst->category].name;
+        const QString& more = inRace ? v.raceEnd : worst->more;
+        return more.isEmpty()
+                   ? PlugIn::tr("Wrong: %1 %2 (%3).").arg(v.name, info.sentence, where)
+                   : PlugIn::tr("Wrong: %1 %2 (%3): %4.").arg(v.name, info.sentence, where, more);
+    }
     return PlugIn::tr("Wrong: %1 %2. It is wrong on %3 of %4 lines: %5.")
         .arg(v.name, info.sentence, countText(v.wrong()), countText(v.judged()), whereText(v));
+}
+
+/// "It passes everything but Nonsense: 10 of 11 categories are right, 103 of 110 points."
+QString scoreText(const Verdict& v)
+{
+    const Score score = scoreOf(v);
+    const QString counts = PlugIn::tr("%1 of %2 categories are right, %3 of %4 points")
+                               .arg(score.right)
+                               .arg(score.categories)
+                               .arg(score.points)
+                               .arg(score.most);
+    if (score.right + 1 != score.categories)
+        return PlugIn::tr("%1.").arg(counts);
+    for (std::size_t i = 0; i < v.categories.size(); ++i)
+        if (pointsOf(v.categories[i]) < fullPoints)
+            return PlugIn::tr("It passes everything but “%1”: %2.")
+                .arg(categories()[i].name, counts);
+    return {};
+}
+
+QString tooSlowText(const Verdict& v)
+{
+    const QString untested = countText(v.lines() - v.judged());
+    if (v.judged() == 0)
+        return PlugIn::tr("Too slow: there was no time to test %1 on any of %2 lines.")
+            .arg(v.name, untested);
+    return PlugIn::tr("Too slow: %1 is right on the %2 lines that were tested within %3 of "
+                      "processor time, or %4 by the clock; %5 lines were not tested.")
+        .arg(v.name, countText(v.judged()), durationText(v.seconds),
+             durationText(v.seconds * wallFactor), untested);
 }
 
 QString roundingText(const Verdict& v)
@@ -84,10 +120,11 @@ QString roundingText(const Verdict& v)
     const QString ulps = QString::number(v.mostOff, 'g', 3);
     return v.outside() == 0
                ? PlugIn::tr("No end lies outside the window, not by one bit, and none is off by "
-                            "more than %1 ulps.")
+                            "more than %1 ulps of the largest coordinate.")
                      .arg(ulps)
-               : PlugIn::tr("Rounding left %1 pieces with an end outside the window, by %2 ulps at "
-                            "most; Clearcut's own algorithms never do that.")
+               : PlugIn::tr("Rounding left %1 pieces with an end outside the window, by at most %2 "
+                            "ulps of the largest coordinate; Clearcut's own algorithms never do "
+                            "that.")
                      .arg(countText(v.outside()), ulps);
 }
 
@@ -108,6 +145,12 @@ QString speedText(const Times& times)
                                                          &Contender::key)
                                        - times.contenders.begin())),
             'f', 2));
+}
+
+bool isWrongOnlyInRace(const Verdict& v)
+{
+    return v.categories.size() == categories().size() && v.categories.back().wrong > 0
+           && v.wrong() == v.categories.back().wrong;
 }
 
 } // namespace
@@ -133,9 +176,7 @@ QString sentence(const Verdict& v)
     if (v.wrong() > 0)
         return wrongText(v);
     if (!v.passed())
-        return PlugIn::tr("Too slow: %1 was right on %2 lines, and there was no time for the other "
-                          "%3.")
-            .arg(v.name, countText(v.judged()), countText(v.lines() - v.judged()));
+        return tooSlowText(v);
     return PlugIn::tr("Passed: %1 is right on all %2 lines.").arg(v.name, countText(v.lines()));
 }
 
@@ -144,13 +185,21 @@ QStringList remarks(const Verdict& v)
     QStringList all;
     if (v.unusable)
         return all;
+    if (v.wrong() > 0)
+        all << scoreText(v);
     if (v.wrong() > 0 && v.judged() < v.lines())
-        all << PlugIn::tr("%1 lines were not asked about any more.")
-                   .arg(countText(v.lines() - v.judged()));
+        all << PlugIn::tr("%1 lines were not tested.").arg(countText(v.lines() - v.judged()));
+    if (!v.notReloaded.isEmpty())
+        all << PlugIn::tr("After that it could not be loaded again: %1.").arg(v.notReloaded);
+    if (isWrongOnlyInRace(v))
+        all << PlugIn::tr(
+            "When asked it is right on every line: what it does in the race differs.");
     if (v.passed())
         all << roundingText(v);
     if (v.times)
-        all << speedText(*v.times);
+        all << (v.categories.back().wrong > 0
+                    ? PlugIn::tr("Its time does not count, as it was wrong in the race.")
+                    : speedText(*v.times));
     else if (!v.noTimes.isEmpty())
         all << v.noTimes;
     if (!v.printed.isEmpty())

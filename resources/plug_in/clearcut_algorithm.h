@@ -4,6 +4,7 @@
  *
  * Write clearcut_clip, compile it to a shared library, and give that to
  *     clearcut judge ./mine.so          or to the menu Learn > Judge your own algorithm.
+ * skeleton.c is a frame to fill in, example.c a finished algorithm.
  *
  * It is held to this:
  * 1. It returns 1 and writes the part of the segment inside the closed window to visible, from the
@@ -14,7 +15,8 @@
  * 3. Ends may be off by 64 ulps (units in the last place of a double) of the largest |coordinate|
  *    of segment and window. What is visible may be wrong only so near to an edge, and not at all
  *    where all numbers are small and whole.
- * 4. It ends, it keeps nothing between calls, and it writes nowhere but to visible[0] to [3].
+ * 4. It ends, it keeps nothing between calls (the same question has the same answer, bit for bit,
+ *    also in the race), and it writes nowhere but to visible[0] to [3].
  */
 #ifndef CLEARCUT_ALGORITHM_H
 #define CLEARCUT_ALGORITHM_H

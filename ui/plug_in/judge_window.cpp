@@ -63,10 +63,10 @@ JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
     : QDialog(parent, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)),
       choose_(button(tr("Choose &library…"), "folder")), again_(button(tr("&Judge again"), "play")),
-      example_(button(tr("&Save header and example…"), "export")), cancel_(button(tr("&Cancel"))),
+      example_(button(tr("&Save header and examples…"), "export")), cancel_(button(tr("&Cancel"))),
       copy_(button(tr("Co&py table"))),
-      follow_(new QCheckBox(tr("When it is &compiled anew, too"))),
-      strict_(new QCheckBox(tr("Not one &bit outside"))), file_(new QLabel), state_(new QLabel),
+      follow_(new QCheckBox(tr("Judge again after each re&build"))),
+      strict_(new QCheckBox(tr("S&trict: no end outside"))), file_(new QLabel), state_(new QLabel),
       bar_(new QProgressBar), strip_(new MessageStrip), stack_(new QStackedWidget),
       view_(new VerdictView)
 {
@@ -122,7 +122,8 @@ QWidget* JudgeWindow::top()
     file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut
     follow_->setChecked(true);
     strict_->setToolTip(tr("Holds it to the contract of Clearcut's own algorithms: no end outside "
-                           "the window, not by one bit. Textbooks do not speak of rounding."));
+                           "the window, not even by rounding. Textbooks do not speak of "
+                           "rounding."));
     auto* whole = new QWidget;
     auto* layout = row(whole, space::labelToField);
     layout->addWidget(choose_);
@@ -136,16 +137,16 @@ QWidget* JudgeWindow::top()
 /// What stands where the verdict will be.
 QWidget* JudgeWindow::invitation()
 {
-    auto* text = new QLabel(
-        tr("<p><b>Is your own line clipping right, and how fast is it?</b></p>"
-           "<p>1. <b>Save header and example</b>: one function in C, and the command that compiles "
-           "it.<br>"
-           "2. Write your algorithm into it, and compile it to a shared library (.so).<br>"
-           "3. <b>Choose library</b>: it is asked about 120,000 lines, compared with exact "
-           "arithmetic, and raced.</p>"
-           "<p>A crash or an endless loop harms nothing: the library runs in a process of its own. "
-           "But it is a program with your rights, so choose only what you or people you trust have "
-           "written.</p>"));
+    auto* text = new QLabel(tr(
+        "<p><b>Is your own line clipping right, and how fast is it?</b></p>"
+        "<p>1. <b>Save header and examples</b>: among them skeleton.c, one function in C to fill "
+        "in, with its contract and the command that compiles it.<br>"
+        "2. Write your algorithm into it, and compile it to a shared library (.so).<br>"
+        "3. <b>Choose library</b>: it is tested on 120,000 lines, compared with exact "
+        "arithmetic, and raced. Each category of lines gives points.</p>"
+        "<p>A crash or an endless loop harms nothing: the library runs in a process of its own. "
+        "But it is a program with your rights, so choose only what you or people you trust have "
+        "written.</p>"));
     text->setWordWrap(true);
     text->setMaximumWidth(textWidth);
     auto* page = new QWidget;
@@ -255,7 +256,7 @@ void JudgeWindow::followFile()
 void JudgeWindow::saveExample()
 {
     const QString folder =
-        questions_->folderToWrite(tr("Save header and example in"), folderOf(path_));
+        questions_->folderToWrite(tr("Save header and examples in"), folderOf(path_));
     if (folder.isEmpty())
         return;
     QStringList existing;
@@ -265,11 +266,13 @@ void JudgeWindow::saveExample()
             existing << path;
     if (!existing.isEmpty() && !questions_->overwriteFiles(existing, int(names.size())))
         return;
-    const auto written = app::plug_in::writeExample(folder);
-    strip_->tell(written ? Message{Message::Kind::Done,
-                                   tr("Wrote %1. Its first lines say how to compile it.")
-                                       .arg(QDir::toNativeSeparators(written.value->back()))}
-                         : Message{Message::Kind::Warning, written.error});
+    const auto result = app::plug_in::writeExample(folder, app::plug_in::Existing::Replace);
+    const QString skeleton = QDir(folder).filePath(QStringLiteral("skeleton.c"));
+    strip_->tell(result ? Message{Message::Kind::Done,
+                                  tr("Wrote %1 to fill in, and example.c, which is finished. Their "
+                                     "first lines say how to compile them.")
+                                      .arg(QDir::toNativeSeparators(skeleton))}
+                        : Message{Message::Kind::Warning, result.error});
 }
 
 /// The reference, step by step, in the editor's microscope.

@@ -20,7 +20,7 @@ class MainWindow;
 class VerdictView;
 
 /// Judges somebody's own algorithm: which library at the top, the verdict below, progress at the
-/// bottom. The editor stays usable meanwhile. A library that is compiled anew is judged again.
+/// bottom. The editor stays usable meanwhile. A rebuilt library is judged again.
 class JudgeWindow : public QDialog {
     Q_OBJECT
 

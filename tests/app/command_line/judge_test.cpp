@@ -59,6 +59,47 @@ private slots:
         QVERIFY(tables[2]["rows"][0]["got"].toString().contains("SIGSEGV"));
     }
 
+    void whatIsWrongInTheRaceIsThree()
+    {
+        const auto run = clearcut({"judge", sample("race_cheat")});
+        QCOMPARE(run.code, 3);
+        QVERIFY2(run.out.startsWith("Wrong: ") && run.out.contains("In the race ("),
+                 run.out.constData());
+    }
+
+    void sourceCodeIsOneAndSaysHow()
+    {
+        const auto run = clearcut({"judge", SOURCE_DIR "/resources/plug_in/example.c"});
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains("compile it first. cc -std=c99 -O2 -shared -fPIC -o "),
+                 run.err.constData());
+    }
+
+    void theTimeIsABudget()
+    {
+        const auto run = clearcut({"judge", sample("sleepy"), "--seconds", "1"});
+        QCOMPARE(run.code, 3);
+        QVERIFY2(run.out.startsWith("Too slow: ") && run.out.contains("tested within 1 s"),
+                 run.out.constData());
+        QCOMPARE(clearcut({"judge", sample("sleepy"), "--seconds", "0"}).code, 2);
+    }
+
+    void pointsAreInTheJson()
+    {
+        const auto run =
+            clearcut({"judge", sample("finite_only"), "--no-race", "--format", "json"});
+        const auto tables = QJsonDocument::fromJson(run.out).array();
+        const auto verdict = tables[0]["rows"][0].toObject();
+        QCOMPARE(verdict["most_points"].toInt(), 110);
+        int points = 0;
+        for (const QJsonValue row : tables[1]["rows"].toArray()) {
+            points += row["points"].toInt();
+            QCOMPARE(row["degree"].toString() == "right", row["category"].toString() != "nonsense");
+        }
+        QCOMPARE(verdict["points"].toInt(), points);
+        QVERIFY(tables[2]["rows"][0].toObject().contains("ulps"));
+    }
+
     void strictIsStricter()
     {
         QCOMPARE(clearcut({"judge", sample("example"), "--no-race", "--strict"}).code, 3);
@@ -69,7 +110,8 @@ private slots:
     {
         QTemporaryDir folder;
         QCOMPARE(clearcut({"judge", "--save-example", folder.path()}).code, 0);
-        QVERIFY(contentOf(folder.filePath("example.c")).contains("clearcut_clip"));
+        for (const char* name : {"example.c", "skeleton.c"})
+            QVERIFY(contentOf(folder.filePath(name)).contains("int clearcut_clip(const double "));
         QVERIFY(
             contentOf(folder.filePath("clearcut_algorithm.h")).contains("CLEARCUT_ABI_VERSION"));
         QCOMPARE(clearcut({"judge", "--save-example", "/nowhere/at/all"}).code, 1);
@@ -79,8 +121,9 @@ private slots:
     void theChildSaysWhatItIs()
     {
         const auto run = clearcut({"judge-child", "answer", sample("not_a_plug_in")});
-        QCOMPARE(run.out, "no-function \n");
-        QVERIFY(clearcut({"judge-child", "answer", "/nowhere.so"}).out.startsWith("not-loadable "));
+        QCOMPARE(run.out.split('\n').value(1), "no-function "); // after its number
+        QVERIFY(run.out.split('\n').front().toInt() > 0);
+        QVERIFY(clearcut({"judge-child", "answer", "/nowhere.so"}).out.contains("\nnot-loadable "));
         QVERIFY(!clearcut({"--help"}).out.contains("judge-child"));
     }
 };

@@ -90,6 +90,25 @@ private slots:
         QVERIFY(race);
         QCOMPARE(std::size_t(race->model()->rowCount()), clipping::algorithms().size() + 1);
         QVERIFY(stage.table("classes") && stage.table("categories"));
+        const app::Table& points = stage.table("categories")->table();
+        QCOMPARE(std::size_t(points.rows.size()), app::plug_in::categories().size());
+        for (const QStringList& row : points.rows)
+            QCOMPARE(row[points.names.indexOf("points")], "10");
+    }
+
+    void whatIsWrongInTheRaceIsShown()
+    {
+        Stage stage;
+        stage.judge(pathOf("race_cheat"));
+        QVERIFY2(stage.sentence().contains("In the race"), qPrintable(stage.sentence()));
+        QCOMPARE(stage.table("findings")->table().names.back(), "error");
+    }
+
+    void sourceCodeIsToldHowToCompile()
+    {
+        Stage stage;
+        stage.judge(QStringLiteral(SOURCE_DIR "/resources/plug_in/example.c"));
+        QVERIFY2(stage.sentence().contains("compile it first. cc "), qPrintable(stage.sentence()));
     }
 
     /// And the line opens in the microscope, clipped by the reference.
@@ -166,7 +185,6 @@ private slots:
         QVERIFY(QFile::copy(pathOf("not_a_plug_in"), library));
         stage.judge(library);
         QVERIFY(stage.sentence().contains("no function"));
-        QTest::qWait(20); // another time of the file
         QVERIFY(QFile::remove(library) && QFile::copy(pathOf("lost_corner"), library));
         QFile file(library);
         QVERIFY(file.open(QIODevice::ReadWrite));
@@ -180,12 +198,12 @@ private slots:
     {
         Stage stage;
         stage.answers->folder = stage.test.folder.path();
-        stage.click("Save header and example…");
+        stage.click("Save header and examples…");
         QVERIFY(QFile::exists(stage.test.path("example.c")));
         QVERIFY(stage.window->findChild<MessageStrip*>()->sentence().contains("example.c"));
         QFile::remove(stage.test.path("example.c"));
-        stage.click("Save header and example…"); // the header is there: no overwriting
-        QCOMPARE(stage.answers->existing.size(), 2);
+        stage.click("Save header and examples…"); // the header is there: no overwriting
+        QCOMPARE(stage.answers->existing.size(), 3);
         QVERIFY(!QFile::exists(stage.test.path("example.c")));
     }
 
