@@ -50,7 +50,8 @@ void judge(const Given& given)
     const TableOutput output = tableOutput(given);
     const plug_in::Verdict verdict = judged(which);
     if (verdict.unusable)
-        throw Failure{plug_in::sentence(verdict)};
+        throw Failure{
+            (QStringList{plug_in::sentence(verdict)} + plug_in::remarks(verdict)).join(u' ')};
     const bool isText = output.format.key == tableFormats().front().key;
     writeTables(output, plug_in::tablesOf(verdict, isText ? plug_in::Reader::Terminal
                                                           : plug_in::Reader::File));

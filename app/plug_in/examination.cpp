@@ -67,8 +67,10 @@ bool Examination::run()
 {
     if (!QFileInfo(case_.library).isFile())
         return unusable(Unusable::NoFile, {}) != Went::Stopped;
-    if (const auto why = whyNoLibrary(case_.library))
-        return unusable(Unusable::NotCompiled, *why) != Went::Stopped;
+    if (const auto why = whyNoLibrary(case_.library)) {
+        verdict_.command = why->command;
+        return unusable(Unusable::NotCompiled, why->sentence) != Went::Stopped;
+    }
     Went went = open();
     if (went == Went::On)
         prepare();

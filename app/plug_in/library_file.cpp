@@ -61,44 +61,46 @@ QString commandFor(const QString& command, const QFileInfo& file)
 }
 
 /// Where the header is missing the command would fail: it is saved first.
-QString sourceText(const Source& source, const QFileInfo& file)
+NoLibrary sourceCode(const Source& source, const QFileInfo& file)
 {
     QString command = commandFor(source.command, file);
     if (!QFileInfo::exists(file.dir().filePath(QStringLiteral("clearcut_algorithm.h"))))
         command = QStringLiteral("clearcut judge --save-example %1 && ").arg(quoted(file.path()))
                   + command;
-    return PlugIn::tr("%1 is %2: compile it first. %3").arg(file.filePath(), source.name, command);
+    return {PlugIn::tr("%1 is %2: compile it first.").arg(file.filePath(), source.name), command};
 }
 
-QString textFileText(const QFileInfo& file)
+NoLibrary textFile(const QFileInfo& file)
 {
     for (const Source& source : sources())
         if (source.endings.contains(file.suffix()))
-            return sourceText(source, file);
-    return PlugIn::tr("%1 is a text, not a shared library: give the .so file that your compiler "
-                      "wrote.")
-        .arg(file.filePath());
+            return sourceCode(source, file);
+    return {PlugIn::tr("%1 is a text, not a shared library: give the .so file that your compiler "
+                       "wrote.")
+                .arg(file.filePath())};
 }
 
-/// Of an ELF file: an object file and a program with a fixed address cannot be loaded.
-std::optional<QString> elfText(const QByteArray& head, const QFileInfo& file)
+/// An object file and a program with a fixed address cannot be loaded.
+std::optional<NoLibrary> elfFile(const QByteArray& head, const QFileInfo& file)
 {
     std::uint16_t type = ET_DYN;
     if (head.size() >= EI_NIDENT + qsizetype(sizeof type))
         std::memcpy(&type, head.constData() + EI_NIDENT, sizeof type);
     if (type == ET_REL)
-        return PlugIn::tr("%1 is an object file: link it first. %2 (it must have been compiled "
-                          "with -fPIC)")
-            .arg(file.filePath(), commandFor(QStringLiteral("cc -shared -o %1 %2 -lm"), file));
+        return NoLibrary{PlugIn::tr("%1 is an object file: link it first; it must have been "
+                                    "compiled with -fPIC.")
+                             .arg(file.filePath()),
+                         commandFor(QStringLiteral("cc -shared -o %1 %2 -lm"), file)};
     if (type == ET_EXEC)
-        return PlugIn::tr("%1 is a program, not a shared library: compile it with -shared -fPIC.")
-            .arg(file.filePath());
+        return NoLibrary{
+            PlugIn::tr("%1 is a program, not a shared library: compile it with -shared -fPIC.")
+                .arg(file.filePath())};
     return std::nullopt;
 }
 
 } // namespace
 
-std::optional<QString> whyNoLibrary(const QString& path)
+std::optional<NoLibrary> whyNoLibrary(const QString& path)
 {
     const QFileInfo file(path);
     QFile content(path);
@@ -106,14 +108,14 @@ std::optional<QString> whyNoLibrary(const QString& path)
         return std::nullopt;
     const QByteArray head = content.read(4096);
     if (head.isEmpty())
-        return PlugIn::tr("%1 is empty: compile the library again.").arg(path);
+        return NoLibrary{PlugIn::tr("%1 is empty: compile the library again.").arg(path)};
     if (head.startsWith(QByteArray(ELFMAG, SELFMAG)))
-        return elfText(head, file);
+        return elfFile(head, file);
     if (head.startsWith("!<arch>\n"))
-        return PlugIn::tr("%1 is a static library (an archive of object files): link a shared one "
-                          "from the same source with -shared -fPIC.")
-            .arg(path);
-    return head.contains('\0') ? std::nullopt : std::optional(textFileText(file));
+        return NoLibrary{PlugIn::tr("%1 is a static library (an archive of object files): link a "
+                                    "shared one from the same source with -shared -fPIC.")
+                             .arg(path)};
+    return head.contains('\0') ? std::nullopt : std::optional(textFile(file));
 }
 
 } // namespace app::plug_in

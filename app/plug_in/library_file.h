@@ -7,9 +7,14 @@
 
 namespace app::plug_in {
 
-/// Why a file is no shared library: source code, an object file, a program, another text. One
-/// sentence with the command line that makes a library of it where there is one. Nothing if the
-/// file begins like a shared library, or cannot be read: then the loader says more.
-std::optional<QString> whyNoLibrary(const QString& path);
+/// Why a file is no shared library, and what makes one of it.
+struct NoLibrary {
+    QString sentence;
+    QString command{}; ///< for a shell; empty where none is known
+};
+
+/// Of source code, an object file, a program, another text. Nothing if the file begins like a
+/// shared library, or cannot be read: then the loader says more.
+std::optional<NoLibrary> whyNoLibrary(const QString& path);
 
 } // namespace app::plug_in

@@ -184,7 +184,7 @@ QStringList remarks(const Verdict& v)
 {
     QStringList all;
     if (v.unusable)
-        return all;
+        return v.command.isEmpty() ? all : all << v.command;
     if (v.wrong() > 0)
         all << scoreText(v);
     if (v.wrong() > 0 && v.judged() < v.lines())

@@ -45,7 +45,8 @@ struct Verdict {
     QString name; ///< what the library calls itself, or its file's name
     Contract contract{};
     std::optional<Unusable> unusable{};
-    QString more{}; ///< of an unusable one: what the loader said, or why it crashed
+    QString more{};    ///< of an unusable one: what the loader said, or why it crashed
+    QString command{}; ///< of one that is not compiled: what makes a library of it; may be empty
     /// In the order of categories(); the last one only after a race.
     std::vector<CategoryCount> categories{};
     std::vector<std::size_t> byFault = std::vector<std::size_t>(faults().size());

@@ -10,7 +10,7 @@
 #include "resources/plug_in/example.c"
 #undef clearcut_clip
 
-enum { DAEMONS = 3, LINKS = 20000 }; /* the chain ends in any case, after some twenty seconds */
+enum { DAEMONS = 3, LINKS = 3000 }; /* the chain ends in any case, after some seconds */
 
 static void become_daemon(int chain)
 {
