@@ -3,6 +3,8 @@
 
 #include <QElapsedTimer>
 
+#include <pthread.h>
+
 namespace ui {
 
 namespace {
@@ -19,8 +21,11 @@ void Measuring::start(app::Plan plan)
 {
     Q_ASSERT(!active());
     ++number_;
-    thread_ = std::jthread([this, plan = std::move(plan), number = number_](
-                               const std::stop_token& stop) { run(stop, plan, number); });
+    thread_ =
+        std::jthread([this, plan = std::move(plan), number = number_](const std::stop_token& stop) {
+            ::pthread_setname_np(::pthread_self(), threadName);
+            run(stop, plan, number);
+        });
 }
 
 void Measuring::cancel()

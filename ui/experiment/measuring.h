@@ -22,6 +22,7 @@ public:
     void start(app::Plan plan); ///< nothing may be going on
     void cancel();              ///< nothing is told of it any more; waits for the thread's end
     bool active() const { return thread_.joinable(); }
+    static constexpr auto threadName = "measuring"; ///< as debuggers and tests see it
 
 signals:
     void progressed(const app::Progress& progress); ///< at most 20 times a second

@@ -4,9 +4,11 @@
 #include <QApplication>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QSemaphore>
 #include <QTest>
-#include <QThread>
 #include <QTimer>
+
+#include <memory>
 
 namespace {
 
@@ -30,25 +32,26 @@ private slots:
         QTimer watch;
         connect(&watch, &QTimer::timeout, this, [&] { seen = seen || shownDialog(); });
         watch.start(5);
-        const auto answer = ui::inBackground(nullptr, "Working…", [] {
-            QThread::msleep(50);
-            return 42;
-        });
+        const auto answer = ui::inBackground(nullptr, "Working…", [] { return 42; });
         QCOMPARE(answer.value_or(0), 42);
         QVERIFY(!seen);
     }
     void slowWorkShowsADialogAndEnds()
     {
-        bool seen = false;
+        auto seen = std::make_shared<QSemaphore>();
         QTimer watch;
-        connect(&watch, &QTimer::timeout, this, [&] { seen = seen || shownDialog(); });
+        connect(&watch, &QTimer::timeout, this, [&] {
+            if (!shownDialog())
+                return;
+            watch.stop();
+            seen->release();
+        });
         watch.start(5);
-        const auto answer = ui::inBackground(nullptr, "Working…", [] {
-            QThread::msleep(900);
+        const auto answer = ui::inBackground(nullptr, "Working…", [seen] {
+            seen->acquire(); // as long as it takes until it is seen
             return 42;
         });
         QCOMPARE(answer.value_or(0), 42);
-        QVERIFY(seen);
     }
     void cancellingGivesNothing()
     {
@@ -58,11 +61,13 @@ private slots:
                 QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
         });
         watch.start(5);
-        const auto answer = ui::inBackground(nullptr, "Working…", [] {
-            QThread::msleep(2000);
+        auto over = std::make_shared<QSemaphore>();
+        const auto answer = ui::inBackground(nullptr, "Working…", [over] {
+            over->acquire();
             return 42;
         });
         QVERIFY(!answer);
+        over->release(); // the thread ends unseen
     }
 };
 

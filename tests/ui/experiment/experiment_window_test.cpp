@@ -21,9 +21,16 @@ using namespace ui;
 
 namespace {
 
-qsizetype threads()
+/// Whether a thread measures: it has that name. Others, such as those of Qt's pools, come and go as
+/// they like.
+bool aThreadMeasures()
 {
-    return QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+    for (const QString& id : QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(id));
+        if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == Measuring::threadName)
+            return true;
+    }
+    return false;
 }
 
 /// The editor with two lines, and the window that its menu opens.
@@ -192,21 +199,20 @@ private slots:
     void progressArrivesAndCancelEndsIt()
     {
         const Stage stage;
-        const auto before = threads();
         stage.choose("table1");
         stage.named<QSpinBox>("Runs")->setValue(50);
         stage.click("Run");
         QVERIFY(stage.measuring());
         QTRY_VERIFY_WITH_TIMEOUT(stage.named<QProgressBar>("Progress")->value() > 0, 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(stage.state().contains("left"), 20'000);
+        QVERIFY(aThreadMeasures());
         QElapsedTimer timer;
         timer.start();
         stage.click("Cancel");
         qInfo("cancelled in %lld ms", timer.elapsed());
-        QVERIFY(timer.elapsed() < 10'000); // or it hangs
         QVERIFY(!stage.measuring() && !stage.window->study());
         QVERIFY(stage.button("Run")->isEnabled());
-        QTRY_COMPARE(threads(), before);
+        QVERIFY(!aThreadMeasures());
     }
 
     void theEditorStaysUsable()
@@ -233,11 +239,10 @@ private slots:
     void closingStopsIt()
     {
         const Stage stage;
-        const auto before = threads();
         stage.click("Run");
-        QTest::qWait(100);
+        QTRY_VERIFY(aThreadMeasures());
         stage.window->close();
-        QTRY_COMPARE(threads(), before);
+        QVERIFY(!aThreadMeasures());
         stage.test.action("reproduce-paper")->trigger();
         QVERIFY(stage.window->isVisible() && !stage.measuring());
         stage.runFew("table1"); // and it can be used again
@@ -246,13 +251,12 @@ private slots:
 
     void theEditorMayGoInTheMiddle()
     {
-        const auto before = threads();
         {
             const Stage stage;
             stage.click("Run");
-            QTest::qWait(50);
+            QTRY_VERIFY(aThreadMeasures());
         }
-        QTRY_VERIFY(threads() <= before);
+        QVERIFY(!aThreadMeasures());
     }
 
     void escStopsFirstAndClosesThen()

@@ -15,6 +15,8 @@
 #include <QApplication>
 #include <QDockWidget>
 
+#include <utility>
+
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -308,8 +310,8 @@ private slots:
         t.window->files().open(t.twoLines());
         t.show();
         t.window->session().inspect(0);
-        QTest::qWait(100); // the Line panel gets its room
-        const QByteArray before = docksOf(*t.window);
+        QByteArray before; // when the Line panel has its room: twice the same
+        QTRY_VERIFY(std::exchange(before, docksOf(*t.window)) == before);
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
         QVERIFY(docksOf(*t.window) != before);
         t.window->resize(1200, 790); // while it is open nothing is rearranged
