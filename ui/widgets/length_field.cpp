@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/length_field.h"
 
+#include "app/document/expression.h"
 #include "app/view/numbers.h"
 #include "ui/look.h"
 
@@ -10,26 +11,12 @@
 #include <QSignalBlocker>
 
 #include <cmath>
-#include <optional>
 
 namespace ui {
 
 namespace {
 
 constexpr double limit = 1e9;
-
-/// A number as people type it here (locale or C, either minus), with or without a unit.
-std::optional<app::Length> typed(QString text, app::Unit unit)
-{
-    text = text.simplified();
-    text.replace(u'\u2212', u'-');
-    text.remove(QLocale().groupSeparator());
-    text.replace(QLocale().decimalPoint(), QStringLiteral("."));
-    auto length = app::parseLength(text.toStdString());
-    if (length && length->unit == app::Unit::User)
-        length->unit = unit;
-    return length;
-}
 
 } // namespace
 
@@ -45,6 +32,37 @@ LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidge
     setStepType(QAbstractSpinBox::DefaultStepType);
     setFixedHeight(space::fieldHeight);
     connect(this, &QDoubleSpinBox::valueChanged, this, &LengthField::finish);
+}
+
+/// Numbers as people type them here: locale or C, either minus and other signs of arithmetic.
+app::Result<double> LengthField::typed(QString text) const
+{
+    text = text.simplified();
+    text.replace(u'\u2212', u'-').replace(u'\u00d7', u'*').replace(u'\u00f7', u'/');
+    text.remove(QLocale().groupSeparator());
+    text.replace(QLocale().decimalPoint(), QStringLiteral("."));
+    auto length = app::evaluated(text.toStdString(), {unit_, millimetresPerUnit_});
+    if (length && std::abs(*length.value) > limit)
+        return app::Result<double>::failure(tr("it is too large"));
+    return length;
+}
+
+/// Whether what stands there can be taken; else says why not and shows the last number.
+bool LengthField::takesTyped()
+{
+    const auto length = typed(text());
+    if (length)
+        return range_ == Range::Any || *length.value >= 0; // else finish() says so
+    const QString refusedText = text().trimmed();
+    lineEdit()->setText(textFromValue(value()));
+    emit refused(tr("%1: “%2” is no length: %3.").arg(name_, refusedText, length.error));
+    return false;
+}
+
+void LengthField::stepBy(int steps)
+{
+    takesTyped();
+    QDoubleSpinBox::stepBy(steps);
 }
 
 void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
@@ -73,9 +91,10 @@ void LengthField::finish()
 
 QValidator::State LengthField::validate(QString& text, int&) const
 {
-    if (typed(text, unit_))
+    if (typed(text))
         return QValidator::Acceptable;
-    static const QString allowed = QStringLiteral(" .,+-\u2212\u00a0'\u2019");
+    static const QString allowed =
+        QStringLiteral(" .,+-*/()\u2212\u00d7\u00f7\u00a0'\u2019") + QLocale().groupSeparator();
     const bool plausible = std::all_of(text.begin(), text.end(), [](QChar c) {
         return c.isDigit() || c.isLetter() || c == u'%' || allowed.contains(c);
     });
@@ -84,11 +103,7 @@ QValidator::State LengthField::validate(QString& text, int&) const
 
 double LengthField::valueFromText(const QString& text) const
 {
-    const auto length = typed(text, unit_);
-    if (!length || length->unit == app::Unit::Percent)
-        return shown_;
-    const double user = app::fromUnit(length->value, length->unit, millimetresPerUnit_);
-    return app::inUnit(user, unit_, millimetresPerUnit_);
+    return typed(text).value.value_or(shown_);
 }
 
 QString LengthField::textFromValue(double value) const
@@ -102,22 +117,24 @@ QString LengthField::textFromValue(double value) const
 
 void LengthField::focusOutEvent(QFocusEvent* event)
 {
+    takesTyped();
     QDoubleSpinBox::focusOutEvent(event);
     lineEdit()->deselect();
 }
 
 void LengthField::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() != Qt::Key_Escape) {
-        const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-        const bool fits = range_ == Range::Any || valueFromText(text()) >= 0;
-        QDoubleSpinBox::keyPressEvent(event);
-        if (enters && fits)
-            emit entered();
-        return;
+    if (event->key() == Qt::Key_Escape && text() == textFromValue(value()))
+        return event->ignore(); // out of the field
+    if (event->key() == Qt::Key_Escape) {
+        lineEdit()->setText(textFromValue(value())); // Esc backs out of what was typed
+        return selectAll();
     }
-    lineEdit()->setText(textFromValue(value())); // Esc backs out of what was typed
-    selectAll();
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const bool fits = !enters || takesTyped();
+    QDoubleSpinBox::keyPressEvent(event);
+    if (enters && fits)
+        emit entered();
 }
 
 } // namespace ui

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "app/document/length.h"
+#include "app/result.h"
 
 #include <QDoubleSpinBox>
 
 namespace ui {
 
-/// A field for a length of the drawing, shown in the window's unit. Typing a unit ("2in") converts.
-/// It answers when editing is finished or an arrow is used, never at every key.
+/// A field for a length of the drawing, shown in the window's unit. What is typed may have a unit
+/// ("2in") and may be an expression ("10+5", "3*25mm"). It answers when editing is finished or an
+/// arrow is used, never at every key.
 class LengthField : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -21,11 +23,12 @@ public:
 
     /// In user units; sends no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
+    void stepBy(int steps) override;
 
 signals:
     void edited(double length);            ///< in user units
     void entered();                        ///< with Enter, and it fits: typing is over
-    void refused(const QString& sentence); ///< what was typed is out of range: shown instead
+    void refused(const QString& sentence); ///< what was typed is no length, or out of range
 
 protected:
     QValidator::State validate(QString& text, int& position) const override;
@@ -35,6 +38,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    app::Result<double> typed(QString text) const; ///< in the field's unit
+    bool takesTyped();
     void finish();
 
     QString name_;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/length_field.h"
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace ui;
+
+// What is typed into a field for a length: it is taken, or the field says why not.
+class LengthFieldTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void expressionsAreEvaluated_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("length");
+        QTest::newRow("a number") << "25" << 25.0;
+        QTest::newRow("a sum") << "10+5" << 15.0;
+        QTest::newRow("a unit") << "1in" << 25.4;
+        QTest::newRow("a product") << "3*25mm" << 75.0;
+        QTest::newRow("a typographic sum") << QString::fromUtf8("1,010 − 5 × 2") << 1000.0;
+        QTest::newRow("its own text") << QString::fromUtf8("−1,234.50") << -1234.5;
+    }
+    void expressionsAreEvaluated()
+    {
+        QFETCH(QString, text);
+        QFETCH(double, length);
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab}) {
+            Field field;
+            field.type(text, end);
+            QCOMPARE(field.edited.size(), 1);
+            QCOMPARE(field.edited[0][0].toDouble(), length);
+            QVERIFY(field.refused.isEmpty());
+        }
+    }
+    void whatIsNoLengthIsRefusedInWords_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("sentence");
+        const auto row = [](const char* text, const char* why) {
+            QTest::addRow("%s", text) << QString(text)
+                                      << QString::fromUtf8("Width: “%1” is no length: %2.")
+                                             .arg(QString(text), QString::fromUtf8(why));
+        };
+        row("10+", "a number is missing at its end");
+        row("ten", "“ten” is not a number");
+        row("50%", "“%” is not a unit of length here");
+        row("2mm*3mm", "a length times a length is an area");
+        row("1/0", "it divides by zero");
+        row("5e10", "it is too large");
+        row("", "a number is missing at its end");
+    }
+    void whatIsNoLengthIsRefusedInWords()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, sentence);
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab, Qt::Key_Up}) {
+            Field field;
+            field.type(text, end);
+            QCOMPARE(field.refused.size(), 1);
+            QCOMPARE(field.refused[0][0].toString(), sentence);
+            QCOMPARE(field.edited.size(), end == Qt::Key_Up ? 1 : 0); // from the number before
+            QCOMPARE(field->text(), end == Qt::Key_Up ? "101.00" : "100.00");
+            QCOMPARE(field.entered.size(), 0);
+        }
+    }
+    void escapeBacksOutOfTheTextAndThenOfTheField()
+    {
+        Field field;
+        field.type("12+", Qt::Key_Escape);
+        QCOMPARE(field->text(), "100.00");
+        QKeyEvent again(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QApplication::sendEvent(field.operator->(), &again);
+        QVERIFY(!again.isAccepted()); // the window gives the focus to the canvas
+        QVERIFY(field.refused.isEmpty() && field.edited.isEmpty());
+    }
+
+private:
+    /// A width of 100 mm, and something to go to.
+    struct Field {
+        Field()
+            : field("Width", LengthField::Range::Any, LengthField::Suffix::None, &window),
+              other(&window), edited(&field, &LengthField::edited),
+              entered(&field, &LengthField::entered), refused(&field, &LengthField::refused)
+        {
+            field.show(100, app::Unit::Mm, 1);
+            window.show();
+            window.activateWindow();
+            [[maybe_unused]] const bool active = QTest::qWaitForWindowActive(&window);
+        }
+        void type(const QString& text, Qt::Key end)
+        {
+            field.setFocus();
+            field.selectAll();
+            QTest::keyClick(&field, Qt::Key_Delete);
+            for (const QChar c : text) { // QTest knows Latin keys alone
+                QKeyEvent key(QEvent::KeyPress, 0, Qt::NoModifier, QString(c));
+                QApplication::sendEvent(&field, &key);
+            }
+            QTest::keyClick(&field, end);
+        }
+        LengthField* operator->() { return &field; }
+
+        QWidget window;
+        LengthField field;
+        QLineEdit other;
+        QSignalSpy edited, entered, refused;
+    };
+};
+
+QTEST_MAIN(LengthFieldTest)
+#include "length_field_test.moc"
