@@ -5,6 +5,7 @@
 #include "ui/algorithm_digit.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/keep_choice.h"
 
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -114,6 +115,7 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     setModel(new AlgorithmModel(this));
     setItemDelegate(new RowPainter(session, this));
     setAccessibleName(tr("Algorithm"));
+    keepChoice(*this);
     setFrameShape(QFrame::NoFrame);
     setUniformItemSizes(true);
     setMouseTracking(true);

@@ -3,6 +3,7 @@
 
 #include "ui/docks/compare_cells.h"
 #include "ui/look.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/widgets/tabular.h"
 
 #include <QEvent>
@@ -30,6 +31,7 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
     sorted_.setSortRole(CompareModel::OrderRole);
     sorted_.setDynamicSortFilter(false);
     setModel(&sorted_);
+    keepChoice(*this);
     setItemDelegate(new CompareCells(model_, *this));
     setAccessibleName(tr("Compare"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -5,6 +5,7 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/clipper_box.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/widgets/quiet_label.h"
 
 #include <QEvent>
@@ -100,6 +101,7 @@ void DifferencePanel::addTable()
     margins->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     margins->addWidget(explanation_);
     table_->setModel(&model_);
+    keepChoice(*table_);
     table_->setAccessibleName(tr("Lines that differ"));
     table_->setSortingEnabled(true);
     table_->sortByColumn(0, Qt::AscendingOrder);

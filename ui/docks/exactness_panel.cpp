@@ -7,6 +7,7 @@
 #include "ui/look_icon.h"
 #include "ui/widgets/clipper_box.h"
 #include "ui/widgets/error_histogram.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/widgets/magnifier_view.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
@@ -86,6 +87,7 @@ QWidget* ExactnessPanel::listPage()
     auto* bars = within();
     bars->addWidget(histogram_);
     table_->setModel(&model_);
+    keepChoice(*table_);
     table_->setAccessibleName(tr("Lines, the worst first"));
     table_->setSortingEnabled(true);
     table_->sortByColumn(2, Qt::DescendingOrder);

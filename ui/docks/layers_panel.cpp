@@ -6,6 +6,7 @@
 #include "ui/docks/algorithm_list.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/widgets/tabular.h"
 
 #include <QMouseEvent>
@@ -109,6 +110,7 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     list_->setMouseTracking(true);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     list_->viewport()->setAutoFillBackground(false);
+    keepChoice(*list_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 4);
     column->setSpacing(2);

@@ -12,6 +12,7 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/zoo/zoo_window.h"
 
 #include <QDesktopServices>
@@ -40,6 +41,7 @@ ExplanationWindow::ExplanationWindow(MainWindow& window)
     list_->setModel(new AlgorithmModel(list_));
     list_->setItemDelegate(new TitlePainter(list_));
     list_->setAccessibleName(tr("Algorithms"));
+    keepChoice(*list_);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMouseTracking(true);
     list_->setFixedWidth(listWidth);

@@ -5,6 +5,7 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/clipper_name.h"
+#include "ui/widgets/keep_choice.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -128,6 +129,7 @@ QVariant AnswerModel::headerData(int section, Qt::Orientation, int role) const
 AnswerTable::AnswerTable(QWidget* parent) : DenseTable(parent)
 {
     setModel(&model_);
+    keepChoice(*this);
     setItemDelegate(new AnswerCells(model_, *this));
     setAccessibleName(tr("What each algorithm makes of it"));
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -2,6 +2,7 @@
 #include "ui/zoo/case_list.h"
 
 #include "ui/look.h"
+#include "ui/widgets/keep_choice.h"
 #include "ui/zoo/portrait_view.h"
 
 #include <QPainter>
@@ -102,6 +103,7 @@ CaseList::CaseList(QWidget* parent) : QListView(parent)
     setModel(&model_);
     setItemDelegate(new CasePainter(model_, *this));
     setAccessibleName(tr("Hard cases"));
+    keepChoice(*this);
     setViewMode(IconMode);
     setMovement(Static);
     setResizeMode(Adjust);
