@@ -9,15 +9,12 @@
 namespace ui {
 
 LayerModel::LayerModel(app::Session& session, QObject* parent)
-    : QAbstractListModel(parent), session_(session)
+    : QAbstractListModel(parent), session_(session), rows_(int(session.sheet().layers.size()))
 {
     connect(&session.drawing, &app::Drawing::changed, this, &LayerModel::follow);
 }
 
-int LayerModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(session_.sheet().layers.size());
-}
+int LayerModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : rows_; }
 
 std::uint32_t LayerModel::layerOf(const QModelIndex& index) const
 {
@@ -99,9 +96,14 @@ void LayerModel::removeLayer(std::uint32_t layer)
 void LayerModel::follow(const app::Change& change)
 {
     using Kind = app::Change::Kind;
-    if (change.kind == Kind::Everything || change.kind == Kind::Layers) {
+    const int rows = int(session_.sheet().layers.size());
+    if (change.kind == Kind::Everything || (change.kind == Kind::Layers && rows != rows_)) {
         beginResetModel();
+        rows_ = rows;
         endResetModel();
+    } else if (change.kind == Kind::Layers) {
+        // No reset: the name is perhaps being edited in the list, which a reset would take away.
+        emit dataChanged(index(0), index(rowCount() - 1));
     } else if (change.kind == Kind::Shapes) {
         emit dataChanged(index(0), index(rowCount() - 1), {CountRole, Qt::DecorationRole});
     }

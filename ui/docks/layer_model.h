@@ -31,6 +31,7 @@ private:
     void follow(const app::Change& change);
 
     app::Session& session_;
+    int rows_; ///< as views know them
 };
 
 } // namespace ui
