@@ -5,6 +5,7 @@
 #include "app/commands/move_shapes.h"
 #include "app/commands/remove_shapes.h"
 #include "app/document/clipboard.h"
+#include "app/document/copy_place.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -17,7 +18,7 @@ namespace ui {
 
 namespace {
 
-constexpr double offsetMillimetres = 5; // of a copy from what it is a copy of
+constexpr double stepMillimetres = 5; // of a copy from what it is a copy of, and from the last
 
 QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
 
@@ -25,9 +26,10 @@ QString tr(const char* text) { return QCoreApplication::translate("Editing", tex
 void add(app::Session& session, std::vector<app::Shape> shapes, const QString& text)
 {
     std::map<std::uint32_t, std::vector<app::Shape>> byLayer;
-    const double offset = offsetMillimetres / session.sheet().page.millimetresPerUnit();
+    const app::Point step(stepMillimetres / session.sheet().page.millimetresPerUnit());
+    const app::Point offset = app::copyOffset(session.sheet(), shapes, step);
     for (app::Shape& shape : shapes)
-        byLayer[shape.layer].push_back(app::moved(std::move(shape), {offset, offset}));
+        byLayer[shape.layer].push_back(app::moved(std::move(shape), offset));
     session.history.beginMacro(text);
     std::set<std::size_t> added;
     for (auto& [layer, some] : byLayer) { // from the lowest: later ones do not move earlier ones
