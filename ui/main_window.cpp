@@ -11,6 +11,7 @@
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/option_bar.h"
+#include "ui/widgets/tool_list.h"
 #include "ui/widgets/window_note.h"
 
 #include <QActionGroup>
@@ -49,6 +50,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addBars();
     addMicroscope();
     connectFiles();
+    for (const ToolList* list : findChildren<ToolList*>())
+        connect(list, &ToolList::done, canvas_, [this] { canvas_->setFocus(); });
     for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
@@ -209,6 +212,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     const auto key = keyAtItsPlace(*event);
+    if (event->key() == Qt::Key_Escape && centre_->currentWidget() == canvas_)
+        return canvas_->setFocus(); // out of a list or a field
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     for (QAction* action : findChildren<QAction*>()) {
         const bool reached =

@@ -10,6 +10,7 @@
 #include "ui/widgets/clipper_box.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/tool_list.h"
 
 #include <QGridLayout>
 #include <QMenu>
@@ -29,7 +30,7 @@ CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
     : QWidget(parent), plan_(app::usualCostPlan(window)),
       algorithm_(new ClipperBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
                                                   tr("Which is cheapest, as published")})),
-      measure_(new QComboBox), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
+      measure_(new ToolList), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
       view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
       questions_(std::make_unique<Questions>(*this))
 {

@@ -11,6 +11,7 @@
 namespace ui {
 
 class ClipperBox;
+class ToolList;
 class Segments;
 
 /// What a line costs that has one end at a fixed point, for every place of the other end, around
@@ -51,7 +52,7 @@ private:
     app::LiveCostMap live_;
     app::CostPlan plan_;
     ClipperBox* algorithm_;
-    QComboBox* measure_;
+    ToolList* measure_;
     Segments* end_;
     CostMapView* view_;
     QLabel *words_, *notes_;

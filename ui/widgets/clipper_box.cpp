@@ -29,7 +29,7 @@ QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixe
 } // namespace
 
 ClipperBox::ClipperBox(const QString& name, const QStringList& before, QWidget* parent)
-    : QComboBox(parent), all_(app::clippers()), before_(int(before.size()))
+    : ToolList(parent), all_(app::clippers()), before_(int(before.size()))
 {
     setAccessibleName(name);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
@@ -73,7 +73,7 @@ void ClipperBox::paintMarkers()
 
 void ClipperBox::changeEvent(QEvent* event)
 {
-    QComboBox::changeEvent(event);
+    ToolList::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         paintMarkers();
 }

@@ -2,15 +2,14 @@
 #pragma once
 
 #include "app/comparison/clipper.h"
-
-#include <QComboBox>
+#include "ui/widgets/tool_list.h"
 
 #include <functional>
 
 namespace ui {
 
 /// Chooses what clips, among all there are, each with its marker; perhaps after some other choices.
-class ClipperBox : public QComboBox {
+class ClipperBox : public ToolList {
     Q_OBJECT
 
 public:

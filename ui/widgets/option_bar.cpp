@@ -7,6 +7,7 @@
 #include "ui/widgets/dash_icon.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/tool_list.h"
 
 #include <QAction>
 #include <QColorDialog>
@@ -45,7 +46,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     : QToolBar(tr("Tool options"), parent), session_(session), ink_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new QComboBox), magnet_(new QLabel), snapping_(new QComboBox),
+      dashes_(new ToolList), magnet_(new QLabel), snapping_(new ToolList),
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
@@ -114,7 +115,7 @@ void OptionBar::addStroke()
 void OptionBar::addSnapping(Canvas& canvas)
 {
     magnet_->setToolTip(tr("Snapping; Ctrl suspends it"));
-    QComboBox* const choice = snapping_;
+    ToolList* const choice = snapping_;
     choice->setAccessibleName(tr("Snapping"));
     choice->setToolTip(magnet_->toolTip());
     choice->setFixedHeight(space::fieldHeight);

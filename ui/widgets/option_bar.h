@@ -4,7 +4,6 @@
 #include "app/view/snap.h"
 #include "ui/canvas/canvas.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QToolBar>
 #include <QToolButton>
@@ -13,6 +12,7 @@ namespace ui {
 
 class LengthField;
 class Segments;
+class ToolList;
 
 /// The bar across the top: undo, redo, the stroke of what is selected or drawn next, snapping, what
 /// is kept and how the rest is shown, panes, export. Where it is narrow the words
@@ -49,9 +49,9 @@ private:
     app::Session& session_;
     QToolButton* ink_;
     LengthField* width_;
-    QComboBox* dashes_;
+    ToolList* dashes_;
     QLabel* magnet_;
-    QComboBox* snapping_;
+    ToolList* snapping_;
     Segments *keep_, *removed_, *panes_;
     QList<QLabel*> captions_;
     QToolButton* export_;

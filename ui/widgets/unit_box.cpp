@@ -12,7 +12,7 @@ std::vector<app::Unit> shownUnits()
     return {Unit::Mm, Unit::Cm, Unit::Inch, Unit::Px, Unit::Pt};
 }
 
-UnitBox::UnitBox(app::Session& session, QWidget* parent) : QComboBox(parent)
+UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
 {
     setAccessibleName(tr("Unit"));
     setFixedHeight(space::fieldHeight);

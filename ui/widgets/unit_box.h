@@ -2,13 +2,12 @@
 #pragma once
 
 #include "app/document/session.h"
-
-#include <QComboBox>
+#include "ui/widgets/tool_list.h"
 
 namespace ui {
 
 /// The unit in which the window shows lengths.
-class UnitBox : public QComboBox {
+class UnitBox : public ToolList {
     Q_OBJECT
 
 public:
