@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include "app/view/visible_lines.h"
+#include "ui/tools/shape_drawing.h"
+
 #include <QGuiApplication>
 #include <QPalette>
 
@@ -131,6 +134,11 @@ app::Frame Controller::clip(const Pane& pane) const
 // Corrected forms hardly ever differ: they are looked at when a gesture is over.
 const app::Differences* Controller::differing(const Pane& pane) const
 {
+std::size_t Controller::visibleLines(const app::Frame& frame) const
+{
+    return app::visibleLines(frame, session_.display().keep);
+}
+
     if (!pane.fromExact)
         return nullptr;
     if (pane.choice.form == clipping::Form::Published)

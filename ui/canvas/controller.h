@@ -88,6 +88,8 @@ signals:
     void hintChanged();
 
 private:
+    /// How many lines leave something to be kept, inside or outside.
+    std::size_t visibleLines(const app::Frame& frame) const;
     void addErrors(app::PictureOptions& options) const;
     void outdate();
     void followDisplay();

@@ -66,7 +66,7 @@ protected:
         painter.end();
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.nanoseconds,
-                 frame.inside.size(), frame.total, pane_.choice});
+                 controller_.visibleLines(frame), frame.total, pane_.choice});
     }
 
 private:

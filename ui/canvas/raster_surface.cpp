@@ -95,7 +95,7 @@ protected:
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         const double waitMs = art_.key == key ? 0 : lastMs_; // painted by others meanwhile
         report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
-                 frame.inside.size(), frame.total, pane_.choice, art_.key != key});
+                 controller_.visibleLines(frame), frame.total, pane_.choice, art_.key != key});
     }
 
 private:
