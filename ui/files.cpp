@@ -126,6 +126,7 @@ void Files::openSample(const app::Sample& sample)
 
 bool Files::save()
 {
+    emit documentWanted();
     const QString path = session_.path();
     if (path.isEmpty() || !isNative(path))
         return saveAs();
@@ -139,6 +140,7 @@ bool Files::save()
 // Only the native format holds a whole drawing: what is saved in another one would be lost later.
 bool Files::saveAs()
 {
+    emit documentWanted();
     const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
     const QString path = questions_->fileToSave(
         tr("Save as"), QDir(folder()).filePath(base + QStringLiteral(".svg")),
@@ -200,6 +202,7 @@ Exported exported(const app::Sheet& sheet, const app::CutOptions& options, const
 
 void Files::exportCut()
 {
+    emit documentWanted();
     const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
     const QString path = questions_->fileToSave(
         tr("Export cut drawing"), QDir(folder()).filePath(base + QStringLiteral("-cut.svg")),
@@ -232,6 +235,7 @@ void Files::exportCut()
 
 void Files::crop()
 {
+    emit documentWanted();
     app::CutOptions options = cutOptions();
     options.onlyShown = false;
     auto command = std::make_unique<app::CropToWindow>(session_.drawing, options);
@@ -244,7 +248,8 @@ void Files::crop()
 
 bool Files::mayClose()
 {
-    if (session_.history.isClean() || onlyLookedAtSample())
+    emit documentWanted();
+    if (session_.history.isClean() || app::isOnlyLookedAt(sample_, session_.sheet()))
         return true;
     switch (questions_->saveChanges(name())) {
     case Questions::Answer::Save:
@@ -254,18 +259,6 @@ bool Files::mayClose()
     case Questions::Answer::Cancel:
         break;
     }
-    return false;
-}
-
-/// A sample of which nothing but the clip window was changed is nothing to save.
-bool Files::onlyLookedAtSample() const
-{
-    for (const app::Sample& sample : app::samples())
-        if (sample.key == sample_)
-            if (auto fresh = app::readFile(sample.file)) {
-                fresh.value->sheet.window = session_.sheet().window;
-                return fresh.value->sheet == session_.sheet();
-            }
     return false;
 }
 

@@ -44,8 +44,8 @@ signals:
 
 private:
     void show(app::Imported imported, const QString& path, const QString& title);
+    void documentWanted(); ///< complete, with what is in hand: it is about to be saved or replaced
     bool write(const QString& path);
-    bool onlyLookedAtSample() const;
     void noteRecent();
     QString folder() const;
     app::CutOptions cutOptions() const;

@@ -160,6 +160,7 @@ void MainWindow::addBars()
 
 void MainWindow::connectFiles()
 {
+    connect(files_.get(), &Files::documentWanted, canvas_, &Canvas::endGesture);
     connect(files_.get(), &Files::told, this, &MainWindow::tell);
     connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
 }
@@ -211,9 +212,9 @@ void MainWindow::closeEvent(QCloseEvent* event)
 /// A key that nobody wanted: perhaps its place on the keyboard says more than its sign.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-    const auto key = keyAtItsPlace(*event);
     if (event->key() == Qt::Key_Escape && centre_->currentWidget() == canvas_)
         return canvas_->setFocus(); // out of a list or a field
+    const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     for (QAction* action : findChildren<QAction*>()) {
         const bool reached =

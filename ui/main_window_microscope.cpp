@@ -37,6 +37,7 @@ void MainWindow::followMicroscope()
 {
     const bool open = session_.microscope.isOpen();
     if (open) {
+        canvas_->endGesture();
         if (!microscopePage_)
             makeMicroscopePage();
         focusBefore_ = QApplication::focusWidget();

@@ -23,4 +23,15 @@ std::vector<Sample> samples()
     return all;
 }
 
+bool isOnlyLookedAt(const QString& key, const Sheet& sheet)
+{
+    for (const Sample& sample : samples())
+        if (sample.key == key)
+            if (auto fresh = readFile(sample.file)) {
+                fresh.value->sheet.window = sheet.window;
+                return fresh.value->sheet == sheet;
+            }
+    return false;
+}
+
 } // namespace app

@@ -36,6 +36,7 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&controller, &Controller::viewChanged, this, &Canvas::viewChanged);
     connect(&controller, &Controller::pointerMoved, this, &Canvas::pointerMoved);
     connect(&controller, &Controller::toolChanged, this, &Canvas::toolChanged);
+    connect(&controller, &Controller::stepsChanged, this, &Canvas::stepsChanged);
     connect(&controller, &Controller::hintChanged, this,
             [this] { emit hint(parts_->controller.hint()); });
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
@@ -57,6 +58,14 @@ double Canvas::zoom() const { return parts_->controller.zoom(); }
 void Canvas::setTool(std::string_view key) { parts_->controller.setTool(key); }
 std::string_view Canvas::tool() const { return parts_->controller.toolInfo().key; }
 QString Canvas::toolHint() const { return parts_->controller.hint(); }
+bool Canvas::canUndo() const { return parts_->controller.canUndo(); }
+bool Canvas::canRedo() const { return parts_->controller.canRedo(); }
+void Canvas::undo() { parts_->controller.undo(); }
+void Canvas::redo() { parts_->controller.redo(); }
+QString Canvas::undoText() const { return parts_->controller.undoText(); }
+QString Canvas::redoText() const { return parts_->controller.redoText(); }
+void Canvas::endGesture() { parts_->controller.endGesture(); }
+std::optional<app::Shape> Canvas::shapeInHand() const { return parts_->controller.shapeInHand(); }
 void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
 void Canvas::setPointingDevice(PointingDevice device)
 {

@@ -56,6 +56,17 @@ public:
     std::string_view tool() const;
     QString toolHint() const; ///< what it says now
 
+    /// One step back or forth: a corner of the polyline in hand, else of the history.
+    bool canUndo() const;
+    bool canRedo() const;
+    void undo();
+    void redo();
+    QString undoText() const; ///< what that step is called
+    QString redoText() const;
+    /// Keeps what can be kept of the gesture: the document is wanted as it is seen.
+    void endGesture();
+    std::optional<app::Shape> shapeInHand() const; ///< what endGesture() would keep now
+
     void setSnapping(app::SnapTo to);
     void setPointingDevice(PointingDevice device);
 
@@ -82,6 +93,7 @@ signals:
     void pointerMoved(std::optional<app::Point> position); ///< in the drawing; nothing: left
     void hint(const QString& text); ///< what the tool says now; empty: its usual hint
     void toolChanged();
+    void stepsChanged(); ///< what undo() and redo() do, or what is in hand
     void viewChanged();
     void panesChanged(); ///< how many, what clips there, or which is the active one
 

@@ -121,7 +121,7 @@ void Canvas::layOut()
     parts.shown = parts.panes.shown(
         std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()), breadth)));
     if (count != 0 && count != parts.shown.size()) {
-        parts.controller.cancelGesture();
+        parts.controller.endGesture();
         parts.controller.navigation().hold();
     }
     while (parts.widgets.size() < parts.shown.size())

@@ -32,8 +32,10 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session.truth, &app::LiveTruth::changed, this, &Controller::outdate);
     connect(&session, &app::Session::loaded, this, [this] {
         tool_->cancel(bench_);
+        emit stepsChanged();
         fitDrawing();
     });
+    connect(&session.history, &QUndoStack::indexChanged, this, &Controller::stepsChanged);
     connect(&navigation_, &Navigation::moved, this, [this] {
         toolView_ = view();
         emit viewChanged();
@@ -75,10 +77,11 @@ void Controller::setTool(std::string_view key)
     if (!info || info == toolInfo_)
         return;
     if (tool_)
-        tool_->cancel(bench_);
+        tool_->end(bench_);
     tool_ = info->make();
     toolInfo_ = info;
     snap_.reset();
+    emit stepsChanged();
     emit toolChanged();
     emit hintChanged();
     emit changed();
@@ -131,14 +134,14 @@ app::Frame Controller::clip(const Pane& pane) const
                                both ? app::Scene::Removed::Kept : app::Scene::Removed::Left);
 }
 
-// Corrected forms hardly ever differ: they are looked at when a gesture is over.
-const app::Differences* Controller::differing(const Pane& pane) const
-{
 std::size_t Controller::visibleLines(const app::Frame& frame) const
 {
     return app::visibleLines(frame, session_.display().keep);
 }
 
+// Corrected forms hardly ever differ: they are looked at when a gesture is over.
+const app::Differences* Controller::differing(const Pane& pane) const
+{
     if (!pane.fromExact)
         return nullptr;
     if (pane.choice.form == clipping::Form::Published)
@@ -229,6 +232,7 @@ void Controller::withTool(const std::function<void()>& call)
     navigation_.go(toolView_);
     if (hint() != before)
         emit hintChanged();
+    emit stepsChanged();
     emit changed();
 }
 
@@ -248,10 +252,17 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
     return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
 }
 
-void Controller::cancelGesture()
+void Controller::endGesture()
 {
     panningFrom_.reset();
-    withTool([&] { tool_->cancel(bench_); });
+    if (tool_->busy())
+        withTool([&] { tool_->end(bench_); });
+}
+
+std::optional<app::Shape> Controller::shapeInHand() const
+{
+    auto path = tool_->pathInHand();
+    return path ? std::optional(shapeOf(session_, {std::move(*path)})) : std::nullopt;
 }
 
 bool Controller::handle(QEvent& event)
@@ -275,6 +286,7 @@ bool Controller::handle(QEvent& event)
     case QEvent::Leave:
         pointer_.reset();
         snap_.reset();
+        withTool([&] { tool_->leave(bench_); });
         emit pointerMoved(std::nullopt);
         emit changed();
         return false;

@@ -64,7 +64,19 @@ public:
 
     /// An event of a widget that shows the drawing; whether it was used up.
     bool handle(QEvent& event);
-    void cancelGesture(); ///< where the view is about to change under the pointer
+    /// Where the document is wanted, or the view is about to change under the pointer: keeps what
+    /// can be kept of the gesture.
+    void endGesture();
+    std::optional<app::Shape> shapeInHand() const; ///< what endGesture() would keep now
+
+    /// One step back or forth: a corner of the polyline in hand, else of the history. In the middle
+    /// of a drag, undo() drops the drag and redo() does nothing.
+    bool canUndo() const;
+    bool canRedo() const;
+    void undo();
+    void redo();
+    QString undoText() const; ///< what that step is called
+    QString redoText() const;
 
     /// The clip window as it is now, in the middle of a gesture too.
     clipping::Window window() const;
@@ -76,6 +88,8 @@ public:
     }
     /// All segments, timed. Panes take turns: the frame is valid until the next one is clipped.
     app::Frame clip(const Pane& pane) const;
+    /// How many lines leave something to be kept, inside or outside.
+    std::size_t visibleLines(const app::Frame& frame) const;
     app::Picture picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const;
     /// What a pane leaves that is not what exact leaves; null: not known, or nobody asks.
     const app::Differences* differing(const Pane& pane) const;
@@ -86,10 +100,9 @@ signals:
     void pointerMoved(std::optional<app::Point> position);
     void toolChanged();
     void hintChanged();
+    void stepsChanged(); ///< what undo() and redo() do, or what is in hand
 
 private:
-    /// How many lines leave something to be kept, inside or outside.
-    std::size_t visibleLines(const app::Frame& frame) const;
     void addErrors(app::PictureOptions& options) const;
     void outdate();
     void followDisplay();

@@ -68,7 +68,7 @@ bool Controller::keyRelease(QKeyEvent& event)
 bool Controller::escape()
 {
     if (tool_->busy()) {
-        withTool([&] { tool_->cancel(bench_); });
+        endGesture();
     } else if (!session_.selection().empty() || session_.inspected()) {
         session_.select({});
         session_.inspect(std::nullopt);
@@ -76,6 +76,42 @@ bool Controller::escape()
         setTool(tools().front().key);
     }
     return true;
+}
+
+bool Controller::canUndo() const { return tool_->canTakeBack() || session_.history.canUndo(); }
+
+// While there are corners in hand, a later step of the history would come before them.
+bool Controller::canRedo() const
+{
+    return tool_->canPutBack(bench_) || (!tool_->canTakeBack() && session_.history.canRedo());
+}
+
+void Controller::undo()
+{
+    if (tool_->canTakeBack())
+        withTool([&] { tool_->takeBack(bench_); });
+    else if (tool_->busy())
+        withTool([&] { tool_->cancel(bench_); });
+    else
+        session_.history.undo();
+}
+
+void Controller::redo()
+{
+    if (tool_->canPutBack(bench_))
+        withTool([&] { tool_->putBack(bench_); });
+    else if (!tool_->busy())
+        session_.history.redo();
+}
+
+QString Controller::undoText() const
+{
+    return tool_->canTakeBack() ? tool_->stepText() : session_.history.undoText();
+}
+
+QString Controller::redoText() const
+{
+    return tool_->canPutBack(bench_) ? tool_->stepText() : session_.history.redoText();
 }
 
 bool Controller::arrow(const QKeyEvent& event)

@@ -15,17 +15,31 @@ QString tr(const char* text) { return QCoreApplication::translate("EditMenu", te
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
-/// Undo and redo carry the name of the step.
+/// Undo or Redo, which carry the name of the step.
+QAction* stepAction(Canvas& canvas, QMenu& menu, const char* key, const QString& verb,
+                    void (Canvas::*run)(), bool (Canvas::*can)() const,
+                    QString (Canvas::*step)() const)
+{
+    auto* action = new QAction(icon(key), verb, &menu);
+    action->setObjectName(QLatin1StringView(key));
+    const auto refresh = [=, &canvas] {
+        const QString name = (canvas.*step)();
+        action->setText(name.isEmpty() ? verb : verb + u' ' + name);
+        action->setEnabled((canvas.*can)());
+    };
+    QObject::connect(action, &QAction::triggered, &canvas, run);
+    QObject::connect(&canvas, &Canvas::stepsChanged, action, refresh);
+    refresh();
+    return action;
+}
+
 void complete(MainWindow& window, QMenu& menu)
 {
-    QUndoStack& history = window.session().history;
-    auto* undo = history.createUndoAction(&menu, tr("&Undo"));
-    undo->setObjectName(QStringLiteral("undo"));
-    undo->setIcon(icon("undo"));
+    QAction* undo = stepAction(window.canvas(), menu, "undo", tr("&Undo"), &Canvas::undo,
+                               &Canvas::canUndo, &Canvas::undoText);
     undo->setShortcuts(keys(QKeySequence::Undo));
-    auto* redo = history.createRedoAction(&menu, tr("&Redo"));
-    redo->setObjectName(QStringLiteral("redo"));
-    redo->setIcon(icon("redo"));
+    QAction* redo = stepAction(window.canvas(), menu, "redo", tr("&Redo"), &Canvas::redo,
+                               &Canvas::canRedo, &Canvas::redoText);
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
     QAction* first = menu.actions().front();
     menu.insertActions(first, {undo, redo});

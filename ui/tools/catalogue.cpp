@@ -33,8 +33,8 @@ std::span<const ToolInfo> tools()
         ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
-                 tr("Click the corners. Enter or double-click ends, Backspace takes one back, Esc "
-                    "cancels."),
+                 tr("Click the corners. Ctrl+Z takes one back. Enter, Esc or a double-click ends "
+                    "and keeps the polyline."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
                  makePencilTool},

@@ -29,6 +29,10 @@ public:
     void cancel(Workbench&) override { points_.clear(); }
     bool busy() const override { return !points_.empty(); }
     bool draws() const override { return true; }
+    std::optional<app::Path> pathInHand() const override
+    {
+        return points_.size() >= 2 ? std::optional(pathOf(points_)) : std::nullopt;
+    }
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {

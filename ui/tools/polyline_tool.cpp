@@ -8,7 +8,7 @@
 namespace ui {
 namespace {
 
-/// A corner at every click. A click on the first corner closes it.
+/// A corner at every click. A click on the first corner closes it. Undo takes back the last corner.
 class PolylineTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
@@ -17,32 +17,66 @@ public:
         if (corners_.size() >= 3 && glm::distance(next, corners_.front()) <= bench.inDrawing(reach))
             finish(bench, true);
         else if (corners_.empty() || next != corners_.back())
-            corners_.push_back(next);
+            add(next);
         to_ = next;
     }
     void move(const Pointer& pointer, Workbench&) override { to_ = placed(pointer); }
-    void doubleClick(const Pointer&, Workbench& bench) override { finish(bench, false); }
+    void leave(Workbench&) override { to_.reset(); }
+    void doubleClick(const Pointer&, Workbench& bench) override { end(bench); }
     bool key(QKeyEvent& event, Workbench& bench) override
     {
         if (corners_.empty())
             return false;
         if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
-            finish(bench, false);
+            end(bench);
         else if (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete)
-            corners_.pop_back();
+            takeBack(bench);
         else
             return false;
         return true;
     }
-    void cancel(Workbench&) override { corners_.clear(); }
+    void cancel(Workbench&) override
+    {
+        corners_.clear();
+        takenBack_.clear();
+    }
+    void end(Workbench& bench) override { finish(bench, false); }
     bool busy() const override { return !corners_.empty(); }
     bool draws() const override { return true; }
+
+    bool canTakeBack() const override { return !corners_.empty(); }
+    void takeBack(Workbench& bench) override
+    {
+        takenBack_.push_back(corners_.back());
+        corners_.pop_back();
+        stepsBefore_ = bench.session.history.index();
+    }
+    // Once all corners are taken back, Undo reaches earlier steps: these are redone first.
+    bool canPutBack(const Workbench& bench) const override
+    {
+        return !takenBack_.empty()
+               && (!corners_.empty() || bench.session.history.index() == stepsBefore_);
+    }
+    void putBack(Workbench&) override
+    {
+        corners_.push_back(takenBack_.back());
+        takenBack_.pop_back();
+    }
+    QString stepText() const override
+    {
+        return QCoreApplication::translate("Commands", "Place corner");
+    }
+    std::optional<app::Path> pathInHand() const override
+    {
+        return corners_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
+    }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (corners_.empty())
             return;
         app::Path path = pathOf(false);
-        path.stretches.push_back({to_});
+        if (to_)
+            path.stretches.push_back({*to_});
         preview(painter, bench, path);
         painter.setPen(QPen(bench.look.selection, 1.5));
         painter.setBrush(bench.look.paper);
@@ -51,6 +85,11 @@ public:
     }
 
 private:
+    void add(const app::Point& corner)
+    {
+        corners_.push_back(corner);
+        takenBack_.clear();
+    }
     app::Point placed(const Pointer& pointer) const
     {
         const bool straight = pointer.modifiers & Qt::ShiftModifier && !corners_.empty();
@@ -65,13 +104,17 @@ private:
     }
     void finish(Workbench& bench, bool closed)
     {
-        if (corners_.size() >= 2)
-            draw(bench, {pathOf(closed)}, QCoreApplication::translate("Commands", "Draw polyline"));
-        corners_.clear();
+        auto path = corners_.size() >= 2 ? std::optional(pathOf(closed)) : std::nullopt;
+        cancel(bench);
+        if (path)
+            draw(bench, {std::move(*path)},
+                 QCoreApplication::translate("Commands", "Draw polyline"));
     }
 
     std::vector<app::Point> corners_;
-    app::Point to_{};
+    std::vector<app::Point> takenBack_; ///< the last one is put back first
+    int stepsBefore_ = 0;               ///< in the history, when a corner was taken back
+    std::optional<app::Point> to_;      ///< the corner that a click would place; nothing: none
 };
 
 } // namespace

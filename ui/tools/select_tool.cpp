@@ -26,6 +26,11 @@ public:
     void move(const Pointer& pointer, Workbench& bench) override;
     void release(const Pointer& pointer, Workbench& bench) override;
     void doubleClick(const Pointer& pointer, Workbench& bench) override;
+    void leave(Workbench&) override
+    {
+        if (!busy())
+            forgetHovered();
+    }
     bool key(QKeyEvent& event, Workbench& bench) override;
     void cancel(Workbench&) override
     {
@@ -47,6 +52,12 @@ public:
 private:
     enum class Drag : std::uint8_t { None, Press, Box, Selection };
 
+    void forgetHovered()
+    {
+        litGrip_.reset();
+        boxGrip_.reset();
+        litSegment_.reset();
+    }
     void light(const Pointer& pointer, Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
     void selectBox(const Pointer& pointer, Workbench& bench);

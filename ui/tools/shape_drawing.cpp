@@ -12,14 +12,19 @@
 
 namespace ui {
 
+app::Shape shapeOf(const app::Session& session, std::vector<app::Path> paths)
+{
+    return {.paths = std::move(paths),
+            .style = session.pen.style,
+            .id = {},
+            .layer = session.pen.layer};
+}
+
 void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText)
 {
     app::Session& session = bench.session;
-    app::Shape shape{.paths = std::move(paths),
-                     .style = session.pen.style,
-                     .id = {},
-                     .layer = session.pen.layer};
-    session.history.push(new app::AddShapes(session.drawing, {std::move(shape)}, undoText));
+    session.history.push(
+        new app::AddShapes(session.drawing, {shapeOf(session, std::move(paths))}, undoText));
 }
 
 void preview(QPainter& painter, const Workbench& bench, const app::Path& path)

@@ -5,7 +5,10 @@
 
 namespace ui {
 
-/// What the drawing tools share: a new shape in the session's pen, pushed as one step.
+/// A new shape in the session's pen.
+app::Shape shapeOf(const app::Session& session, std::vector<app::Path> paths);
+
+/// What the drawing tools share: a new shape, pushed as one step.
 void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText);
 
 /// The preview of a path, in the pen's ink.

@@ -61,8 +61,22 @@ public:
     virtual void release(const Pointer&, Workbench&) {}
     virtual void doubleClick(const Pointer&, Workbench&) {}
     virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: used up
-    virtual void cancel(Workbench&) {}                         ///< Esc, or another tool is chosen
-    virtual bool busy() const { return false; }                ///< in the middle of a gesture
+    virtual void leave(Workbench&) {}           ///< the pointer has left: nothing is under it
+    virtual void cancel(Workbench&) {}          ///< drops the gesture, with all that it has made
+    virtual bool busy() const { return false; } ///< in the middle of a gesture
+    /// Esc, another tool, or the document is wanted: what can be kept of a gesture becomes one
+    /// command.
+    virtual void end(Workbench& bench) { cancel(bench); }
+
+    /// A gesture of several steps takes them back and puts them back one by one, in place of Undo
+    /// and Redo in the history.
+    virtual bool canTakeBack() const { return false; }
+    virtual void takeBack(Workbench&) {}
+    virtual bool canPutBack(const Workbench&) const { return false; }
+    virtual void putBack(Workbench&) {}
+    virtual QString stepText() const { return {}; } ///< what such a step is called in the menu
+    /// What end() would keep now; nothing: no shape.
+    virtual std::optional<app::Path> pathInHand() const { return std::nullopt; }
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     /// The window to clip with while a gesture changes it; nothing: the drawing's own.

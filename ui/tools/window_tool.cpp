@@ -28,6 +28,11 @@ public:
     {
         gesture_.finish(pointer, bench);
     }
+    void leave(Workbench&) override
+    {
+        if (!gesture_.going())
+            lit_.reset();
+    }
     bool key(QKeyEvent& event, Workbench& bench) override;
     void cancel(Workbench&) override { gesture_.cancel(); }
     bool busy() const override { return gesture_.going(); }

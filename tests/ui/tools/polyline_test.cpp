@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_shapes.h"
+#include "ui/tools/tool.h"
+
+#include <QAction>
+
+#include "tests/ui/canvas/stage.h"
+#include "tests/ui/test_window.h"
+
+// A polyline in hand: Undo and Redo go by corners, and nothing that ends it loses what is drawn.
+class PolylineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void undoTakesBackACornerAndRedoRestoresIt()
+    {
+        Hand hand;
+        hand.window.session().history.push(
+            new app::AddShapes(hand.window.session().drawing, {line({0, 0}, {5, 5})}, "line"));
+        hand.click(3);
+        hand.undo();
+        QCOMPARE(hand.t.action("redo")->text(), "&Redo Place corner");
+        QCOMPARE(hand.t.action("undo")->text(), "&Undo Place corner");
+        hand.undo();
+        hand.undo();
+        QCOMPARE(hand.shapes().size(), std::size_t(1)); // the finished line is still there
+        for (int i = 0; i < 3; ++i)
+            hand.redo();
+        hand.redo(); // no more than there were
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.shapes().size(), std::size_t(2));
+        QCOMPARE(hand.corners(1), hand.placed(3));
+        QCOMPARE(hand.window.session().history.count(), 2); // one step
+        hand.undo();
+        QCOMPARE(hand.shapes().size(), std::size_t(1));
+        hand.redo();
+        QCOMPARE(hand.corners(1), hand.placed(3));
+    }
+    void earlierStepsAreUndoneAfterTheCornersAndRedoneBefore()
+    {
+        Hand hand;
+        app::Session& session = hand.window.session();
+        session.history.push(new app::AddShapes(session.drawing, {line({0, 0}, {5, 5})}, "line"));
+        hand.click(2);
+        for (int i = 0; i < 3; ++i)
+            hand.undo();
+        QVERIFY(hand.shapes().empty());
+        hand.redo();
+        QCOMPARE(hand.shapes().size(), std::size_t(1));
+        QVERIFY(!hand.window.canvas().shapeInHand());
+        hand.redo();
+        hand.redo();
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.corners(1), hand.placed(2));
+    }
+    void aNewCornerForgetsWhatWasTakenBack()
+    {
+        Hand hand;
+        hand.click(2);
+        hand.undo();
+        hand.clickAt(2);
+        QVERIFY(!hand.t.action("redo")->isEnabled());
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.corners(0), (std::vector{hand.place(0), hand.place(2)}));
+    }
+    void backspaceIsUndoneByRedo()
+    {
+        Hand hand;
+        hand.click(3);
+        hand.key(Qt::Key_Backspace);
+        hand.redo();
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.corners(0), hand.placed(3));
+    }
+    void whateverEndsItKeepsIt()
+    {
+        for (const auto& [name, end] : endings())
+            for (const int count : {3, 2, 1}) {
+                Hand hand;
+                hand.click(count);
+                hand.point(count); // the corner not yet clicked
+                end(hand);
+                const bool kept = count > 1;
+                QVERIFY2(hand.shapes().size() == std::size_t(kept), qPrintable(name));
+                QCOMPARE(hand.window.session().history.count(), int(kept));
+                if (kept)
+                    QVERIFY2(hand.corners(0) == hand.placed(count), qPrintable(name));
+                QVERIFY2(!hand.window.canvas().shapeInHand(), qPrintable(name));
+            }
+    }
+    void savingAndClosingSeeIt()
+    {
+        Hand hand;
+        hand.click(3);
+        hand.t.answers->save = hand.t.path("polyline.svg");
+        hand.t.action("save")->trigger();
+        QCOMPARE(app::readFile(hand.t.answers->save).value->sheet.shapes.size(), std::size_t(1));
+        hand.click(2);
+        QVERIFY(!hand.window.close()); // it asks; the answer is Cancel
+        QCOMPARE(hand.t.answers->asked, 1);
+        QCOMPARE(hand.shapes().size(), std::size_t(2));
+    }
+    void anotherDrawingGetsNothingOfIt()
+    {
+        Hand hand;
+        hand.click(3);
+        hand.window.session().load({app::Sheet(), {}});
+        QVERIFY(hand.shapes().empty() && hand.window.session().history.isClean());
+    }
+    void undoInTheMiddleOfADragDropsTheDragAlone()
+    {
+        for (const char* const tool :
+             {"line", "rectangle", "ellipse", "pencil", "window", "select"}) {
+            Stage stage(ui::Backend::Raster);
+            stage.session.history.push(
+                new app::AddShapes(stage.session.drawing, {line({20, 20}, {40, 40})}, "line"));
+            const app::Sheet before = stage.session.sheet();
+            stage.canvas->setTool(tool);
+            stage.move({100, 50});
+            stage.press({100, 50});
+            stage.move({120, 60}, Qt::LeftButton);
+            stage.canvas->undo();
+            stage.move({130, 60}, Qt::LeftButton);
+            stage.release({130, 60});
+            QVERIFY2(stage.session.sheet() == before && stage.session.history.count() == 1, tool);
+        }
+    }
+    void theHintSaysSo()
+    {
+        const QString hint = ui::findTool("polyline")->hint;
+        QVERIFY2(hint.contains("Ctrl+Z") && !hint.contains("cancel"), qPrintable(hint));
+    }
+
+private:
+    /// A window with an empty drawing, and a hand that places corners.
+    struct Hand {
+        Hand() : window(*t.window)
+        {
+            window.session().load({app::Sheet(), {}});
+            t.show();
+            window.canvas().setTool("polyline");
+            window.canvas().setSnapping(app::SnapTo::Nothing);
+        }
+        app::Point place(int corner) const { return {40 + 50 * corner, corner % 2 ? 150 : 60}; }
+        QPoint screen(int corner) const
+        {
+            const app::Point s = window.canvas().view().toScreen(place(corner));
+            return {qRound(s.x), qRound(s.y)};
+        }
+        void point(int corner) { QTest::mouseMove(t.drawingArea(), screen(corner)); }
+        void clickAt(int corner)
+        {
+            QTest::mouseClick(t.drawingArea(), Qt::LeftButton, {}, screen(corner));
+        }
+        void click(int count)
+        {
+            for (int i = 0; i < count; ++i)
+                clickAt(i);
+        }
+        void key(Qt::Key key) { QTest::keyClick(t.drawingArea(), key); }
+        void undo() { t.action("undo")->trigger(); }
+        void redo() { t.action("redo")->trigger(); }
+        const std::vector<app::Shape>& shapes() const { return window.session().sheet().shapes; }
+        /// Rounded: a click hits whole pixels.
+        std::vector<app::Point> corners(std::size_t shape) const
+        {
+            const app::Path& path = shapes()[shape].paths[0];
+            std::vector<app::Point> all{nearest(path.start)};
+            for (const app::Stretch& stretch : path.stretches)
+                all.push_back(nearest(stretch.to));
+            return all;
+        }
+        std::vector<app::Point> placed(int count) const
+        {
+            std::vector<app::Point> all;
+            for (int i = 0; i < count; ++i)
+                all.push_back(place(i));
+            return all;
+        }
+        app::Point nearest(const app::Point& p) const
+        {
+            for (int i = 0; i < 5; ++i)
+                if (near(p, place(i), 1))
+                    return place(i);
+            return p;
+        }
+
+        ui::TestWindow t;
+        ui::MainWindow& window;
+    };
+
+    using Ending = std::pair<QString, std::function<void(Hand&)>>;
+    static std::vector<Ending> endings()
+    {
+        std::vector<Ending> all{
+            {"Enter", [](Hand& hand) { hand.key(Qt::Key_Return); }},
+            {"Esc", [](Hand& hand) { hand.key(Qt::Key_Escape); }},
+            {"Crop", [](Hand& hand) { hand.window.canvas().endGesture(); }},
+            {"panes",
+             [](Hand& hand) { // fewer or more panes: the view changes
+                 app::Panes panes = hand.window.canvas().panes();
+                 panes.show(2);
+                 hand.window.canvas().setPanes(panes);
+             }},
+            {"microscope", [](Hand& hand) { hand.window.drawnLine().look(); }},
+        };
+        for (const ui::ToolInfo& info : ui::tools())
+            if (info.key != "polyline")
+                all.emplace_back(
+                    info.name, [key = info.key](Hand& hand) { hand.window.canvas().setTool(key); });
+        return all;
+    }
+};
+
+QTEST_MAIN(PolylineTest)
+#include "polyline_test.moc"
