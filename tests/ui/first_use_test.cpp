@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/layers_panel.h"
+#include "ui/status_bar.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/tool_list.h"
+
+#include <QLineEdit>
+
+#include "tests/ui/canvas/stage.h"
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+QStringList warnings;
+
+void collect(QtMsgType type, const QMessageLogContext&, const QString& text)
+{
+    if (type == QtWarningMsg)
+        warnings << text;
+}
+
+} // namespace
+
+// Small things that a person meets in the first hour.
+class FirstUseTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void outsideCountsWhatIsLeftOutside()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines()); // with a window around both
+        t.show();
+        QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
+        app::Display display = t.window->session().display();
+        display.keep = app::Keep::Outside;
+        t.window->session().setDisplay(display);
+        QTRY_COMPARE(t.window->status().visibility(), "0 of 2 visible");
+    }
+    void repeatedPastesAndDuplicatesLieBesideEachOther()
+    {
+        for (const char* const how : {"paste", "duplicate"}) {
+            TestWindow t;
+            t.window->files().open(t.twoLines());
+            t.show();
+            app::Session& session = t.window->session();
+            session.select({0});
+            t.action("copy")->trigger();
+            for (int i = 0; i < 5; ++i) {
+                session.select({0});
+                t.action(how)->trigger();
+            }
+            const auto& shapes = session.sheet().shapes;
+            QCOMPARE(shapes.size(), std::size_t(6));
+            for (std::size_t i = 1; i < shapes.size(); ++i)
+                QVERIFY2(near(shapes[i].paths[0].start, {0 + 5.0 * double(i), 50 + 5.0 * double(i)},
+                              1e-9),
+                         how);
+            session.history.undo(); // its place is free again
+            t.action("paste")->trigger();
+            QVERIFY(near(shapes.back().paths[0].start, {25, 75}, 1e-9));
+        }
+    }
+    void whatIsHoveredIsNoLongerWhenThePointerLeaves()
+    {
+        const auto leave = [](Stage& stage) {
+            QEvent event(QEvent::Leave);
+            QApplication::sendEvent(&stage.surface(), &event);
+        };
+        for (const ui::ToolInfo& info : tools()) {
+            // the window's corner, its side, its inside; the line; a handle around the selection
+            for (const app::Point p :
+                 {app::Point(50, 20), {100, 20}, {60, 60}, {30, 50}, {10, 50}}) {
+                Stage stage(Backend::Raster);
+                stage.session.select({0});
+                stage.canvas->setTool(info.key);
+                const QImage before = stage.picture();
+                const Qt::CursorShape cursor = stage.surface().cursor().shape();
+                stage.move(p);
+                leave(stage);
+                const QString where = info.name + QString(" at %1, %2").arg(p.x).arg(p.y);
+                QVERIFY2(stage.picture() == before, qPrintable(where));
+                QVERIFY2(stage.surface().cursor().shape() == cursor, qPrintable(where));
+            }
+        }
+    }
+    void aCornerNotYetClickedIsGoneWithThePointer()
+    {
+        Stage stage(Backend::Raster, {});
+        stage.canvas->setTool("polyline");
+        stage.click({20, 20});
+        QEvent event(QEvent::Leave);
+        QApplication::sendEvent(&stage.surface(), &event);
+        const QImage before = stage.picture();
+        stage.move({120, 70});
+        QVERIFY(stage.picture() != before);
+        QApplication::sendEvent(&stage.surface(), &event);
+        QVERIFY(stage.picture() == before);
+    }
+    void aClickBesideTheRowsKeepsTheHighlight()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.window->findChild<LayersPanel*>()->findChild<QToolButton*>()->click(); // a second layer
+        int lists = 0;
+        for (auto* list : t.window->findChildren<QAbstractItemView*>()) {
+            if (!list->isVisible() || !list->currentIndex().isValid()
+                || list->selectionMode() != QAbstractItemView::SingleSelection)
+                continue;
+            ++lists;
+            list->setCurrentIndex(list->model()->index(0, 0));
+            const QRect row = list->visualRect(list->currentIndex());
+            const QPoint below(20, list->viewport()->height() - 2);
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, below);
+            if (!list->indexAt(below).isValid())
+                QCOMPARE(list->currentIndex().row(), 0);
+            QTRY_VERIFY2(list->selectionModel()->isSelected(list->currentIndex()),
+                         qPrintable(list->accessibleName()));
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::ControlModifier, row.center());
+            QTRY_VERIFY2(list->selectionModel()->isSelected(list->currentIndex()),
+                         qPrintable(list->accessibleName()));
+        }
+        QVERIFY(lists >= 2); // layers and algorithms
+    }
+    void renamingALayerIsQuietAndKeepsItChosen()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        auto* panel = t.window->findChild<LayersPanel*>();
+        panel->findChild<QToolButton*>()->click();
+        auto* list = panel->findChild<QListView*>();
+        const auto before = qInstallMessageHandler(collect);
+        for (const int row : {0, 1}) {
+            list->setCurrentIndex(list->model()->index(row, 0));
+            for (const auto& [name, end] :
+                 {std::pair("Sky", Qt::Key_Return), std::pair("Sea", Qt::Key_unknown),
+                  std::pair("Land", Qt::Key_Escape)}) {
+                list->edit(list->currentIndex());
+                auto* editor = list->viewport()->findChild<QLineEdit*>();
+                QVERIFY(editor);
+                QTest::keyClicks(editor, name);
+                if (end == Qt::Key_unknown)
+                    t.window->canvas().setFocus(); // as a click elsewhere
+                else
+                    QTest::keyClick(editor, end);
+                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+                QTRY_VERIFY(!list->viewport()->findChild<QLineEdit*>());
+                QCOMPARE(list->currentIndex().row(), row);
+                QVERIFY(list->selectionModel()->isSelected(list->currentIndex()));
+            }
+            QCOMPARE(list->model()->index(row, 0).data().toString(), "Sea");
+            t.action("undo")->trigger();
+            QCOMPARE(list->model()->index(row, 0).data().toString(), "Sky");
+        }
+        qInstallMessageHandler(before);
+        QCOMPARE(warnings, QStringList());
+    }
+    void listsGiveTheKeyboardBack()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
+        // Of the window: here nothing makes it active again when a list is closed.
+        const auto focus = [&] { return t.window->focusWidget(); };
+        const auto lists = t.window->findChildren<QComboBox*>();
+        int tried = 0;
+        for (QComboBox* list : lists) {
+            if (!list->isVisible())
+                continue;
+            ++tried;
+            const QByteArray name = list->accessibleName().toUtf8();
+            for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Escape}) {
+                list->setFocus();
+                list->showPopup();
+                QTRY_VERIFY(list->view()->isVisible());
+                QTest::keyClick(list->view(), end);
+                QTRY_VERIFY2(!list->view()->isVisible(), name);
+                QTRY_VERIFY2(focus() == t.drawingArea(), name);
+            }
+            list->setFocus(); // closed, by the keyboard alone
+            QTest::keyClick(list, Qt::Key_Down);
+            QVERIFY2(focus() == list, name);
+            QTest::keyClick(list, Qt::Key_Escape);
+            QVERIFY2(focus() == t.drawingArea(), name);
+        }
+        QVERIFY(tried >= 3); // dashes, snapping, the unit
+        QTest::keyClick(t.window->focusWidget(), Qt::Key_L);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("line"));
+    }
+    void escapeLeadsOutOfEveryPlaceToTheCanvas()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
+        int tried = 0;
+        for (QWidget* widget : t.window->findChildren<QWidget*>()) {
+            const bool canBe = widget->isVisible() && widget->isEnabled() && !widget->focusProxy()
+                               && widget->focusPolicy() & Qt::TabFocus
+                               && widget->window() == t.window.get();
+            if (!canBe)
+                continue;
+            ++tried;
+            widget->setFocus();
+            QTest::keyClick(widget, Qt::Key_Escape);
+            QVERIFY2(t.drawingArea()->hasFocus(),
+                     qPrintable(widget->accessibleName() + widget->metaObject()->className()));
+        }
+        QVERIFY(tried > 10);
+    }
+};
+
+QTEST_MAIN(FirstUseTest)
+#include "first_use_test.moc"
