@@ -5,6 +5,7 @@
 #include "app/teaching/line_text.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
+#include "ui/recovery.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -183,8 +184,16 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
         window.showStart();
     else if (first)
         open();
-    else
-        QMetaObject::invokeMethod(&window, open, Qt::QueuedConnection);
+    std::optional<Recovery> recovery; // a picture of the program touches nobody's work
+    if (options.screenshot.isEmpty())
+        recovery.emplace(window);
+    const auto begin = [&] {
+        if (!options.file.isEmpty() && !first)
+            open();
+        if (recovery)
+            recovery->offer();
+    };
+    QMetaObject::invokeMethod(&window, begin, Qt::QueuedConnection);
     if (options.verbose)
         QObject::connect(&window.canvas(), &Canvas::frameShown, &window,
                          [&clock, once = false]() mutable {

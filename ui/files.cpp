@@ -262,6 +262,32 @@ bool Files::mayClose()
     return false;
 }
 
+app::Origin Files::origin() const
+{
+    return {name(), session_.mustSaveAs() ? QString() : session_.path(), seen_};
+}
+
+bool Files::recover(app::Leftover& leftover)
+{
+    auto read = inBackground(
+        &window_, tr("Recovering %1…").arg(leftover.origin.name),
+        [file = leftover.file] { return app::readFile(file, &app::formats().front()); });
+    if (!read)
+        return false;
+    if (!*read) {
+        const QString aside = app::setAside(leftover);
+        emit told({Message::Kind::Warning, tr("%1 cannot be recovered: %2 Its file is kept as %3.")
+                                               .arg(leftover.origin.name, read->error, aside)});
+        return false;
+    }
+    const app::Origin& origin = leftover.origin;
+    show(std::move(*read->value), origin.path, origin.path.isEmpty() ? origin.name : QString());
+    seen_ = origin.fileTime;
+    session_.history.resetClean(); // it is not saved yet
+    emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(origin.name)});
+    return true;
+}
+
 std::vector<app::RecentFile> Files::recent() const { return app::recentFiles(QSettings()); }
 
 void Files::noteRecent()

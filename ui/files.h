@@ -4,6 +4,7 @@
 #include "app/document/recent_files.h"
 #include "app/document/samples.h"
 #include "app/document/session.h"
+#include "app/recovery/leftover.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 
@@ -31,20 +32,25 @@ public:
     void exportCut();
     void crop(); ///< undoable
     bool mayClose();
+    /// Opens a drawing that an earlier run left, as one that is not saved; false: it stays where it
+    /// is.
+    bool recover(app::Leftover& leftover);
 
-    QString name() const; ///< for the title: the file's, the sample's, or "Untitled"
+    Questions& questions() { return *questions_; }
+    app::Origin origin() const; ///< to go on with the document after the program was ended
+    QString name() const;       ///< for the title: the file's, the sample's, or "Untitled"
     QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
     std::vector<app::RecentFile> recent() const;
     void forgetRecent();
 
 signals:
+    void documentWanted(); ///< complete, with what is in hand: it is about to be saved or replaced
     void told(const ui::Message& message);
     void recentChanged();
     void nameChanged();
 
 private:
     void show(app::Imported imported, const QString& path, const QString& title);
-    void documentWanted(); ///< complete, with what is in hand: it is about to be saved or replaced
     bool write(const QString& path);
     void noteRecent();
     QString folder() const;

@@ -11,13 +11,17 @@ Drawing::Drawing(Sheet sheet, QObject* parent) : QObject(parent), sheet_(std::mo
 
 void Drawing::load(Sheet sheet)
 {
-    sheet_ = std::move(sheet);
+    {
+        const std::lock_guard writing(lock_);
+        std::swap(sheet_, sheet); // the old one goes when others may read again
+    }
     emit changed({Change::Kind::Everything});
 }
 
 std::vector<Shape> Drawing::splice(std::size_t first, std::size_t count, std::vector<Shape> shapes)
 {
     assert(first + count <= sheet_.shapes.size());
+    std::unique_lock writing(lock_);
     auto& all = sheet_.shapes;
     const Change change{Change::Kind::Shapes, first, count, shapes.size()};
     const auto at = all.begin() + std::ptrdiff_t(first);
@@ -30,26 +34,36 @@ std::vector<Shape> Drawing::splice(std::size_t first, std::size_t count, std::ve
         all.erase(rest, end);
     else
         all.insert(rest, std::make_move_iterator(middle), std::make_move_iterator(shapes.end()));
+    writing.unlock();
     emit changed(change);
     return old;
 }
 
 void Drawing::setWindow(const clipping::Window& window)
 {
-    sheet_.window = window;
+    {
+        const std::lock_guard writing(lock_);
+        sheet_.window = window;
+    }
     emit changed({Change::Kind::Window});
 }
 
 void Drawing::setLayers(std::vector<Layer> layers)
 {
     assert(!layers.empty());
-    sheet_.layers = std::move(layers);
+    {
+        const std::lock_guard writing(lock_);
+        sheet_.layers = std::move(layers);
+    }
     emit changed({Change::Kind::Layers});
 }
 
 void Drawing::setPage(const Page& page)
 {
-    sheet_.page = page;
+    {
+        const std::lock_guard writing(lock_);
+        sheet_.page = page;
+    }
     emit changed({Change::Kind::Page});
 }
 

@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include <mutex>
+
 namespace app {
 
 /// What has changed, so that listeners can splice instead of starting anew.
@@ -22,6 +24,8 @@ public:
     explicit Drawing(Sheet sheet = {}, QObject* parent = nullptr);
 
     const Sheet& sheet() const { return sheet_; }
+    /// Held while the drawing is being changed. Another thread holds it to read sheet().
+    std::mutex& lock() const { return lock_; }
 
     /// Another drawing altogether (New, Open).
     void load(Sheet sheet);
@@ -41,6 +45,7 @@ signals:
 
 private:
     Sheet sheet_;
+    mutable std::mutex lock_;
 };
 
 } // namespace app

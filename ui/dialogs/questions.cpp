@@ -3,6 +3,7 @@
 
 #include "app/formats/loss_text.h"
 #include "app/latin.h"
+#include "ui/dialogs/leftovers_dialog.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -162,6 +163,11 @@ void Questions::showLosses(const QString& name, const std::vector<app::Loss>& lo
                     tr("What became of %1").arg(name), QMessageBox::Close, &window_);
     box.setInformativeText(app::lossLines(losses).join(u'\n'));
     box.exec();
+}
+
+Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Leftover>& leftovers)
+{
+    return askAboutLeftovers(window_, leftovers);
 }
 
 bool Questions::overwriteChanged(const QString& path)

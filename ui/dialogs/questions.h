@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/formats/format.h"
+#include "app/recovery/leftover.h"
 
 #include <QString>
 
@@ -46,6 +47,14 @@ public:
     virtual void showLosses(const QString& name, const std::vector<app::Loss>& losses);
     /// The file was changed by somebody else since it was opened; true: overwrite it.
     virtual bool overwriteChanged(const QString& path);
+
+    /// Earlier runs were ended before these were saved: what to do with one of them.
+    struct LeftoverAnswer {
+        enum class Verb : std::uint8_t { Recover, Discard, Later };
+        Verb verb = Verb::Later;
+        std::size_t which = 0; ///< not for Later
+    };
+    virtual LeftoverAnswer aboutLeftovers(const std::vector<app::Leftover>& leftovers);
 
 private:
     QWidget& window_;

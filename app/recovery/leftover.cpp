@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/leftover.h"
+
+#include "app/formats/format.h"
+#include "app/formats/replace_file.h"
+#include "app/formats/write_all.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QUrl>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr qint64 mostTail = 64 << 10; // bytes; long enough for any path
+
+/// "<?clearcut-unsaved name="…" path="…" file-time="…" ended="…"?>", times in milliseconds.
+QByteArray instruction(const Origin& origin, const QDateTime& ended)
+{
+    const auto attribute = [](const char* name, const QString& value) {
+        return QByteArray(" ") + name + "=\"" + QUrl::toPercentEncoding(value) + '"';
+    };
+    const auto time = [](const QDateTime& when) {
+        return when.isValid() ? QString::number(when.toMSecsSinceEpoch()) : QString();
+    };
+    return "<?clearcut-unsaved" + attribute("name", origin.name) + attribute("path", origin.path)
+           + attribute("file-time", time(origin.fileTime)) + attribute("ended", time(ended))
+           + "?>\n";
+}
+
+/// Nothing for a file that is not one of ours, or not whole.
+std::optional<Leftover> described(const QString& file)
+{
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    in.seek(std::max<qint64>(0, in.size() - mostTail));
+    static const QRegularExpression pattern(QStringLiteral(
+        "<\\?clearcut-unsaved name=\"([^\"]*)\" path=\"([^\"]*)\" file-time=\"(\\d*)\" "
+        "ended=\"(\\d+)\"\\?>\\s*$"));
+    const auto found = pattern.match(QString::fromLatin1(in.read(mostTail)));
+    if (!found.hasMatch())
+        return std::nullopt;
+    const auto text = [&](int group) {
+        return QUrl::fromPercentEncoding(found.captured(group).toLatin1());
+    };
+    const auto time = [&](int group) {
+        return found.captured(group).isEmpty()
+                   ? QDateTime()
+                   : QDateTime::fromMSecsSinceEpoch(found.captured(group).toLongLong());
+    };
+    return Leftover{file, {text(1), text(2), time(3)}, time(4), nullptr};
+}
+
+/// By a lock file that says which process holds it; that of a dead one is taken over.
+bool claim(Leftover& leftover)
+{
+    auto lock = std::make_shared<QLockFile>(leftover.file + QStringLiteral(".lock"));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock() || !QFileInfo::exists(leftover.file))
+        return false;
+    leftover.claim = std::move(lock);
+    return true;
+}
+
+} // namespace
+
+QString leftoverFolder()
+{
+#if defined(Q_OS_LINUX)
+    const QString given = qEnvironmentVariable("XDG_STATE_HOME");
+    const QString state =
+        QDir::isAbsolutePath(given) ? given : QDir::home().filePath(QStringLiteral(".local/state"));
+    return QDir(state).filePath(QStringLiteral("clearcut/unsaved"));
+#else
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation))
+        .filePath(QStringLiteral("unsaved"));
+#endif
+}
+
+std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file)
+{
+    const QDir folder = QFileInfo(file).dir();
+    constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
+    if (!folder.exists()) {
+        QDir().mkpath(QFileInfo(folder.path()).path());
+        QDir().mkdir(folder.path(), mine);
+    }
+    const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
+        if (auto wrong = formats().front().write(sheet, out, {}))
+            return wrong;
+        const QByteArray end = instruction(origin, QDateTime::currentDateTime());
+        return writeAll(out, {end.constData(), std::size_t(end.size())})
+                   ? std::nullopt
+                   : std::optional(out.errorString());
+    });
+    return error ? std::optional(
+               QCoreApplication::translate("recovery", "Cannot write %1: %2").arg(file, *error))
+                 : std::nullopt;
+}
+
+QString newLeftoverFile(const QString& folder)
+{
+    return QDir(folder).filePath(
+        QStringLiteral("%1-%2.svg")
+            .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")))
+            .arg(QCoreApplication::applicationPid()));
+}
+
+std::vector<Leftover> claimLeftovers(const QString& folder)
+{
+    std::vector<Leftover> all;
+    for (const QFileInfo& info :
+         QDir(folder).entryInfoList({QStringLiteral("*.svg")}, QDir::Files | QDir::Readable))
+        if (auto leftover = described(info.filePath()); leftover && claim(*leftover))
+            all.push_back(std::move(*leftover));
+    std::ranges::sort(all, std::greater(), &Leftover::ended);
+    return all;
+}
+
+void discard(Leftover& leftover)
+{
+    QFile::remove(leftover.file);
+    leftover.claim.reset();
+}
+
+QString setAside(Leftover& leftover)
+{
+    const QString aside = leftover.file + QStringLiteral(".unreadable");
+    QFile::remove(aside);
+    QFile::rename(leftover.file, aside);
+    leftover.claim.reset();
+    return aside;
+}
+
+} // namespace app

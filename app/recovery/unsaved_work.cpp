@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/unsaved_work.h"
+
+#include "app/document/samples.h"
+
+namespace app {
+
+void UnsavedWork::tell(Document document)
+{
+    const std::lock_guard writing(lock_);
+    document_ = std::move(document);
+}
+
+UnsavedWork::Written UnsavedWork::write() const
+{
+    const std::scoped_lock reading(lock_, drawing_.lock());
+    const Sheet& sheet = drawing_.sheet();
+    if (document_.inHand) {
+        Sheet whole = sheet;
+        whole.shapes.insert(whole.shapes.begin()
+                                + std::ptrdiff_t(drawing_.endOfLayer(document_.inHand->layer)),
+                            *document_.inHand);
+        return {true, writeLeftover(whole, document_.origin, document_.file)};
+    }
+    if (!document_.changed || isOnlyLookedAt(document_.sample, sheet))
+        return {};
+    return {true, writeLeftover(sheet, document_.origin, document_.file)};
+}
+
+} // namespace app

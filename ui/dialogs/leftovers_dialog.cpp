@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/leftovers_dialog.h"
+
+#include "ui/look.h"
+#include "ui/widgets/keep_choice.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+using Verb = Questions::LeftoverAnswer::Verb;
+
+constexpr int mostRows = 6, listWidth = 440;
+
+QString tr(const char* text) { return QCoreApplication::translate("LeftoversDialog", text); }
+
+QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
+{
+    auto* list = new QTreeWidget;
+    list->setAccessibleName(tr("Unsaved drawings"));
+    list->setRootIsDecorated(false);
+    list->setUniformRowHeights(true);
+    list->setHeaderLabels({tr("Drawing"), tr("Ended")});
+    list->header()->setStretchLastSection(false);
+    list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    for (const app::Leftover& leftover : leftovers) {
+        auto* row = new QTreeWidgetItem(
+            list, {leftover.origin.name,
+                   QLocale().toString(leftover.ended.toLocalTime(), QLocale::ShortFormat)});
+        row->setToolTip(0, leftover.origin.path);
+    }
+    list->setCurrentItem(list->topLevelItem(0));
+    keepChoice(*list);
+    const int rows = std::min(mostRows, int(leftovers.size()));
+    list->setFixedHeight(list->header()->sizeHint().height() + std::max(rows, 2) * space::rowHeight
+                         + 4);
+    return list;
+}
+
+} // namespace
+
+Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
+                                            const std::vector<app::Leftover>& leftovers)
+{
+    QDialog dialog(&window);
+    dialog.setObjectName(QStringLiteral("leftovers"));
+    dialog.setWindowTitle(tr("Unsaved drawings"));
+    auto* column = new QVBoxLayout(&dialog);
+    auto* sentence = new QLabel(leftovers.size() == 1
+                                    ? tr("Clearcut was ended before this drawing was saved.")
+                                    : tr("Clearcut was ended before these drawings were saved."));
+    column->addWidget(sentence);
+    auto* list = makeList(leftovers);
+    list->setMinimumWidth(listWidth);
+    column->addWidget(list);
+    auto* buttons = new QDialogButtonBox;
+    auto* recover = buttons->addButton(tr("Recover"), QDialogButtonBox::AcceptRole);
+    auto* discard = buttons->addButton(tr("Discard"), QDialogButtonBox::DestructiveRole);
+    buttons->addButton(tr("Not Now"), QDialogButtonBox::RejectRole);
+    recover->setDefault(true);
+    column->addWidget(buttons);
+    Verb verb = Verb::Later;
+    const auto end = [&](Verb chosen) {
+        return [&dialog, &verb, chosen] {
+            verb = chosen;
+            dialog.accept();
+        };
+    };
+    QObject::connect(recover, &QPushButton::clicked, &dialog, end(Verb::Recover));
+    QObject::connect(discard, &QPushButton::clicked, &dialog, end(Verb::Discard));
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    QObject::connect(list, &QTreeWidget::itemDoubleClicked, recover, &QPushButton::click);
+    dialog.exec();
+    return {verb, std::size_t(list->indexOfTopLevelItem(list->currentItem()))};
+}
+
+} // namespace ui

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/dialogs/questions.h"
+
+namespace ui {
+
+/// The list of what earlier runs left unsaved, with the verbs Recover, Discard and Not Now.
+Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
+                                            const std::vector<app::Leftover>& leftovers);
+
+} // namespace ui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/recovery.h"
+
+#include "ui/files.h"
+#include "ui/main_window.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+namespace ui {
+
+namespace {
+
+using Verb = Questions::LeftoverAnswer::Verb;
+
+} // namespace
+
+Recovery::Recovery(MainWindow& window, QString folder)
+    : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
+      work_(window.session().drawing)
+{
+    const app::Session& session = window.session();
+    connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
+    connect(&session, &app::Session::fileChanged, this, &Recovery::tell);
+    connect(&session.history, &QUndoStack::cleanChanged, this, &Recovery::tell);
+    connect(&window.files(), &Files::nameChanged, this, &Recovery::tell);
+    connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
+    tell();
+    watch_.emplace([this](int signal) { keep(signal); });
+}
+
+Recovery::~Recovery()
+{
+    watch_.reset();
+    if (recovered_)
+        app::discard(*recovered_);
+}
+
+void Recovery::tell()
+{
+    const Files& files = window_.files();
+    work_.tell({file_, files.origin(), files.sample(), !window_.session().history.isClean(),
+                window_.canvas().shapeInHand()});
+}
+
+/// Saved, or another drawing has taken its place.
+void Recovery::forgetRecovered()
+{
+    if (!recovered_ || !window_.session().history.isClean())
+        return;
+    app::discard(*recovered_);
+    recovered_.reset();
+}
+
+// On the thread of the watch, while the other threads do what they do.
+void Recovery::keep(int signal) const
+{
+    const auto say = [signal](const QString& sentence) {
+        std::fprintf(stderr, "clearcut: %s. %s\n", strsignal(signal), qPrintable(sentence));
+    };
+    try {
+        const auto written = work_.write();
+        if (written.error)
+            say(tr("The unsaved drawing is lost: %1").arg(*written.error));
+        else if (written.unsaved)
+            say(tr("The unsaved drawing is kept; the next start offers it."));
+    } catch (const std::exception&) { // no memory
+        say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
+    }
+}
+
+void Recovery::offer()
+{
+    auto found = app::claimLeftovers(folder_);
+    while (!found.empty()) {
+        const auto [verb, which] = window_.files().questions().aboutLeftovers(found);
+        if (verb == Verb::Later || which >= found.size())
+            return;
+        app::Leftover chosen = std::move(found[which]);
+        found.erase(found.begin() + std::ptrdiff_t(which));
+        if (verb == Verb::Discard) {
+            app::discard(chosen);
+        } else if (window_.files().mayClose() && window_.files().recover(chosen)) {
+            recovered_ = std::move(chosen);
+            file_ = recovered_->file;
+            tell();
+            return;
+        }
+    }
+}
+
+} // namespace ui
