@@ -75,7 +75,7 @@ private slots:
     void whateverEndsItKeepsIt()
     {
         for (const auto& [name, end] : endings())
-            for (const int count : {3, 2, 1}) {
+            for (const int count : name.startsWith('E') ? std::vector{3, 2, 1} : std::vector{3}) {
                 Hand hand;
                 hand.click(count);
                 hand.point(count); // the corner not yet clicked
@@ -195,7 +195,7 @@ private:
         std::vector<Ending> all{
             {"Enter", [](Hand& hand) { hand.key(Qt::Key_Return); }},
             {"Esc", [](Hand& hand) { hand.key(Qt::Key_Escape); }},
-            {"Crop", [](Hand& hand) { hand.window.canvas().endGesture(); }},
+            {"Crop", [](Hand& hand) { hand.window.files().crop(); }},
             {"panes",
              [](Hand& hand) { // fewer or more panes: the view changes
                  app::Panes panes = hand.window.canvas().panes();
