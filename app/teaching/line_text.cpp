@@ -3,9 +3,8 @@
 
 #include <QLocale>
 #include <QRegularExpression>
-#include <QStringList>
 
-#include <vector>
+#include <array>
 
 namespace app {
 
@@ -24,9 +23,12 @@ QString number(double value)
     return text.replace(u'-', u'\u2212');
 }
 
-std::optional<double> numberFrom(QString text)
+/// What the comma is in a text: it parts numbers, or it is the decimal mark.
+enum class Comma : std::uint8_t { Separates, IsDecimal };
+
+std::optional<double> numberFrom(QString text, Comma comma)
 {
-    if (commaIsDecimal())
+    if (comma == Comma::IsDecimal)
         text.replace(u',', u'.');
     QLocale plain = QLocale::c();
     plain.setNumberOptions(QLocale::RejectGroupSeparator);
@@ -35,17 +37,29 @@ std::optional<double> numberFrom(QString text)
     return read ? std::optional(value) : std::nullopt;
 }
 
-/// The parts of one end, or of both: by the clearest separator that there is, for a comma may be a
-/// decimal mark.
-QStringList parts(const QString& text)
+/// Number, separator, number; between the ends an arrow or "to" will do as well.
+QRegularExpression pattern(const QString& number, const QString& separator)
 {
-    static const QRegularExpression semicolon(QStringLiteral("\\s*;\\s*")),
-        space(QStringLiteral(",?\\s+")), comma(QStringLiteral(","));
-    const QString inner = text.trimmed();
-    for (const QRegularExpression& separator : {semicolon, space, comma})
-        if (inner.contains(separator))
-            return inner.split(separator, Qt::SkipEmptyParts);
-    return {inner};
+    const QString end = number + separator + number;
+    return QRegularExpression(QStringLiteral("^\\s*%1(?:\\s*(?:->|\u2192|to)\\s*|%2)%1\\s*$")
+                                  .arg(end, separator));
+}
+
+std::optional<clipping::Segment> lineFrom(const QString& plain, Comma comma)
+{
+    static const QRegularExpression commas =
+        pattern(QStringLiteral("([^\\s,;]+?)"), QStringLiteral("(?:\\s*[,;]\\s*|\\s+)"));
+    static const QRegularExpression decimals =
+        pattern(QStringLiteral("([^\\s;]+?)"), QStringLiteral("(?:\\s*;\\s*|,?\\s+)"));
+    const auto match = (comma == Comma::Separates ? commas : decimals).match(plain);
+    std::array<double, 4> values{};
+    for (int i = 0; i < 4; ++i) {
+        const auto value = numberFrom(match.captured(i + 1), comma);
+        if (!value)
+            return std::nullopt;
+        values[std::size_t(i)] = *value;
+    }
+    return clipping::Segment{{values[0], values[1]}, {values[2], values[3]}};
 }
 
 } // namespace
@@ -60,20 +74,13 @@ QString pairText(const QString& x, const QString& y) { return u'(' + x + separat
 
 std::optional<clipping::Segment> lineFrom(const QString& text)
 {
-    static const QRegularExpression arrow(QStringLiteral("\\s*(?:->|\u2192)\\s*")),
-        brackets(QStringLiteral("[()\\[\\]]"));
+    static const QRegularExpression brackets(QStringLiteral("[()\\[\\]]"));
     QString plain = text;
     plain.replace(u'\u2212', u'-').replace(brackets, QStringLiteral(" "));
-    QStringList numbers;
-    for (const QString& end : plain.split(arrow))
-        numbers += parts(end);
-    std::vector<double> values;
-    for (const QString& part : numbers)
-        if (const auto value = numberFrom(part))
-            values.push_back(*value);
-    if (numbers.size() != 4 || values.size() != 4)
-        return std::nullopt;
-    return clipping::Segment{{values[0], values[1]}, {values[2], values[3]}};
+    if (commaIsDecimal())
+        if (const auto line = lineFrom(plain, Comma::IsDecimal))
+            return line;
+    return lineFrom(plain, Comma::Separates);
 }
 
 } // namespace app

@@ -16,9 +16,9 @@ QString lineText(const clipping::Segment& line);
 /// A point: "(−0.5, 3)"; "(−0,5; 3)" where the decimal mark is a comma.
 QString pairText(const QString& x, const QString& y);
 
-/// Four numbers, by commas, semicolons or spaces, with an arrow ("->" or "→") between the ends or
-/// without; a decimal point, or the mark of the locale. "nan" and "inf" are numbers too. Nothing:
-/// it is no line.
+/// Four numbers, parted by commas, semicolons or spaces in any mixture, as in "-160,-30 70,130";
+/// between the ends there may be an arrow ("->" or "→") or "to". The decimal mark is a point, or that
+/// of the locale. "nan" and "inf" are numbers too. Nothing: it is no line.
 std::optional<clipping::Segment> lineFrom(const QString& text);
 
 } // namespace app

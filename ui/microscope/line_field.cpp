@@ -11,7 +11,7 @@ LineField::LineField(QWidget* parent) : QLineEdit(parent)
 {
     setAccessibleName(tr("Line"));
     setTextMargins(6, 0, 4, 0);
-    setToolTip(tr("Type a line: x1, y1 -> x2, y2"));
+    setToolTip(tr("Type a line as x1, y1 to x2, y2"));
     connect(this, &QLineEdit::returnPressed, this, &LineField::read);
 }
 
@@ -30,7 +30,7 @@ void LineField::read()
         return;
     const auto line = app::lineFrom(text());
     if (!line) {
-        emit refused(tr("Line: \"%1\" is not a line. Type four numbers, such as 10, 20 -> 70, 130.")
+        emit refused(tr("Line: \"%1\" is not a line. Type four numbers, such as 10, 20 to 70, 130.")
                          .arg(text().trimmed()));
         selectAll();
         return;

@@ -22,6 +22,13 @@ private slots:
         QTest::newRow("no arrow") << "-160 -30.5 70 130";
         QTest::newRow("brackets") << "(-160, -30.5) -> (70, 130)";
         QTest::newRow("semicolons") << "-160; -30.5; 70; 130";
+        QTest::newRow("points") << "-160,-30.5 70,130";
+        QTest::newRow("points, more spaces") << "  -160 , -30.5   70 , 130 ";
+        QTest::newRow("points by a semicolon") << "-160,-30.5; 70,130";
+        QTest::newRow("points by spaces and a semicolon") << "-160 -30.5; 70 130";
+        QTest::newRow("to") << "-160, -30.5 to 70, 130";
+        QTest::newRow("brackets without anything between") << "(-160,-30.5)(70,130)";
+        QTest::newRow("brackets and a comma") << "(-160,-30.5), (70,130)";
     }
     void linesAreRead()
     {
@@ -31,7 +38,8 @@ private slots:
     void otherTextIsNone()
     {
         for (const char* text : {"", "1, 2", "1, 2 -> 3", "1, 2 -> 3, 4, 5", "a, 2 -> 3, 4",
-                                 "1 2 3 4 x", "1,, 2 -> 3, 4 ->", "1e999999x, 0 -> 0, 0"})
+                                 "1 2 3 4 x", "1,, 2 -> 3, 4 ->", "1e999999x, 0 -> 0, 0", "1 -> 2 -> 3 -> 4", "to 1 2 3 4",
+                                 "1 2 3 4 to", "1,2 to to 3,4", ",1,2,3,4"})
             QVERIFY2(!app::lineFrom(QString::fromUtf8(text)), text);
     }
     void whatIsNoNumberIsReadAsSuch()
@@ -60,6 +68,9 @@ private slots:
     {
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
         QCOMPARE(app::lineFrom("1,5; 2 -> 3; 4,25"), (clipping::Segment{{1.5, 2}, {3, 4.25}}));
+        QCOMPARE(app::lineFrom("1,5 2 3 4,25"), (clipping::Segment{{1.5, 2}, {3, 4.25}}));
+        QCOMPARE(app::lineFrom("-160,-30 70,130"), (clipping::Segment{{-160, -30}, {70, 130}}));
+        QCOMPARE(app::lineFrom("160,30 70,130"), (clipping::Segment{{160, 30}, {70, 130}}));
         QCOMPARE(app::lineText({{1.5, 2}, {3, 4.25}}), QString::fromUtf8("1,5; 2 → 3; 4,25"));
     }
 };
