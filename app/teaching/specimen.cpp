@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <tuple>
+
 namespace app {
 
 namespace {
@@ -19,6 +21,33 @@ clipping::Segment across(const clipping::Window& window)
 {
     const Point size = window.max - window.min;
     return {window.min - 0.3 * size, window.max + Point(-0.15, 0.4) * size};
+}
+
+/// How much there is to see of a line; compared from the first member on.
+struct Ranked {
+    bool unlocked = false; ///< locked layers hold grids and the like
+    int cutEnds = 0;
+    double length = 0;    ///< of a line with one end cut
+    std::size_t line = 0; ///< index into the scene's segments
+
+    bool operator>(const Ranked& other) const
+    {
+        return std::tie(unlocked, cutEnds, length)
+               > std::tie(other.unlocked, other.cutEnds, other.length);
+    }
+};
+
+Ranked rankOf(const Session& session, std::size_t segment)
+{
+    const clipping::Segment& line = session.scene.segments()[segment];
+    const Sheet& sheet = session.sheet();
+    const auto layer = sheet.shapes[session.scene.shapeOf(segment)].layer;
+    Ranked ranked{.unlocked = !sheet.layers[layer].locked, .line = segment};
+    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, sheet.window))
+        ranked.cutEnds = (piece->a != line.a) + (piece->b != line.b);
+    if (ranked.cutEnds == 1)
+        ranked.length = glm::distance(line.a, line.b);
+    return ranked;
 }
 
 } // namespace
@@ -36,21 +65,17 @@ Specimen specimenOf(const Session& session, std::size_t segment)
 std::optional<std::size_t> firstLine(const Session& session)
 {
     const auto lines = session.scene.segments();
-    if (session.inspected() && *session.inspected() < lines.size())
-        return session.inspected();
-    const clipping::Window& window = session.sheet().window;
-    std::size_t best = 0;
-    double longest = 0;
+    if (lines.empty() || (session.inspected() && *session.inspected() < lines.size()))
+        return lines.empty() ? std::nullopt : session.inspected();
+    Ranked best{.line = 0};
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto piece = clipping::exactAlgorithm().corrected.clip(lines[i], window);
-        if (!piece || *piece == lines[i])
-            continue;
-        if (piece->a != lines[i].a && piece->b != lines[i].b)
-            return i;
-        if (const double length = glm::distance(lines[i].a, lines[i].b); length > longest)
-            longest = length, best = i;
+        const Ranked ranked = rankOf(session, i);
+        if (ranked > best)
+            best = ranked;
+        if (best.unlocked && best.cutEnds == 2)
+            break;
     }
-    return lines.empty() ? std::nullopt : std::optional(best);
+    return best.line;
 }
 
 Specimen firstSpecimen(const Session& session)

@@ -9,7 +9,8 @@ namespace app {
 Specimen specimenOf(const Session& session, std::size_t segment);
 
 /// The line to look at first: the one in the inspector, else the first that the window cuts at both
-/// ends, else the longest that it cuts at one, else any; nothing: the drawing is empty.
+/// ends, else the longest that it cuts at one, else any. Lines of locked layers, such as a grid,
+/// come last. Nothing: the drawing is empty.
 std::optional<std::size_t> firstLine(const Session& session);
 /// What to look at first; of an empty drawing a line of our own.
 Specimen firstSpecimen(const Session& session);

@@ -3,6 +3,7 @@
 #include "app/commands/remove_shapes.h"
 #include "app/commands/set_window.h"
 #include "app/document/usual_algorithm.h"
+#include "app/formats/format.h"
 #include "app/teaching/drawn_line.h"
 
 #include <QTest>
@@ -45,6 +46,37 @@ private slots:
         session.inspect(0);
         drawn.look();
         QCOMPARE(session.microscope.specimen().line, inside);
+    }
+    void itPassesOverLockedLayers()
+    {
+        app::Sheet sheet = sheetOf({across, inside, half});
+        sheet.layers = {{QStringLiteral("Grid"), true, true}, {QStringLiteral("Lines")}};
+        for (const std::size_t shape : {1, 2})
+            sheet.shapes[shape].layer = 1;
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({sheet, {}});
+        drawn.look();
+        QCOMPARE(session.microscope.specimen().line, half);
+        session.microscope.close();
+        sheet.layers[1].locked = true; // all are
+        session.load({sheet, {}});
+        drawn.look();
+        QCOMPARE(session.microscope.specimen().line, across);
+    }
+    void ofTheNineRegionsItIsNoLineOfTheGrid()
+    {
+        const auto read =
+            app::readFile(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
+        QVERIFY2(read.value.has_value(), qPrintable(read.error));
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load(*read.value);
+        drawn.look();
+        const auto& [a, b] = session.microscope.specimen().line;
+        QVERIFY(a.x != b.x && a.y != b.y);
+        const auto piece = session.microscope.walk().visible;
+        QVERIFY(piece && piece->a != a && piece->b != b); // cut at both ends
     }
     void anEmptyDrawingHasALineToo()
     {
