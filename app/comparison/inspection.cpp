@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/inspection.h"
 
+#include "app/comparison/outcode_text.h"
 #include "app/view/numbers.h"
+#include "clipping/outcode.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -81,8 +83,6 @@ int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, c
     return isAmong(value.name, {"p", "q", "rise", "run", "gap", "dx", "dy", "px", "py", "c"});
 }
 
-/// Outcodes as everywhere in the window, for the edges as they appear on the screen: where y points
-/// down, the library's bottom is above.
 QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
                   const Measure& measure)
 {
@@ -92,10 +92,7 @@ QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
             number = measure.inUnit(number);
         return shortNumber(number);
     }
-    const auto code = unsigned(value.value);
-    return Region{int((code & 2) != 0) - int((code & 1) != 0),
-                  int((code & 8) != 0) - int((code & 4) != 0)}
-        .outcode();
+    return outcodeText(unsigned(value.value));
 }
 
 QString stepText(const clipping::Step& step, const Measure& measure)
@@ -132,8 +129,9 @@ QString endText(const Inspection& line, const Measure& measure)
 
 QString Region::outcode() const
 {
-    const auto bit = [](bool set) { return set ? u'1' : u'0'; };
-    return QString(bit(row < 0)) + bit(row > 0) + bit(column > 0) + bit(column < 0);
+    using namespace clipping::outcode;
+    return outcodeText((row > 0 ? top : 0) | (row < 0 ? bottom : 0) | (column > 0 ? right : 0)
+                       | (column < 0 ? left : 0));
 }
 
 QString Region::words() const

@@ -14,8 +14,7 @@ struct Region {
     int column = 0; ///< -1 left of the window, 0 between, 1 right
     int row = 0;    ///< -1 above, 0 between, 1 below
     bool inside() const { return column == 0 && row == 0; }
-    /// The paper's outcode, four bits above-below-right-left: "1001".
-    QString outcode() const;
+    QString outcode() const; ///< as in app/comparison/outcode_text.h
     /// "inside", "left", "above right".
     QString words() const;
 };

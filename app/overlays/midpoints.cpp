@@ -82,7 +82,7 @@ Overlay midpointOverlay(const Seeing& seeing)
     }
     const auto [codeA, codeB] = codesOf(seeing);
     for (OverlayMark& mark :
-         endMarks(*seeing.line, outcodeText(codeA, seeing.y), outcodeText(codeB, seeing.y)))
+         endMarks(*seeing.line, outcodeText(codeA), outcodeText(codeB)))
         overlay.marks.push_back(std::move(mark));
     overlay.table = codeTable(seeing);
     return overlay;

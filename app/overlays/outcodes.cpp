@@ -12,8 +12,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Overlay", tex
 QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 {
     if (!seeing.line)
-        return tr("A bit for each edge that a point is beyond: above, below, right, left. %1")
-            .arg(pointAtALine());
+        return tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
     QString text = codeWords(seeing);
     if (moves.empty())
         return text;
@@ -41,7 +40,7 @@ Overlay outcodeOverlay(const Seeing& seeing)
             overlay.lines.push_back(std::move(line));
         overlay.marks = moveMarks(seeing, moves);
         for (OverlayMark& mark :
-             endMarks(*seeing.line, outcodeText(a, seeing.y), outcodeText(b, seeing.y)))
+             endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
         overlay.table = codeTable(seeing);
     }

@@ -15,7 +15,7 @@ inline constexpr std::array windowEdges{clipping::Edge::Left, clipping::Edge::Ri
 /// The nine regions that outcodes tell apart, each with a name; the pointer's is pointed at.
 std::vector<OverlayArea> regionsNamed(const Seeing& seeing,
                                       QString (*name)(unsigned code, YAxis y));
-/// Each with its outcode, whose set bits stand out.
+/// Each with its outcode (app/comparison/outcode_text.h), whose set bits stand out.
 std::vector<OverlayArea> outcodeRegions(const Seeing& seeing);
 /// The borders of the regions: the lines of the window's edges.
 std::vector<OverlayLine> regionBorders(const Seeing& seeing);

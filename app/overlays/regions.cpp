@@ -56,7 +56,8 @@ std::vector<OverlayArea> regionsNamed(const Seeing& seeing, QString (*name)(unsi
 
 std::vector<OverlayArea> outcodeRegions(const Seeing& seeing)
 {
-    std::vector<OverlayArea> areas = regionsNamed(seeing, outcodeText);
+    std::vector<OverlayArea> areas =
+        regionsNamed(seeing, [](unsigned code, YAxis) { return outcodeText(code); });
     for (OverlayArea& area : areas)
         area.strong = setBits(area.label);
     return areas;
@@ -102,12 +103,11 @@ CodePair codesOf(const Seeing& seeing)
 OverlayTable codeTable(const Seeing& seeing)
 {
     const auto [a, b] = codesOf(seeing);
-    const auto text = [&](unsigned code) { return outcodeText(code, seeing.y); };
     OverlayTable table{{QString(), tr("code")},
-                       {{endName(false), text(a)},
-                        {endName(true), text(b)},
-                        {QStringLiteral("AND"), text(a & b)},
-                        {QStringLiteral("OR"), text(a | b)}}};
+                       {{endName(false), outcodeText(a)},
+                        {endName(true), outcodeText(b)},
+                        {QStringLiteral("AND"), outcodeText(a & b)},
+                        {QStringLiteral("OR"), outcodeText(a | b)}}};
     if ((a & b) != 0)
         table.lit = 2;
     else if ((a | b) == 0)

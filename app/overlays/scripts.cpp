@@ -11,13 +11,14 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// C, L, R, B, T and two letters at the corners, as in the authors' table.
-QString regionName(unsigned code, YAxis y)
+/// C, L, R, B, T and two letters at the corners, as in the authors' table: they stand for xmin,
+/// xmax, ymin and ymax, wherever y grows to.
+QString regionName(unsigned code)
 {
     QString name;
     for (const Edge edge : windowEdges)
         if (code & bitOf(edge))
-            name += edgeLetter(edge, y);
+            name += edgeLetter(edge, YAxis::Up);
     return name.isEmpty() ? QStringLiteral("C") : name;
 }
 
@@ -25,7 +26,7 @@ OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
 {
     const auto [a, b] = codesOf(seeing);
     OverlayTable table{
-        {tr("case"), tr("%1 to %2").arg(regionName(a, seeing.y), regionName(b, seeing.y))}, {}, {}};
+        {tr("case"), tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
@@ -42,7 +43,7 @@ QString caption(const Seeing& seeing)
         return tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
     const auto [a, b] = codesOf(seeing);
     const QString pair =
-        tr("End 1 in %1, End 2 in %2").arg(regionName(a, seeing.y), regionName(b, seeing.y));
+        tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
     if ((a & b) != 0)
         return tr("%1: the script of this case rejects at once.").arg(pair);
     if ((a | b) == 0)
@@ -56,21 +57,21 @@ QString caption(const Seeing& seeing)
 
 Overlay scriptOverlay(const Seeing& seeing)
 {
-    Overlay overlay{.areas = regionsNamed(seeing, regionName),
+    Overlay overlay{.areas = regionsNamed(seeing, [](unsigned code, YAxis) { return regionName(code); }),
                     .lines = regionBorders(seeing),
                     .caption = caption(seeing)};
     if (!seeing.line)
         return overlay;
     const auto [a, b] = codesOf(seeing);
     for (OverlayArea& area : overlay.areas)
-        if (area.label == regionName(a, seeing.y) || area.label == regionName(b, seeing.y))
+        if (area.label == regionName(a) || area.label == regionName(b))
             area.emphasis = Emphasis::Lit;
     const auto moves = movesOf(seeing.trace, *seeing.line);
     for (OverlayLine& line : moveLines(seeing, moves))
         overlay.lines.push_back(std::move(line));
     overlay.marks = moveMarks(seeing, moves);
     for (OverlayMark& mark :
-         endMarks(*seeing.line, regionName(a, seeing.y), regionName(b, seeing.y)))
+         endMarks(*seeing.line, regionName(a), regionName(b)))
         overlay.marks.push_back(std::move(mark));
     overlay.table = table(seeing, moves);
     return overlay;

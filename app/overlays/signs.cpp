@@ -112,7 +112,7 @@ Overlay signOverlay(const Seeing& seeing)
             addCorners(overlay, *pattern, seeing.window);
         const auto [a, b] = codesOf(seeing);
         for (OverlayMark& mark :
-             endMarks(*seeing.line, outcodeText(a, seeing.y), outcodeText(b, seeing.y)))
+             endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
     }
     overlay.table = table(pattern, seeing.y);

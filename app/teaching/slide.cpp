@@ -81,8 +81,8 @@ void paintFigure(QPainter& painter, const QRectF& area, const Specimen& specimen
     painter.restore();
 }
 
-void paintPanels(QPainter& painter, const QRectF& column, const Specimen& specimen,
-                 const Walk& walk, std::size_t step, const FigureColours& colours)
+void paintPanels(QPainter& painter, const QRectF& column, const Walk& walk, std::size_t step,
+                 const FigureColours& colours)
 {
     QRectF code = column;
     code.setHeight(column.height() * 0.52);
@@ -92,7 +92,7 @@ void paintPanels(QPainter& painter, const QRectF& column, const Specimen& specim
         return;
     const QRectF variables(column.left(), below, column.width(),
                            column.bottom() - operationsHeight - 10 - below);
-    paintVariables(painter, variables, walk.moments[step], specimen.y, colours);
+    paintVariables(painter, variables, walk.moments[step], colours);
     const QRectF operations(column.left(), column.bottom() - operationsHeight, column.width(),
                             operationsHeight);
     paintOperations(painter, operations, walk, step, colours);
@@ -122,7 +122,7 @@ void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, s
     paintSentence(painter,
                   {picture.left(), picture.bottom() + 14, picture.width(), sentenceHeight - 14},
                   slideSentence(walk, step), colours);
-    paintPanels(painter, column, specimen, walk, step, colours);
+    paintPanels(painter, column, walk, step, colours);
 }
 
 QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step)

@@ -81,14 +81,14 @@ std::vector<const Variable*> shown(const Moment& moment, std::size_t room)
 }
 
 /// A value in a column: fewer digits where not all of them fit.
-QString fitting(const Variable& variable, YAxis y, double width, const QFont& font)
+QString fitting(const Variable& variable, double width, const QFont& font)
 {
-    const QString exact = valueText(variable, y);
+    const QString exact = valueText(variable);
     const bool fits = QFontMetricsF(font).horizontalAdvance(exact) <= width;
     return fits || variable.kind != clipping::ValueKind::Number ? exact : shortText(variable.value);
 }
 
-void paintVariable(QPainter& painter, const QRectF& row, const Variable& variable, YAxis y,
+void paintVariable(QPainter& painter, const QRectF& row, const Variable& variable,
                    const FigureColours& colours)
 {
     const QFont body = sized(slideFonts().body, 0.9);
@@ -105,7 +105,7 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     const QRectF value(name.right(), row.top(), row.width() * 0.36, row.height());
     painter.setFont(valueFont);
     painter.drawText(value, Qt::AlignRight | Qt::AlignVCenter,
-                     fitting(variable, y, value.width(), valueFont));
+                     fitting(variable, value.width(), valueFont));
     if (!variable.changed())
         return;
     Variable before = variable;
@@ -116,7 +116,7 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     painter.setPen(variable.before ? colours.muted : colours.lit);
     painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
                      variable.before
-                         ? tr("was %1").arg(fitting(before, y, earlier.width() - 30, body))
+                         ? tr("was %1").arg(fitting(before, earlier.width() - 30, body))
                          : tr("new"));
 }
 
@@ -183,7 +183,7 @@ double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::s
     return top + room * row;
 }
 
-double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment, YAxis y,
+double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
                       const FigureColours& colours)
 {
     constexpr double row = 20;
@@ -192,7 +192,7 @@ double paintVariables(QPainter& painter, const QRectF& area, const Moment& momen
     const std::size_t all = moment.variables.size();
     const auto rows = shown(moment, all <= room ? all : std::max<std::size_t>(room, 1) - 1);
     for (const Variable* variable : rows) {
-        paintVariable(painter, {area.left(), top, area.width(), row}, *variable, y, colours);
+        paintVariable(painter, {area.left(), top, area.width(), row}, *variable, colours);
         top += row;
     }
     if (rows.size() == all)

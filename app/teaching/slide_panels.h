@@ -27,7 +27,7 @@ QFont bold(QFont font);
 double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
                  const FigureColours& colours);
 /// The variables with the changed ones lit; where there is no room for all, those first.
-double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment, YAxis y,
+double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
                       const FigureColours& colours);
 /// How many operations there were until now, of how many.
 double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,

@@ -18,17 +18,17 @@ QString pair(const Point& point)
 }
 
 /// What has changed in a step: "x1 = −100 (was −160), t = 0.26".
-QString changes(const Moment& moment, YAxis y)
+QString changes(const Moment& moment)
 {
     QStringList words;
     for (const Variable& variable : moment.variables) {
         if (!variable.changed())
             continue;
-        QString word = QStringLiteral("%1 = %2").arg(variable.name, valueText(variable, y));
+        QString word = QStringLiteral("%1 = %2").arg(variable.name, valueText(variable));
         if (variable.before) {
             Variable before = variable;
             before.value = *variable.before;
-            word += tr(" (was %1)").arg(valueText(before, y));
+            word += tr(" (was %1)").arg(valueText(before));
         }
         words << word;
     }
@@ -54,7 +54,7 @@ QString stepText(const TraceExport& trace, std::size_t step)
     if (moment.line >= 1 && moment.line <= walk.code.size())
         text += indent + tr("line %1: ").arg(moment.line) + walk.code[moment.line - 1].trimmed()
                 + u'\n';
-    if (const QString changed = changes(moment, trace.specimen.y); !changed.isEmpty())
+    if (const QString changed = changes(moment); !changed.isEmpty())
         text += indent + changed + u'\n';
     return text + indent + operations(moment.cost) + u'\n';
 }

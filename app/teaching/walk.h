@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/comparison/clipper.h"
+#include "app/comparison/outcode_text.h"
 #include "app/document/sheet.h"
 
 #include <QString>
@@ -66,13 +67,11 @@ QString refusalOf(const Specimen& specimen);
 
 /// "the top edge", as it is seen; empty for no edge.
 QString edgeWords(clipping::Edge edge, YAxis y);
-/// An outcode as it is read: above, below, right, left as they are seen: "1001".
-QString outcodeText(unsigned code, YAxis y);
 /// The shortest text that is the number, with a real minus: "−9.0625".
 QString exactText(double value);
 /// Six digits at most, for sentences.
 QString shortText(double value);
-/// What a variable holds, for people: bits as outcodes where they are some, yes or no.
-QString valueText(const Variable& variable, YAxis y);
+/// What a variable holds, for people: bits as an outcode, a truth as yes or no.
+QString valueText(const Variable& variable);
 
 } // namespace app

@@ -31,13 +31,6 @@ QString edgeWords(clipping::Edge edge, YAxis y)
     return at == 0 ? QString() : tr(up[at]);
 }
 
-QString outcodeText(unsigned code, YAxis y)
-{
-    const unsigned high = code >> 3 & 1U, low = code >> 2 & 1U;
-    const unsigned above = y == YAxis::Up ? high : low, below = y == YAxis::Up ? low : high;
-    return QStringLiteral("%1%2%3%4").arg(above).arg(below).arg(code >> 1 & 1U).arg(code & 1U);
-}
-
 QString exactText(double value)
 {
     return withMinus(QLocale().toString(value, 'g', QLocale::FloatingPointShortest));
@@ -45,11 +38,11 @@ QString exactText(double value)
 
 QString shortText(double value) { return withMinus(QLocale().toString(value, 'g', 6)); }
 
-QString valueText(const Variable& variable, YAxis y)
+QString valueText(const Variable& variable)
 {
     switch (variable.kind) {
     case clipping::ValueKind::Bits:
-        return outcodeText(unsigned(variable.value), y);
+        return outcodeText(unsigned(variable.value));
     case clipping::ValueKind::Truth:
         return variable.value != 0 ? tr("yes") : tr("no");
     default:

@@ -170,8 +170,7 @@ void MicroscopePage::showStep()
     const app::Moment* moment = microscope.moment();
     code_->show(walk.code);
     code_->light(moment ? moment->line : 0);
-    variables_->show(moment ? moment->variables : std::vector<app::Variable>{},
-                     microscope.specimen().y);
+    variables_->show(moment ? moment->variables : std::vector<app::Variable>{});
     operations_->show(moment ? moment->cost : clipping::OperationCounts{},
                       moment ? walk.moments.back().cost : clipping::OperationCounts{});
 }

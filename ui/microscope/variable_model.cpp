@@ -5,11 +5,10 @@
 
 namespace ui {
 
-void VariableModel::show(std::vector<app::Variable> variables, app::YAxis y)
+void VariableModel::show(std::vector<app::Variable> variables)
 {
     beginResetModel();
     variables_ = std::move(variables);
-    y_ = y;
     endResetModel();
 }
 
@@ -35,14 +34,14 @@ QString VariableModel::text(const app::Variable& variable, int column) const
     case Name:
         return variable.name;
     case Value:
-        return app::valueText(variable, y_);
+        return app::valueText(variable);
     case Before: {
         if (!variable.changed() || !variable.before)
             return {};
         app::Variable earlier = variable;
         earlier.value = *variable.before;
         return variable.kind == clipping::ValueKind::Number ? app::shortText(earlier.value)
-                                                            : app::valueText(earlier, y_);
+                                                            : app::valueText(earlier);
     }
     default:
         return !variable.changed() ? QString()

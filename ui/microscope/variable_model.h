@@ -17,7 +17,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(std::vector<app::Variable> variables, app::YAxis y);
+    void show(std::vector<app::Variable> variables);
     /// The first that the step changed; -1: none.
     int firstChanged() const;
 
@@ -30,7 +30,6 @@ private:
     QString text(const app::Variable& variable, int column) const;
 
     std::vector<app::Variable> variables_;
-    app::YAxis y_ = app::YAxis::Down;
 };
 
 } // namespace ui

@@ -76,9 +76,9 @@ VariableTable::VariableTable(QWidget* parent) : DenseTable(parent)
     setMinimumHeight(space::dockTitleHeight + 3 * verticalHeader()->defaultSectionSize());
 }
 
-void VariableTable::show(std::vector<app::Variable> variables, app::YAxis y)
+void VariableTable::show(std::vector<app::Variable> variables)
 {
-    model_.show(std::move(variables), y);
+    model_.show(std::move(variables));
     showChanged();
 }
 

@@ -13,7 +13,7 @@ class VariableTable : public DenseTable {
 public:
     explicit VariableTable(QWidget* parent = nullptr);
 
-    void show(std::vector<app::Variable> variables, app::YAxis y);
+    void show(std::vector<app::Variable> variables);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

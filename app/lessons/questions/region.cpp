@@ -30,17 +30,17 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
         return std::nullopt;
     const Point& end = words[0] == u'1' ? specimen.line.a : specimen.line.b;
     const unsigned code = clipping::outcodeOf(end, specimen.window);
-    QStringList choices{outcodeText(code, specimen.y)};
+    QStringList choices{outcodeText(code)};
     for (const unsigned other : {(code & 3U) << 2 | code >> 2, code ^ (code & 3U ? 3U : 1U),
                                  code ^ (code & 12U ? 12U : 8U), 0U, 1U, 8U, 5U})
-        if (const QString text = outcodeText(other, specimen.y);
+        if (const QString text = outcodeText(other);
             (other & 3U) != 3 && (other & 12U) != 12 && !choices.contains(text)
             && choices.size() < 4)
             choices << text;
     return shuffled(
         {tr("Which outcode (above, below, right, left) has End %1?").arg(words[0]), choices, 0,
          tr("End %1 lies %2: %3.")
-             .arg(words[0], whereabouts(code, specimen.y), outcodeText(code, specimen.y))});
+             .arg(words[0], whereabouts(code, specimen.y), outcodeText(code))});
 }
 
 } // namespace

@@ -9,15 +9,10 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-QString codeText(const Telling& telling, unsigned code)
-{
-    return outcodeText(code, telling.specimen.y);
-}
-
 QString withCodes(const Telling& telling, const QString& text, unsigned result)
 {
-    return text.arg(codeText(telling, words::bits(telling, "code1")),
-                    codeText(telling, words::bits(telling, "code2")), codeText(telling, result));
+    return text.arg(outcodeText(words::bits(telling, "code1")),
+                    outcodeText(words::bits(telling, "code2")), outcodeText(result));
 }
 
 QString outcodes(const Telling& telling)
@@ -52,7 +47,7 @@ QString asked(const Telling& telling)
                             "rejected yet."),
                          one & two);
     return tr("The first bit that is set in %1 is the one for %2: %3 lies %4 and is cut there.")
-        .arg(codeText(telling, words::bits(telling, "code")), telling.edgeText(),
+        .arg(outcodeText(words::bits(telling, "code")), telling.edgeText(),
              words::end(int(telling.value("i").value_or(1))),
              words::beyond(telling.edge(), telling.specimen.y));
 }

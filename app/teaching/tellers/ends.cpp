@@ -93,9 +93,10 @@ QString corner(Edge one, Edge other, YAxis y)
 QString outcodes(const Telling& telling)
 {
     const auto code = [&](const char* name) {
-        return outcodeText(unsigned(telling.value(name).value_or(0)), telling.specimen.y);
+        return outcodeText(unsigned(telling.value(name).value_or(0)));
     };
-    return tr("End 1 is %1, End 2 is %2").arg(code("code1"), code("code2"));
+    return tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
+        .arg(code("code1"), code("code2"), outcodeBits());
 }
 
 QString value(const Telling& telling, std::string_view name)

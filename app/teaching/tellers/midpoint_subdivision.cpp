@@ -11,7 +11,7 @@ QString tr(const char* text) { return QCoreApplication::translate("tellers", tex
 
 QString codeText(const Telling& telling, const char* name)
 {
-    return outcodeText(words::bits(telling, name), telling.specimen.y);
+    return outcodeText(words::bits(telling, name));
 }
 
 /// Lines 12 and 13: which half is dropped.

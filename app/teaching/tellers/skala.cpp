@@ -133,8 +133,7 @@ QString sentence(const Telling& telling)
     if (what == "yes" || what == "no")
         return test(telling);
     if (what == "outcodes")
-        return tr("The ends are numbered by their regions: %1 (above, below, right, left).")
-            .arg(words::outcodes(telling));
+        return words::outcodes(telling);
     if (what == "line")
         return line(telling);
     if (what == "row of the table")

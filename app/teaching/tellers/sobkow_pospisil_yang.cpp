@@ -60,8 +60,7 @@ QString sentence(const Telling& telling)
                                  : tr("The script of this pair is no cross: the line may meet the "
                                       "window.");
     if (what == "outcodes")
-        return tr("The ends are numbered by their regions: %1 (above, below, right, left).")
-            .arg(words::outcodes(telling));
+        return words::outcodes(telling);
     if (what == "script")
         return script(telling);
     if (what == "cut")

@@ -84,7 +84,7 @@ clipping::Edge edgeOf(unsigned code)
 
 QString codeAndRegion(unsigned code, YAxis y)
 {
-    return QStringLiteral("%1 (%2)").arg(outcodeText(code, y), region(code, y));
+    return QStringLiteral("%1 (%2)").arg(outcodeText(code), region(code, y));
 }
 
 unsigned bits(const Telling& telling, std::string_view name)

@@ -42,10 +42,10 @@ def named(layer, lines):
 
 
 def nine_regions():
-    """The regions of Cohen and Sutherland with their outcodes: bits top, bottom, right, left."""
+    """The regions of Cohen and Sutherland with their outcodes: bits y > ymax, y < ymin, x > xmax, x < xmin."""
     art = figure("The nine regions")
     codes = art.layer("Outcodes", MUTED, 0.35)
-    for row, (y, vertical) in enumerate(((14, "10"), (58, "00"), (146, "01"))):
+    for row, (y, vertical) in enumerate(((14, "01"), (58, "00"), (146, "10"))):
         for x, horizontal in ((20, "01"), (120, "00"), (220, "10")):
             write(codes, vertical + horizontal, x, y, 5)
     named(art.layer("Inside", INK, 0.5), [("A", 92, 98, 128, 72, 88, 100)])

@@ -43,8 +43,8 @@ private slots:
         QCOMPARE(app::regionOf({-1, -1}, window).words(), "above left");
         QCOMPARE(app::regionOf({11, 11}, window).words(), "below right");
         QCOMPARE(app::regionOf({0, 10}, window).words(), "inside"); // edges belong to the window
-        QCOMPARE(app::regionOf({-1, -1}, window).outcode(), "1001");
-        QCOMPARE(app::regionOf({11, 11}, window).outcode(), "0110");
+        QCOMPARE(app::regionOf({-1, -1}, window).outcode(), "0101"); // y < ymin, x < xmin
+        QCOMPARE(app::regionOf({11, 11}, window).outcode(), "1010"); // y > ymax, x > xmax
     }
     void classesOfLines()
     {
@@ -68,9 +68,9 @@ private slots:
         display.algorithm = clipping::findAlgorithm("cs");
         session.setDisplay(display);
         const auto line = app::inspect(session, 0);
-        QCOMPARE(line.from.outcode(), "1001");
+        QCOMPARE(line.from.outcode(), "0101");
         const QString first = stepTexts(line).front();
-        QVERIFY2(first.contains("code1 = 1001, code2 = 0010"), qPrintable(first));
+        QVERIFY2(first.contains("code1 = 0101, code2 = 0010"), qPrintable(first));
     }
     void whatIsLeftAndWhatItCosts()
     {

@@ -88,8 +88,8 @@ private slots:
     {
         compare(
             told("skala:published"),
-            {"1: The ends are numbered by their regions: End 1 is 0001, End 2 is 1000 (above, "
-             "below, right, left).",
+            {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean y > ymax, "
+             "y < ymin, x > xmax, x < xmin.",
              "2: At least one end has a bit, so it is outside.",
              "3: The ends have no bit in common: the line may meet the window.",
              "4: The line through both ends as one vector, their cross product: px = −160, "
@@ -160,8 +160,8 @@ private slots:
     void sobkowPospisilYang()
     {
         compare(told("spy:published"),
-                {"1: The ends are numbered by their regions: End 1 is 0001, End 2 is 1000 (above, "
-                 "below, right, left).",
+                {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean "
+                 "y > ymax, y < ymin, x > xmax, x < xmin.",
                  "2: The table has a script for each of the 81 pairs of regions; it does and asks "
                  "no more than this pair needs.",
                  "3: The script of this pair is no cross: the line may meet the window.",

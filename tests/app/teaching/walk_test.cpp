@@ -142,8 +142,6 @@ private slots:
         QCOMPARE(app::edgeWords(clipping::Edge::Top, app::YAxis::Up), "the top edge");
         QCOMPARE(app::edgeWords(clipping::Edge::Top, app::YAxis::Down), "the bottom edge");
         QCOMPARE(app::edgeWords(clipping::Edge::Left, app::YAxis::Down), "the left edge");
-        QCOMPARE(app::outcodeText(0b1001, app::YAxis::Up), "1001");
-        QCOMPARE(app::outcodeText(0b1001, app::YAxis::Down), "0101");
     }
     void theMicroscopeStepsBackToTheSameState()
     {
