@@ -18,8 +18,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
 
-constexpr double margin = 32, columnWidth = 420, gap = 28;
-constexpr double headerHeight = 68, sentenceHeight = 96, operationsHeight = 80;
+constexpr double margin = 32, columnWidth = 560, gap = 24;
+constexpr double top = 90, bottom = slideHeight - margin; // of what is below the header
+constexpr double sentenceHeight = 132, operationsHeight = 88;
 
 QString stepText(const Walk& walk, std::size_t step)
 {
@@ -40,18 +41,18 @@ void paintHeader(QPainter& painter, const Specimen& specimen, const Walk& walk, 
 {
     const FigureColours colours = figureColours(ground);
     const QFont body = slideFonts().body;
-    const QRectF line(margin, 22, slideWidth - 2 * margin, 28);
-    paintMarker(painter, QRectF(line.left(), line.top() + 4, 20, 20), *specimen.clipper.algorithm,
+    const QRectF line(margin, 16, slideWidth - 2 * margin, 34);
+    paintMarker(painter, QRectF(line.left(), line.top() + 7, 20, 20), *specimen.clipper.algorithm,
                 specimen.clipper.form, ground);
     painter.setFont(bold(sized(body, 1.4)));
     painter.setPen(colours.text);
     painter.drawText(line.adjusted(30, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      titleOf(specimen.clipper));
-    painter.setFont(sized(body, 1.2));
+    painter.setFont(sized(body, 1.1));
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, stepText(walk, step));
     painter.setFont(sized(body, 0.9));
     painter.setPen(colours.muted);
-    painter.drawText(line.translated(30, 26), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(line.translated(30, 32), Qt::AlignLeft | Qt::AlignVCenter,
                      factsText(specimen));
 }
 
@@ -61,7 +62,7 @@ void paintSentence(QPainter& painter, const QRectF& area, const QString& text,
 {
     QFont font = slideFonts().body;
     const int flags = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
-    for (int size = 22; size > 11; --size) {
+    for (int size = 22; size >= 18; --size) {
         font.setPixelSize(size);
         if (QFontMetricsF(font).boundingRect(area, flags, text).height() <= area.height())
             break;
@@ -85,7 +86,7 @@ void paintPanels(QPainter& painter, const QRectF& column, const Walk& walk, std:
                  const FigureColours& colours)
 {
     QRectF code = column;
-    code.setHeight(column.height() * 0.52);
+    code.setHeight(column.height() * 0.48);
     const double below =
         walk.code.isEmpty() ? column.top() : paintCode(painter, code, walk, step, colours) + 14;
     if (walk.moments.empty())
@@ -111,18 +112,22 @@ void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, s
         paintFigure(painter, all, specimen, walk, step, ground);
         return;
     }
-    const double top = headerHeight + 22, bottom = slideHeight - margin;
     const QRectF column(slideWidth - margin - columnWidth, top, columnWidth, bottom - top);
-    const QRectF picture(margin, top, column.left() - gap - margin, bottom - top - sentenceHeight);
+    const QRectF sentence = sentenceArea();
+    const QRectF picture(margin, top, sentence.width(), sentence.top() - 14 - top);
     paintHeader(painter, specimen, walk, step, ground);
     paintFigure(painter, picture, specimen, walk, step, ground);
     painter.setPen(QPen(colours.rule, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(picture);
-    paintSentence(painter,
-                  {picture.left(), picture.bottom() + 14, picture.width(), sentenceHeight - 14},
-                  slideSentence(walk, step), colours);
+    paintSentence(painter, sentence, slideSentence(walk, step), colours);
     paintPanels(painter, column, walk, step, colours);
+}
+
+QRectF sentenceArea()
+{
+    return {margin, bottom - sentenceHeight, slideWidth - 2 * margin - columnWidth - gap,
+            sentenceHeight};
 }
 
 QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step)

@@ -9,7 +9,8 @@
 class QPainter;
 
 // A step as a page of its own, 16:9, for a lecture: the picture, the sentence, the pseudo-code, the
-// variables and the operations.
+// variables and the operations. It is read from the last row: no text is lower than a fortieth of
+// the slide.
 
 namespace app {
 
@@ -22,6 +23,9 @@ constexpr double slideWidth = 1280, slideHeight = 720; ///< in logical pixels
 /// window, and why there is nothing to see.
 void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
                 SlideParts parts, Ground ground);
+
+/// Where the sentence of a step is.
+QRectF sentenceArea();
 
 /// "MD  Matthes-Drakopoulos, step 11 of 13".
 QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step);

@@ -19,12 +19,13 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
 
-constexpr double headingHeight = 26;
+constexpr double headingHeight = 32;
+constexpr double smallText = 0.9; // of the body: 18 pixels, the least on a slide
 
 double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
                     const FigureColours& colours)
 {
-    painter.setFont(bold(sized(slideFonts().body, 0.92)));
+    painter.setFont(bold(sized(slideFonts().body, smallText)));
     painter.setPen(colours.text);
     const QRectF line(area.left(), area.top(), area.width(), headingHeight - 6);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, text);
@@ -32,37 +33,80 @@ double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
     return area.top() + headingHeight;
 }
 
-bool isTooWide(const QStringList& code, const QFont& font, double width)
+/// A line of code in rows that fit a width: broken at blanks, what follows further in.
+QStringList wrapped(const QString& line, const QFontMetricsF& metrics, double width)
+{
+    constexpr qsizetype further = 4;
+    const auto indent = std::ranges::find_if(line, [](QChar c) { return c != u' '; }) - line.begin();
+    QStringList rows;
+    QString rest = line;
+    while (metrics.horizontalAdvance(rest) > width) {
+        const qsizetype least = rows.isEmpty() ? indent : indent + further;
+        qsizetype end = rest.size();
+        while (end > least + 1 && metrics.horizontalAdvance(rest.left(end)) > width)
+            --end;
+        if (const qsizetype blank = rest.lastIndexOf(u' ', end); blank > least)
+            end = blank;
+        rows << rest.left(end);
+        rest = QString(indent + further, u' ') + rest.mid(end).trimmed();
+    }
+    return rows << rest;
+}
+
+double rowHeight(const QFont& font) { return std::ceil(1.3 * font.pixelSize()); }
+
+/// The code as it is painted: of each line its rows.
+struct CodeRows {
+    QFont font;
+    std::vector<QStringList> lines;
+    double height(std::size_t first, std::size_t end) const
+    {
+        double rows = 0;
+        for (std::size_t i = first; i < end; ++i)
+            rows += double(lines[i].size());
+        return rows * rowHeight(font);
+    }
+};
+
+CodeRows codeRows(const QStringList& code, const QFont& font, double width)
 {
     const QFontMetricsF metrics(font);
-    return std::ranges::any_of(
-        code, [&](const QString& line) { return metrics.horizontalAdvance(line) > width; });
+    CodeRows rows{font, {}};
+    for (const QString& line : code)
+        rows.lines.push_back(wrapped(line, metrics, width));
+    return rows;
 }
 
-double rowHeight(int pixelSize) { return std::ceil(1.3 * pixelSize); }
-
-/// The largest font in which all the code fits, or one that can still be read. Where there are too
-/// many lines only some are shown, so these do not make it the smallest.
-QFont codeFont(const QStringList& code, double width, double height)
+/// In the largest font in which all the code fits without a break; else in the smallest, of which
+/// some lines are broken and not all shown.
+CodeRows fittingCode(const QStringList& code, double width, double height)
 {
-    constexpr int largest = 15, readable = 12, smallest = 10;
+    constexpr int largest = 24, smallest = 20;
     QFont font = slideFonts().code;
-    for (int size = largest; size >= smallest; --size) {
+    for (int size = largest; size > smallest; --size) {
         font.setPixelSize(size);
-        const bool tooHigh = size > readable && rowHeight(size) * double(code.size()) > height;
-        if (!tooHigh && !isTooWide(code, font, width))
-            break;
+        CodeRows rows = codeRows(code, font, width);
+        const bool whole =
+            std::ranges::all_of(rows.lines, [](const QStringList& r) { return r.size() == 1; });
+        if (whole && rows.height(0, rows.lines.size()) <= height)
+            return rows;
     }
-    return font;
+    font.setPixelSize(smallest);
+    return codeRows(code, font, width);
 }
 
-void paintCodeLine(QPainter& painter, const QRectF& row, double numbers, const QString& text,
-                   const FigureColours& colours)
+/// Which lines are shown: the lit one and as many around it as there is room for.
+std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t lit, double height)
 {
-    const QRectF code = row.adjusted(numbers, 0, 0, 0);
-    painter.setPen(colours.text);
-    painter.drawText(code, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, code.width()));
+    std::size_t first = std::min(lit, rows.lines.size() - 1), end = first + 1;
+    for (bool grown = true; grown;) {
+        grown = false;
+        if (end < rows.lines.size() && rows.height(first, end + 1) <= height)
+            ++end, grown = true;
+        if (first > 0 && rows.height(first - 1, end) <= height)
+            --first, grown = true;
+    }
+    return {first, end};
 }
 
 /// Which variables are shown where there is no room for all: the changed ones, then the first.
@@ -91,7 +135,7 @@ QString fitting(const Variable& variable, double width, const QFont& font)
 void paintVariable(QPainter& painter, const QRectF& row, const Variable& variable,
                    const FigureColours& colours)
 {
-    const QFont body = sized(slideFonts().body, 0.9);
+    const QFont body = sized(slideFonts().body, smallText);
     QFont code = slideFonts().code;
     code.setPixelSize(body.pixelSize());
     if (variable.changed())
@@ -99,10 +143,9 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     painter.setPen(colours.text);
     painter.setFont(code);
     const QRectF name(row.left(), row.top(), row.width() * 0.28, row.height());
-    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(code).elidedText(variable.name, Qt::ElideRight, name.width()));
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, variable.name);
     const QFont valueFont = variable.changed() ? bold(body) : body;
-    const QRectF value(name.right(), row.top(), row.width() * 0.36, row.height());
+    const QRectF value(name.right(), row.top(), row.width() * 0.38, row.height());
     painter.setFont(valueFont);
     painter.drawText(value, Qt::AlignRight | Qt::AlignVCenter,
                      fitting(variable, value.width(), valueFont));
@@ -112,12 +155,11 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     before.value = variable.before.value_or(0);
     const QRectF earlier(value.right() + 12, row.top(), row.right() - value.right() - 12,
                          row.height());
-    painter.setFont(sized(body, 0.92));
+    painter.setFont(body);
     painter.setPen(variable.before ? colours.muted : colours.lit);
-    painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
-                     variable.before
-                         ? tr("was %1").arg(fitting(before, earlier.width() - 30, body))
-                         : tr("new"));
+    painter.drawText(
+        earlier, Qt::AlignLeft | Qt::AlignVCenter,
+        variable.before ? tr("was %1").arg(fitting(before, earlier.width() - 44, body)) : tr("new"));
 }
 
 struct Operation {
@@ -129,7 +171,7 @@ std::array<Operation, 4> operations()
 {
     using Counts = clipping::OperationCounts;
     return {{{tr("comparisons"), &Counts::comparisons},
-             {tr("+ and \u2212"), &Counts::additions},
+             {tr("additions"), &Counts::additions},
              {tr("multiplications"), &Counts::multiplications},
              {tr("divisions"), &Counts::divisions}}};
 }
@@ -139,8 +181,8 @@ std::array<Operation, 4> operations()
 SlideFonts slideFonts()
 {
     SlideFonts fonts{QGuiApplication::font(), QFontDatabase::systemFont(QFontDatabase::FixedFont)};
-    fonts.body.setPixelSize(15);
-    fonts.code.setPixelSize(14);
+    fonts.body.setPixelSize(20);
+    fonts.code.setPixelSize(20);
     return fonts;
 }
 
@@ -159,34 +201,40 @@ QFont bold(QFont font)
 double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
                  const FigureColours& colours)
 {
-    constexpr double numbers = 34;
     const double top = paintHeading(painter, area, tr("Pseudo-code"), colours);
+    const double numbers =
+        QFontMetricsF(slideFonts().code).horizontalAdvance(QStringLiteral("00")) + 16;
     const double height = area.bottom() - top;
-    const QFont font = codeFont(walk.code, area.width() - numbers, height);
-    const double row = rowHeight(font.pixelSize());
-    const auto lines = int(walk.code.size());
-    const int room = std::min(lines, int(height / row));
-    const int lit = step < walk.moments.size() ? walk.moments[step].line - 1 : -1;
-    const int first = std::clamp(lit - room / 2, 0, lines - room);
-    for (int i = 0; i < room; ++i) {
-        const QRectF line(area.left(), top + i * row, area.width(), row);
-        if (first + i == lit) {
-            painter.fillRect(line.adjusted(-6, 0, 6, 0), colours.tint);
-            painter.fillRect(QRectF(line.left() - 6, line.top(), 3, row), colours.lit);
+    const CodeRows rows = fittingCode(walk.code, area.width() - numbers, height);
+    const double row = rowHeight(rows.font);
+    const int line = step < walk.moments.size() ? walk.moments[step].line : 0;
+    const auto [first, end] = linesShown(rows, std::size_t(std::max(0, line - 1)), height);
+    painter.setFont(rows.font);
+    double y = top;
+    for (std::size_t i = first; i < end; ++i) {
+        const double high = row * double(rows.lines[i].size());
+        const QRectF all(area.left(), y, area.width(), high);
+        if (int(i) + 1 == line) {
+            painter.fillRect(all.adjusted(-6, 0, 6, 0), colours.tint);
+            painter.fillRect(QRectF(all.left() - 6, all.top(), 3, high), colours.lit);
         }
-        painter.setFont(font);
         painter.setPen(colours.muted);
-        painter.drawText(QRectF(line.left(), line.top(), numbers - 10, row),
-                         Qt::AlignRight | Qt::AlignVCenter, QString::number(first + i + 1));
-        paintCodeLine(painter, line, numbers, walk.code[first + i], colours);
+        painter.drawText(QRectF(all.left(), y, numbers - 12, row),
+                         Qt::AlignRight | Qt::AlignVCenter, QString::number(i + 1));
+        painter.setPen(colours.text);
+        for (const QString& text : rows.lines[i]) {
+            painter.drawText(QRectF(all.left() + numbers, y, all.width() - numbers, row),
+                             Qt::AlignLeft | Qt::AlignVCenter, text);
+            y += row;
+        }
     }
-    return top + room * row;
+    return y;
 }
 
 double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
                       const FigureColours& colours)
 {
-    constexpr double row = 20;
+    constexpr double row = 25;
     double top = paintHeading(painter, area, tr("Variables"), colours);
     const auto room = std::size_t(std::max(0.0, (area.bottom() - top) / row));
     const std::size_t all = moment.variables.size();
@@ -197,7 +245,7 @@ double paintVariables(QPainter& painter, const QRectF& area, const Moment& momen
     }
     if (rows.size() == all)
         return top;
-    painter.setFont(sized(slideFonts().body, 0.85));
+    painter.setFont(sized(slideFonts().body, smallText));
     painter.setPen(colours.muted);
     painter.drawText(QRectF(area.left(), top, area.width(), row), Qt::AlignLeft | Qt::AlignVCenter,
                      tr("and %1 more").arg(all - rows.size()));
@@ -208,24 +256,38 @@ double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, 
                        const FigureColours& colours)
 {
     const double top = paintHeading(painter, area, tr("Operations so far"), colours);
-    const double width = area.width() / 4;
-    const QFont body = slideFonts().body;
-    double left = area.left();
+    const QFont number = bold(sized(slideFonts().body, 1.2)),
+                small = sized(slideFonts().body, smallText);
+    const QFontMetricsF large(number), words(small);
+    struct Cell {
+        QString now, of, name;
+        double width;
+    };
+    std::vector<Cell> cells;
+    double used = 0;
     for (const auto& [name, count] : operations()) {
-        const QString now = countText(walk.moments[step].cost.*count);
-        const QFont number = bold(sized(body, 1.4));
+        Cell cell{countText(walk.moments[step].cost.*count),
+                  tr("of %1").arg(countText(walk.moments.back().cost.*count)), name, 0};
+        cell.width = std::max(
+            words.horizontalAdvance(name),
+            large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));
+        used += cell.width;
+        cells.push_back(cell);
+    }
+    const double gap = std::max(8.0, (area.width() - used) / double(cells.size() - 1));
+    const double baseline = top + large.ascent();
+    double left = area.left();
+    for (const Cell& cell : cells) {
         painter.setFont(number);
         painter.setPen(colours.text);
-        const double baseline = top + 26;
-        painter.drawText(QPointF(left, baseline), now);
-        painter.setFont(sized(body, 0.82));
+        painter.drawText(QPointF(left, baseline), cell.now);
+        painter.setFont(small);
         painter.setPen(colours.muted);
-        painter.drawText(QPointF(left + QFontMetricsF(number).horizontalAdvance(now) + 5, baseline),
-                         tr("of %1").arg(countText(walk.moments.back().cost.*count)));
-        painter.drawText(QPointF(left, baseline + 18), name);
-        left += width;
+        painter.drawText(QPointF(left + large.horizontalAdvance(cell.now) + 5, baseline), cell.of);
+        painter.drawText(QPointF(left, baseline + words.height()), cell.name);
+        left += cell.width + gap;
     }
-    return top + 50;
+    return baseline + words.height() + words.descent();
 }
 
 } // namespace app

@@ -16,14 +16,15 @@ namespace app {
 
 /// The fonts of a slide, with pixel sizes.
 struct SlideFonts {
-    QFont body; ///< 15
+    QFont body; ///< 20
     QFont code;
 };
 SlideFonts slideFonts();
 QFont sized(QFont font, double factor);
 QFont bold(QFont font);
 
-/// The pseudo-code, the step's line lit; as many lines around it as there is room for.
+/// The pseudo-code with the step's line lit, and as many lines around it as there is room for. Long
+/// lines are broken, never cut.
 double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
                  const FigureColours& colours);
 /// The variables with the changed ones lit; where there is no room for all, those first.

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/slide.h"
+#include "app/teaching/trace_file.h"
+
+#include <QGuiApplication>
+#include <QTest>
+#include <QXmlStreamReader>
+
+using namespace app;
+
+namespace {
+
+struct PaintedText {
+    QString text;
+    double size; ///< of its font, in pixels of a slide
+};
+
+/// What is written on the slides of a trace, as an independent reader finds it in their SVG.
+std::vector<PaintedText> textsOn(const TraceExport& trace)
+{
+    std::vector<PaintedText> texts;
+    const auto files = traceBytes(trace, *findTraceFormat(QStringLiteral("svg")));
+    for (const QByteArray& file : *files) {
+        QXmlStreamReader xml(file);
+        while (!xml.atEnd())
+            if (xml.readNext() == QXmlStreamReader::StartElement
+                && xml.name() == QStringLiteral("text")) {
+                const double size = xml.attributes().value(QStringLiteral("font-size")).toDouble();
+                texts.push_back({xml.readElementText(), size});
+            }
+    }
+    return texts;
+}
+
+TraceExport traceOf(const Clipper& clipper, const clipping::Segment& line)
+{
+    TraceExport trace{.specimen = {clipper, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
+                      .walk = {}};
+    trace.walk = walkOf(trace.specimen);
+    return trace;
+}
+
+/// Lines that are cut, whole and rejected, and one with long numbers.
+const std::vector<clipping::Segment> lines{
+    {{-160, -30}, {70, 130}},
+    {{-60, -40}, {70, 50}},
+    {{-170, 40}, {-20, 150}},
+    {{-160.123456789, -30.987654321}, {170.111111111, 99.999999999}},
+};
+
+} // namespace
+
+/// Slides are read from the last row of a lecture hall.
+class SlideTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noTextIsLowerThanAFortiethOfTheSlide()
+    {
+        const double least = slideHeight / 40;
+        std::size_t read = 0;
+        for (const Clipper& clipper : clippers())
+            for (const clipping::Segment& line : lines)
+                for (const PaintedText& text : textsOn(traceOf(clipper, line))) {
+                    ++read;
+                    QVERIFY2(text.size >= least,
+                             qPrintable(QStringLiteral("%1: “%2” has %3 pixels")
+                                            .arg(keyOf(clipper), text.text)
+                                            .arg(text.size)));
+                }
+        QVERIFY(read > 10'000);
+    }
+    void nothingIsCutOff()
+    {
+        for (const Clipper& clipper : clippers())
+            for (const clipping::Segment& line : lines)
+                for (const PaintedText& text : textsOn(traceOf(clipper, line)))
+                    QVERIFY2(!text.text.contains(u'…'),
+                             qPrintable(keyOf(clipper) + ": " + text.text));
+    }
+    /// The line of each step stands on its slide with every word, in one row or in several.
+    void theStepsLineOfTheCodeIsWhole()
+    {
+        for (const Clipper& clipper : clippers()) {
+            TraceExport trace = traceOf(clipper, lines[0]);
+            for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+                trace.only = step;
+                QString written;
+                for (const PaintedText& text : textsOn(trace))
+                    written += text.text.simplified() + u' ';
+                const int line = trace.walk.moments[step].line;
+                const QString code = trace.walk.code.value(line - 1).simplified();
+                QVERIFY2(written.contains(code),
+                         qPrintable(keyOf(clipper) + ": " + code + " | " + written));
+            }
+        }
+    }
+    /// The sentence has room even in the smallest font.
+    void everySentenceHasRoom()
+    {
+        for (const Clipper& clipper : clippers())
+            for (const clipping::Segment& line : lines) {
+                TraceExport trace = traceOf(clipper, line);
+                for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+                    QFont font = QGuiApplication::font();
+                    font.setPixelSize(18);
+                    const QString sentence = slideSentence(trace.walk, step);
+                    const QRectF area = sentenceArea();
+                    const double height = QFontMetricsF(font)
+                                              .boundingRect(area, Qt::TextWordWrap, sentence)
+                                              .height();
+                    QVERIFY2(height <= area.height(), qPrintable(sentence));
+                }
+            }
+    }
+};
+
+QTEST_MAIN(SlideTest)
+#include "slide_test.moc"
