@@ -60,8 +60,8 @@ QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption)
     generator.setResolution(int(dotsPerInch));
     generator.setSize(page.size.toSize());
     generator.setViewBox(QRectF(QPointF(), page.size));
-    generator.setTitle(caption.title);
-    generator.setDescription(caption.description);
+    generator.setTitle(caption.title.toHtmlEscaped()); // the generator writes both as they are
+    generator.setDescription(caption.description.toHtmlEscaped());
     QPainter painter(&generator);
     page.paint(painter);
     painter.end();

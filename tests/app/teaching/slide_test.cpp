@@ -28,6 +28,8 @@ std::vector<PaintedText> textsOn(const TraceExport& trace)
                 const double size = xml.attributes().value(QStringLiteral("font-size")).toDouble();
                 texts.push_back({xml.readElementText(), size});
             }
+        if (xml.hasError())
+            qFatal("A slide is no XML: %s", qPrintable(xml.errorString()));
     }
     return texts;
 }
@@ -40,12 +42,10 @@ TraceExport traceOf(const Clipper& clipper, const clipping::Segment& line)
     return trace;
 }
 
-/// Lines that are cut, whole and rejected, and one with long numbers.
+/// A line that is cut, with long numbers, and one that is rejected after cuts.
 const std::vector<clipping::Segment> lines{
-    {{-160, -30}, {70, 130}},
-    {{-60, -40}, {70, 50}},
+    {{-160.123456789, -30.987654321}, {70.111111111, 129.999999999}},
     {{-170, 40}, {-20, 150}},
-    {{-160.123456789, -30.987654321}, {170.111111111, 99.999999999}},
 };
 
 } // namespace
@@ -55,7 +55,7 @@ class SlideTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void noTextIsLowerThanAFortiethOfTheSlide()
+    void noTextIsTooLowOrCutOff()
     {
         const double least = slideHeight / 40;
         std::size_t read = 0;
@@ -63,20 +63,12 @@ private slots:
             for (const clipping::Segment& line : lines)
                 for (const PaintedText& text : textsOn(traceOf(clipper, line))) {
                     ++read;
-                    QVERIFY2(text.size >= least,
+                    QVERIFY2(text.size >= least && !text.text.contains(u'\u2026'),
                              qPrintable(QStringLiteral("%1: “%2” has %3 pixels")
                                             .arg(keyOf(clipper), text.text)
                                             .arg(text.size)));
                 }
-        QVERIFY(read > 10'000);
-    }
-    void nothingIsCutOff()
-    {
-        for (const Clipper& clipper : clippers())
-            for (const clipping::Segment& line : lines)
-                for (const PaintedText& text : textsOn(traceOf(clipper, line)))
-                    QVERIFY2(!text.text.contains(u'…'),
-                             qPrintable(keyOf(clipper) + ": " + text.text));
+        QVERIFY(read > 5'000);
     }
     /// The line of each step stands on its slide with every word, in one row or in several.
     void theStepsLineOfTheCodeIsWhole()
