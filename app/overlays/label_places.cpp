@@ -55,14 +55,40 @@ QPointF centroid(const QPolygonF& convex)
 
 std::optional<QRectF> LabelPlaces::first(std::span<const QRectF> wanted)
 {
+    const auto hidesAnyOf = [](const QRectF& place, const std::vector<QRectF>& others) {
+        return std::ranges::any_of(
+            others, [&](const QRectF& other) { return other.intersects(place); });
+    };
+    std::optional<QRectF> best;
     for (const QRectF& place : wanted) {
-        const auto hides = [&](const QRectF& other) { return other.intersects(place); };
-        if (!room_.contains(place) || std::ranges::any_of(taken_, hides))
+        if (!room_.contains(place) || hidesAnyOf(place, taken_))
             continue;
-        taken_.push_back(place);
-        return place;
+        const bool clear = !hidesAnyOf(place, avoided_);
+        if (clear || !best)
+            best = place;
+        if (clear)
+            break;
     }
-    return std::nullopt;
+    if (best)
+        taken_.push_back(*best);
+    return best;
+}
+
+std::vector<QRectF> boxesOfShortLines(std::span<const QLineF> lines, const QRectF& room)
+{
+    constexpr double longest = 120, margin = 2; // pixels
+    constexpr std::size_t most = 2000;
+    std::vector<QRectF> boxes;
+    for (const QLineF& line : lines) {
+        if (line.length() > longest || !room.contains(line.p1()) || !room.contains(line.p2()))
+            continue;
+        if (boxes.size() == most)
+            return {};
+        boxes.push_back(QRectF(line.p1(), line.p2())
+                            .normalized()
+                            .adjusted(-margin, -margin, margin, margin));
+    }
+    return boxes;
 }
 
 std::vector<QRectF> placesBeside(const QPointF& point, const QSizeF& size, double gap)

@@ -17,6 +17,7 @@ struct OverlayGround {
     const Look& look;
     QColor page;                 ///< behind the art, and behind labels
     std::vector<QRectF> taken{}; ///< what labels keep off: handles, other labels
+    std::vector<QRectF> avoided{}; ///< what they hide only where there is no other place
 };
 
 /// Areas, lines, marks with their labels, and over them caption, table and axis of t. In the

@@ -46,6 +46,25 @@ private slots:
         }
     }
 
+    void whatIsAvoidedIsHiddenOnlyWhereThereIsNoOtherPlace()
+    {
+        const QRectF letter(100, 100, 10, 10);
+        const std::vector<QRectF> over{{95, 95, 40, 20}}, both{over[0], {200, 100, 40, 20}};
+        QCOMPARE(app::LabelPlaces(room, {}, {letter}).first(both), std::optional(both[1]));
+        QCOMPARE(app::LabelPlaces(room, {}, {letter}).first(over), std::optional(over[0]));
+        QCOMPARE(app::LabelPlaces(room, {letter}).first(over), std::nullopt);
+    }
+
+    void shortLinesAreAvoided()
+    {
+        const std::vector<QLineF> lines{{10, 10, 20, 30}, {0, 0, 390, 290}, {500, 10, 520, 10}};
+        const auto boxes = app::boxesOfShortLines(lines, room);
+        QCOMPARE(boxes.size(), std::size_t(1));
+        QVERIFY(boxes[0].contains(QRectF(10, 10, 10, 20)));
+        const std::vector<QLineF> dense(5000, QLineF(10, 10, 20, 30));
+        QVERIFY(app::boxesOfShortLines(dense, room).empty());
+    }
+
     void anAreaKeepsItsLabelInside()
     {
         Random random(2);

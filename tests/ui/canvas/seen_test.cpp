@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/format.h"
+
 #include "tests/ui/canvas/stage.h"
 
 namespace {
@@ -92,6 +94,42 @@ private slots:
         stage.session.setDisplay(display);
         const auto [one, other] = surfaces();
         QVERIFY(differing(one, other) > 1000);
+    }
+
+    // The sample "The nine regions" writes each outcode into its region, too.
+    void theSamplesOwnOutcodesStayVisible()
+    {
+        const auto read =
+            app::readFile(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
+        QVERIFY2(read.value.has_value(), qPrintable(read.error));
+        Stage stage(ui::Backend::Raster);
+        stage.session.load(*read.value);
+        const auto& sheet = stage.session.sheet();
+        const auto layer =
+            std::ranges::find(sheet.layers, QStringLiteral("Outcodes"), &app::Layer::name);
+        QVERIFY(layer != sheet.layers.end());
+        for (const double zoom : {0.4, 0.7, 1.0}) {
+            show(stage, false);
+            stage.canvas->setZoom(zoom);
+            const QImage before = stage.picture();
+            show(stage, true);
+            const QImage after = stage.picture();
+            int looked = 0;
+            for (std::size_t i = 0; i < stage.session.scene.segments().size(); ++i) {
+                const auto& [a, b] = stage.session.scene.segments()[i];
+                const auto& shape = sheet.shapes[stage.session.scene.shapeOf(i)];
+                const QPoint middle = stage.at((a + b) / 2.0);
+                if (shape.layer != layer - sheet.layers.begin() || !before.rect().contains(middle))
+                    continue;
+                ++looked;
+                QVERIFY2(before.pixel(middle) == after.pixel(middle),
+                         qPrintable(QStringLiteral("zoom %1, at %2, %3")
+                                        .arg(zoom)
+                                        .arg(middle.x())
+                                        .arg(middle.y())));
+            }
+            QVERIFY(looked > 50);
+        }
     }
 
     void aWindowOutOfSightIsNoTrouble()
