@@ -2,6 +2,7 @@
 #include "app/lessons/course.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace app {
 
@@ -15,25 +16,29 @@ void Course::begin(std::size_t lesson)
         return;
     lesson_ = lesson;
     page_ = 0;
-    answers_.assign(pages(), std::nullopt);
-    right_.assign(pages(), false);
+    answers_.assign(pages(), {});
+    points_.assign(pages(), 0);
     show();
 }
 
 void Course::end()
 {
+    if (lesson() && microscope_.isOpen() && microscope_.isCovered())
+        microscope_.open(microscope_.specimen(), microscope_.step());
     lesson_.reset();
     question_.reset();
     answers_.clear();
-    right_.clear();
+    points_.clear();
     emit changed();
 }
 
 const Lesson* Course::lesson() const { return lesson_ ? &lessons()[*lesson_] : nullptr; }
 
+QString Course::told() const { return isOpen() ? QString() : lesson()->pages[page_].told; }
+
 void Course::next()
 {
-    if (lesson() && !atLastPage()) {
+    if (lesson() && !atLastPage() && !isOpen()) {
         ++page_;
         show();
     }
@@ -53,36 +58,58 @@ void Course::showAgain()
         show();
 }
 
+/// The microscope is covered before it shows anything of the page, not after.
 void Course::show()
 {
     const LessonPage& page = lesson()->pages[page_];
-    microscope_.open(page.specimen);
-    microscope_.goTo(wantedStep(page, microscope_.walk()));
-    question_ = questionOf(page, microscope_.walk(), microscope_.step());
+    const Walk walk = walkOf(page.specimen);
+    const std::size_t step = wantedStep(page, walk);
+    question_ = questionOf(page, walk, step);
+    if (isOpen())
+        microscope_.openCovered(page.specimen, stepsShown(page, step));
+    else
+        microscope_.open(page.specimen, step);
     emit changed();
+}
+
+bool Course::isOpen() const
+{
+    if (!question_)
+        return false;
+    const auto& [tries, shown] = answer();
+    return !shown && tries.size() < 2 && (tries.empty() || tries.back() != question_->right);
 }
 
 void Course::choose(int choice)
 {
-    if (!question_ || answer() || choice < 0 || choice >= question_->choices.size())
+    if (!isOpen() || choice < 0 || choice >= question_->choices.size()
+        || std::ranges::count(answer().tries, choice) > 0)
         return;
-    answers_[page_] = choice;
-    right_[page_] = choice == question_->right;
-    emit changed();
+    Answer& answer = answers_[page_];
+    answer.tries.push_back(choice);
+    if (choice == question_->right)
+        points_[page_] = answer.tries.size() == 1 ? 2 : 1;
+    settle();
 }
+
+void Course::showAnswer()
+{
+    if (!isOpen())
+        return;
+    answers_[page_].shown = true;
+    settle();
+}
+
+/// A question that is no longer open uncovers the steps.
+void Course::settle() { isOpen() ? emit changed() : show(); }
 
 Score Course::score() const
 {
-    return {int(std::ranges::count_if(answers_, [](const auto& a) { return a.has_value(); })),
-            int(std::ranges::count(right_, true))};
-}
-
-int Course::questions() const
-{
-    if (!lesson())
-        return 0;
-    return int(std::ranges::count_if(lesson()->pages,
-                                     [](const LessonPage& p) { return p.question.has_value(); }));
+    const auto settled = std::ranges::count_if(answers_, [this](const Answer& answer) {
+        return answer.shown || answer.tries.size() >= 2
+               || points_[std::size_t(&answer - answers_.data())] > 0;
+    });
+    return {int(settled), std::accumulate(points_.begin(), points_.end(), 0)};
 }
 
 } // namespace app

@@ -97,7 +97,7 @@ struct Reading {
         else if (lesson.summary.isEmpty() && line.startsWith(QStringLiteral("> ")))
             lesson.summary = line.mid(2);
         else
-            page.text += line + u'\n';
+            (page.question ? page.told : page.text) += line + u'\n';
         return true;
     }
     bool obey(const QStringList& words)
@@ -112,8 +112,10 @@ struct Reading {
         }
         if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
-        else if (what == QStringLiteral("ask") && words.size() >= 2)
+        else if (what == QStringLiteral("ask") && words.size() >= 2 && !page.question)
             page.question = Asking{words[1], words.mid(2)};
+        else if (what == QStringLiteral("hint") && words.size() >= 2 && page.question)
+            page.hint = words.mid(1).join(u' ');
         else
             return false;
         return true;
@@ -121,6 +123,7 @@ struct Reading {
     bool endPage()
     {
         page.text = page.text.trimmed();
+        page.told = page.told.trimmed();
         if (page.text.isEmpty() || !looked)
             return false;
         page.specimen.origin = lesson.title;

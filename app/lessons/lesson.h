@@ -16,7 +16,9 @@ struct Asking {
 
 /// One page of a lesson: what to read, and what the microscope shows meanwhile. y points up.
 struct LessonPage {
-    QString text; ///< markdown
+    QString text;   ///< markdown; it asks before it tells
+    QString told{}; ///< markdown, read once the question is settled
+    QString hint{}; ///< of the question, instead of its kind's own
     Specimen specimen{};
     QString step{}; ///< "first", "last", a number from 1, or until which mark: "cut"
     std::optional<Asking> question{};

@@ -9,16 +9,33 @@
 
 namespace app {
 
+namespace {
+
+const QuestionKind* kindOf(const LessonPage& page)
+{
+    const auto kinds = questionKinds();
+    const auto kind = std::ranges::find_if(kinds, [&](const QuestionKind& k) {
+        return page.question && latin(k.key) == page.question->kind;
+    });
+    return kind == kinds.end() ? nullptr : &*kind;
+}
+
+} // namespace
+
 std::optional<Question> questionOf(const LessonPage& page, const Walk& walk, std::size_t step)
 {
-    if (!page.question)
-        return std::nullopt;
-    const auto kinds = questionKinds();
-    const auto kind = std::ranges::find_if(
-        kinds, [&](const QuestionKind& k) { return latin(k.key) == page.question->kind; });
-    if (kind == kinds.end())
-        return std::nullopt;
-    return kind->ask(page.specimen, walk, step, page.question->words);
+    const QuestionKind* kind = kindOf(page);
+    auto question =
+        kind ? kind->ask(page.specimen, walk, step, page.question->words) : std::nullopt;
+    if (question && !page.hint.isEmpty())
+        question->hint = page.hint;
+    return question;
+}
+
+std::size_t stepsShown(const LessonPage& page, std::size_t step)
+{
+    const QuestionKind* kind = kindOf(page);
+    return kind && kind->covered == Covered::LaterSteps ? step + 1 : 0;
 }
 
 Question shuffled(Question question)

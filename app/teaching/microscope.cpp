@@ -5,9 +5,35 @@
 
 namespace app {
 
-void Microscope::open(const Specimen& specimen)
+namespace {
+
+/// What can be seen of a walk while a question about it is open.
+Walk firstSteps(Walk walk, std::size_t shown)
 {
-    step_ = 0;
+    if (walk.moments.size() > shown)
+        walk.moments.resize(shown);
+    walk.outcome = clipping::Outcome::Invisible;
+    walk.visible.reset();
+    return walk;
+}
+
+} // namespace
+
+void Microscope::open(const Specimen& specimen, std::size_t step)
+{
+    shown_.reset();
+    show(specimen, step);
+}
+
+void Microscope::openCovered(const Specimen& specimen, std::size_t shown)
+{
+    shown_ = shown;
+    show(specimen, shown > 0 ? shown - 1 : 0);
+}
+
+void Microscope::show(const Specimen& specimen, std::size_t step)
+{
+    step_ = step;
     setSpecimen(specimen);
     if (!open_) {
         open_ = true;
@@ -20,13 +46,14 @@ void Microscope::close()
     if (!open_)
         return;
     open_ = false;
+    shown_.reset();
     emit openChanged();
 }
 
 void Microscope::setSpecimen(const Specimen& specimen)
 {
     specimen_ = specimen;
-    walk_ = walkOf(specimen_);
+    walk_ = shown_ ? firstSteps(walkOf(specimen_), *shown_) : walkOf(specimen_);
     step_ = std::min(step_, std::max<std::size_t>(walk_.moments.size(), 1) - 1);
     emit specimenChanged();
 }

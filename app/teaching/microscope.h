@@ -16,8 +16,13 @@ public:
     explicit Microscope(QObject* parent = nullptr) : QObject(parent) {}
 
     bool isOpen() const { return open_; }
-    /// Looks at something, at its first step.
-    void open(const Specimen& specimen);
+    /// Looks at something, at one of its steps; beyond the last: at the last.
+    void open(const Specimen& specimen, std::size_t step = 0);
+    /// Looks at something about which a question is open: walk() has only the first `shown` steps
+    /// and does not say what becomes of the line, until the next open(). So nothing that shows the
+    /// walk can give the answer away. The last of these steps is looked at.
+    void openCovered(const Specimen& specimen, std::size_t shown);
+    bool isCovered() const { return shown_.has_value(); }
     void close();
 
     const Specimen& specimen() const { return specimen_; }
@@ -39,9 +44,12 @@ signals:
     void stepChanged();
 
 private:
+    void show(const Specimen& specimen, std::size_t step);
+
     Specimen specimen_;
     Walk walk_;
     std::size_t step_ = 0;
+    std::optional<std::size_t> shown_; ///< how many steps can be seen; nothing: all
     bool open_ = false;
 };
 

@@ -108,10 +108,9 @@ private slots:
         for (int presses = 0; presses < 100 && !stage.course().atLastPage(); ++presses) {
             stage.press(Qt::Key_End); // the microscope's keys work meanwhile
             QVERIFY(stage.window->session().microscope.atEnd());
-            if (stage.course().question() && !stage.course().answer()) {
+            for (int tries = 0; tries < 2 && stage.course().isOpen(); ++tries)
                 stage.press(Qt::Key_Return);
-                QVERIFY(stage.course().answer().has_value());
-            }
+            QVERIFY(!stage.course().isOpen());
             stage.press(Qt::Key_PageDown);
         }
         QCOMPARE(stage.course().lesson()->key, key);
@@ -141,6 +140,7 @@ private slots:
         Stage stage;
         stage.press(Qt::Key_F1, Qt::ControlModifier);
         stage.course().begin(1);
+        stage.course().showAnswer();
         stage.course().next();
         stage.press(Qt::Key_F11);
         QVERIFY(stage.window->showsLessons());

@@ -6,6 +6,8 @@
 
 #include <QAccessible>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -23,17 +25,25 @@ QLabel* sentence()
 } // namespace
 
 ChoiceList::ChoiceList(QWidget* parent)
-    : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), verdict_(sentence())
+    : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), verdict_(sentence()),
+      giveUp_(new QPushButton(tr("Show the answer")))
 {
     column_->setContentsMargins(0, space::labelToField, 0, 0);
     column_->setSpacing(space::labelToField - 2);
     prompt_->setFont(semiBold(font()));
+    giveUp_->setObjectName(QStringLiteral("show-answer"));
+    giveUp_->setFlat(true);
+    giveUp_->setAutoDefault(true); // Enter presses it
+    giveUp_->setToolTip(tr("Says which answer is right, and why. This question gives no points then."));
+    connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
     column_->addWidget(verdict_);
+    column_->addWidget(giveUp_, 0, Qt::AlignLeft);
 }
 
-void ChoiceList::ask(const std::optional<app::Question>& question, std::optional<int> answer)
+void ChoiceList::show(const app::Course& course)
 {
+    const auto& question = course.question();
     setVisible(question.has_value());
     for (QPushButton* button : buttons_) {
         button->hide();
@@ -45,16 +55,36 @@ void ChoiceList::ask(const std::optional<app::Question>& question, std::optional
     prompt_->setText(question->prompt);
     for (const QString& choice : question->choices)
         addButton(choice);
-    verdict_->setVisible(answer.has_value());
-    if (!answer)
-        return;
-    const bool right = *answer == question->right;
-    verdict_->setText((right ? tr("Right. ") : tr("Not quite. ")) + question->reason);
-    mark(question->right, true);
-    if (!right)
-        mark(*answer, false);
+    for (const int choice : course.answer().tries)
+        if (choice != question->right)
+            mark(choice, false);
+    if (!course.isOpen())
+        mark(question->right, true);
+    giveUp_->setVisible(course.isOpen());
+    verdict_->setText(verdict(course));
+    verdict_->setVisible(!verdict_->text().isEmpty());
     QAccessibleEvent told(verdict_, QAccessible::NameChanged);
     QAccessible::updateAccessibility(&told);
+}
+
+/// What is said of the last try, and what helps.
+QString ChoiceList::verdict(const app::Course& course) const
+{
+    const app::Question& question = *course.question();
+    const auto& tries = course.answer().tries;
+    if (course.isOpen())
+        return tries.empty() ? QString()
+                             : tr("Not quite. You have one more try. Hint: %1").arg(question.hint);
+    if (course.answer().shown)
+        return question.reason;
+    return (tries.back() == question.right ? tr("Right. ") : tr("Not quite. ")) + question.reason;
+}
+
+QPushButton* ChoiceList::firstOpen() const
+{
+    const auto open = std::ranges::find_if(
+        buttons_, [](const QPushButton* b) { return b->isEnabled() && b->icon().isNull(); });
+    return open == buttons_.end() ? nullptr : *open;
 }
 
 void ChoiceList::addButton(const QString& text)
@@ -64,23 +94,25 @@ void ChoiceList::addButton(const QString& text)
     button->setMinimumHeight(space::toolButton);
     button->setAutoDefault(true); // Enter presses it
     connect(button, &QPushButton::clicked, this, [this, index] { emit chosen(index); });
-    column_->insertWidget(column_->count() - 1, button);
+    column_->insertWidget(column_->count() - 2, button); // above what is said of them
     button->show(); // now, so that it can have the focus
     buttons_ << button;
 }
 
-/// What was chosen, and what is right, by a sign and by words; no other can be chosen any more.
+/// A choice that was tried, or is right, by a sign and by words. The right one settles all.
 void ChoiceList::mark(int button, bool right)
 {
-    for (QPushButton* other : buttons_)
-        other->setEnabled(false);
+    if (right)
+        for (QPushButton* other : buttons_)
+            other->setEnabled(false);
     const Look& look = lookOf(palette());
     QPushButton& marked = *buttons_[button];
-    marked.setEnabled(true);
+    marked.setEnabled(right);
     marked.setIcon(icon(right ? "tick" : "close"));
     marked.setAccessibleDescription(right ? tr("right") : tr("chosen, and wrong"));
     QPalette colours = marked.palette();
-    colours.setColor(QPalette::ButtonText, right ? look.good : look.differs);
+    for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
+        colours.setColor(group, QPalette::ButtonText, right ? look.good : look.differs);
     marked.setPalette(colours);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/lesson_list.h"
 
-#include "app/lessons/lesson.h"
+#include "app/lessons/scores.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 
@@ -17,20 +17,35 @@ namespace ui {
 
 namespace {
 
-const QString doneKey = QStringLiteral("lessons/done");
 constexpr int margin = 10, mark = 16;
 
-/// One lesson: its number and title, below it what it is about, and a tick.
+/// One lesson: its number and title, below it what it is about and the best points, and a tick if
+/// they show that it was understood.
 class LessonButton : public QAbstractButton {
 public:
-    LessonButton(int number, const app::Lesson& lesson) : key_(lesson.key), summary_(lesson.summary)
+    LessonButton(int number, const app::Lesson& lesson) : lesson_(lesson)
     {
         setText(QStringLiteral("%1  %2").arg(number).arg(lesson.title));
         setAccessibleName(text());
-        setAccessibleDescription(summary_);
         setFocusPolicy(Qt::StrongFocus);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         setAttribute(Qt::WA_Hover);
+    }
+    void refresh()
+    {
+        const QSettings settings;
+        const auto points = app::bestPoints(settings, lesson_);
+        understood_ = points && app::isUnderstood(*points, lesson_);
+        words_ = lesson_.summary;
+        if (points)
+            words_ += u'\n'
+                      + LessonList::tr("Best: %1 of %2 points")
+                            .arg(*points)
+                            .arg(app::mostPoints(lesson_));
+        setAccessibleDescription(understood_ ? words_ + u'\n' + LessonList::tr("Understood")
+                                             : words_);
+        updateGeometry();
+        update();
     }
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override
@@ -62,8 +77,8 @@ protected:
         painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, text());
         painter.setFont(captionFont(font()));
         painter.setPen(look.muted);
-        painter.drawText(summaryRect(width()), Qt::TextWordWrap, summary_);
-        if (isDone(key_))
+        painter.drawText(summaryRect(width()), Qt::TextWordWrap, words_);
+        if (understood_)
             ui::icon("tick").paint(&painter, QRect(inner.right() - mark, inner.top(), mark, mark));
     }
     void resizeEvent(QResizeEvent*) override { updateGeometry(); }
@@ -72,24 +87,14 @@ private:
     QRect summaryRect(int width) const
     {
         const QRect room(margin, margin + fontMetrics().height() + 2, width - 2 * margin, 1000);
-        return QFontMetrics(captionFont(font())).boundingRect(room, Qt::TextWordWrap, summary_);
+        return QFontMetrics(captionFont(font())).boundingRect(room, Qt::TextWordWrap, words_);
     }
-    QString key_, summary_;
+    const app::Lesson& lesson_;
+    QString words_;
+    bool understood_ = false;
 };
 
 } // namespace
-
-bool isDone(const QString& lesson)
-{
-    return QSettings().value(doneKey).toStringList().contains(lesson);
-}
-
-void setDone(const QString& lesson)
-{
-    QStringList done = QSettings().value(doneKey).toStringList();
-    if (!done.contains(lesson))
-        QSettings().setValue(doneKey, done << lesson);
-}
 
 LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
 {
@@ -115,8 +120,9 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     head->addWidget(close);
     column->addLayout(head);
     auto* about =
-        new QLabel(tr("Each takes about ten minutes and asks a few questions. One builds on "
-                      "the other, but you may begin anywhere."));
+        new QLabel(tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
+                      "build on earlier ones, but you may begin anywhere. A tick marks a lesson "
+                      "with at least three quarters of its points."));
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);
@@ -129,12 +135,13 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     }
     column->addStretch();
     setWidget(body);
+    refresh();
 }
 
 void LessonList::refresh()
 {
     for (QAbstractButton* button : buttons_)
-        button->update();
+        static_cast<LessonButton*>(button)->refresh();
 }
 
 } // namespace ui

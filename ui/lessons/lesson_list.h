@@ -7,7 +7,7 @@ class QAbstractButton;
 
 namespace ui {
 
-/// All lessons, each with its sentence; those that were read to their end have a tick.
+/// All lessons, each with its sentence and its best points; those that were understood have a tick.
 class LessonList : public QScrollArea {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
     explicit LessonList(QWidget* parent = nullptr);
 
     QList<QAbstractButton*> buttons() const { return buttons_; }
-    void refresh(); ///< the ticks, and the font
+    void refresh(); ///< the points, the ticks, and the font
 
 signals:
     void chosen(int lesson);
@@ -24,9 +24,5 @@ signals:
 private:
     QList<QAbstractButton*> buttons_;
 };
-
-/// Remembered by the lesson's key.
-bool isDone(const QString& lesson);
-void setDone(const QString& lesson);
 
 } // namespace ui

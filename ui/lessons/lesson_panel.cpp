@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/lesson_panel.h"
 
+#include "app/lessons/scores.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 
 #include <QScrollBar>
+#include <QSettings>
 #include <QShortcut>
 #include <QTextBlock>
 #include <QTextCursor>
@@ -47,7 +49,7 @@ QString richText(const QString& markdown)
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
-      place_(new QLabel), text_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList),
+      place_(new QLabel), text_(new QLabel), told_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList),
       back_(button(tr("Back"), tr("The page before (Page Up)"))),
       again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
       next_(button(tr("Next"), tr("The next page (Page Down)")))
@@ -61,7 +63,12 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
     connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
         course_.choose(choice);
-        next_->setFocus(); // the buttons are gone
+        focusNext(); // the buttons are new ones
+        body_->ensureWidgetVisible(choices_);
+    });
+    connect(choices_, &ChoiceList::answerWanted, this, [this] {
+        course_.showAnswer();
+        focusNext();
     });
     connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
     connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
@@ -113,14 +120,17 @@ QLayout* LessonPanel::makeHead()
 /// The text, and below it the question; it scrolls where there is no room.
 QWidget* LessonPanel::makeBody()
 {
-    text_->setWordWrap(true);
-    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    text_->setAlignment(Qt::AlignTop);
+    for (QLabel* label : {text_, told_}) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setAlignment(Qt::AlignTop);
+    }
     auto* inner = new QWidget;
     auto* column = new QVBoxLayout(inner);
     column->setContentsMargins(0, 0, space::labelToField, 0); // off the scroll bar
     column->addWidget(text_);
     column->addWidget(choices_);
+    column->addWidget(told_);
     column->addStretch();
     body_->setFrameShape(QFrame::NoFrame);
     body_->setWidgetResizable(true);
@@ -155,30 +165,50 @@ void LessonPanel::turn(int pages)
         course_.previous();
     else if (!course_.atLastPage())
         course_.next();
-    else if (setDone(course_.lesson()->key); course_.lessonIndex() + 1 < app::lessons().size())
+    else if (course_.isOpen())
+        return;
+    else if (course_.lessonIndex() + 1 < app::lessons().size())
         course_.begin(course_.lessonIndex() + 1);
     else
         showList();
-    if (course_.lesson()) // where Enter goes on, or answers
-        (course_.question() && !course_.answer() ? choices_->buttons().front() : next_)->setFocus();
+    focusNext();
+}
+
+/// Where Enter goes on, or answers.
+void LessonPanel::focusNext()
+{
+    if (course_.lesson())
+        (course_.isOpen() ? choices_->firstOpen() : next_)->setFocus();
 }
 
 void LessonPanel::showPage()
 {
     setCurrentIndex(course_.lesson() ? 1 : 0);
-    setFocusProxy(course_.lesson() ? static_cast<QWidget*>(next_) : list_->buttons().front());
     list_->refresh();
-    if (!course_.lesson())
+    if (!course_.lesson()) {
+        setFocusProxy(list_->buttons().front());
         return;
+    }
     title_->setText(course_.lesson()->title);
     QString place = tr("Page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
-    if (const app::Score score = course_.score(); score.asked > 0)
-        place += QStringLiteral(" · ") + tr("%1 of %2 right").arg(score.right).arg(score.asked);
+    if (const app::Score score = course_.score(); score.settled > 0) {
+        place += QStringLiteral(" · ")
+                 + tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
+        QSettings settings;
+        app::keepPoints(settings, *course_.lesson(), score.points);
+    }
     place_->setText(place);
+    if (course_.answer().tries.empty()) // a new page, not a try
+        body_->verticalScrollBar()->setValue(0);
     text_->setText(richText(course_.text()));
-    body_->verticalScrollBar()->setValue(0);
-    choices_->ask(course_.question(), course_.answer());
+    choices_->show(course_);
+    told_->setText(richText(course_.told()));
+    told_->setVisible(!course_.told().isEmpty());
     back_->setEnabled(course_.page() > 0);
+    next_->setEnabled(!course_.isOpen());
+    next_->setToolTip(course_.isOpen() ? tr("Answer the question first, or let the answer be shown")
+                                       : tr("The next page (Page Down)"));
+    setFocusProxy(course_.isOpen() ? choices_->firstOpen() : next_);
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
 }

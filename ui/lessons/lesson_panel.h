@@ -15,7 +15,7 @@ class LessonList;
 
 /// The lessons beside the microscope: the list of them, or the page that is read, with its
 /// question. The microscope shows what the page is about. Page Up and Page Down turn the pages; Up,
-/// Down and Enter answer.
+/// Down and Enter answer. The best points of each lesson are kept in the settings.
 class LessonPanel : public QStackedWidget {
     Q_OBJECT
 
@@ -39,10 +39,11 @@ private:
     QLayout* makeFoot();
     void showPage();
     void turn(int pages);
+    void focusNext();
 
     app::Course& course_;
     LessonList* list_;
-    QLabel *title_, *place_, *text_;
+    QLabel *title_, *place_, *text_, *told_;
     QScrollArea* body_;
     ChoiceList* choices_;
     QPushButton *back_, *again_, *next_;

@@ -10,6 +10,7 @@
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
+#include "ui/microscope/veil.h"
 
 #include <QApplication>
 #include <QShortcut>
@@ -53,6 +54,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
       code_(new CodeView), variables_(new VariableTable), operations_(new OperationsView),
       overview_(new Overview(session, view_)), place_(new QLabel(view_)),
       back_(new QToolButton(view_)), fit_(new QToolButton(view_)),
+      variablesVeil_(new Veil(variables_)), operationsVeil_(new Veil(operations_)),
       across_(splitter(Qt::Horizontal)), down_(splitter(Qt::Vertical)),
       right_(splitter(Qt::Vertical))
 {
@@ -171,8 +173,11 @@ void MicroscopePage::showStep()
     code_->show(walk.code);
     code_->light(moment ? moment->line : 0);
     variables_->show(moment ? moment->variables : std::vector<app::Variable>{});
-    operations_->show(moment ? moment->cost : clipping::OperationCounts{},
-                      moment ? walk.moments.back().cost : clipping::OperationCounts{});
+    variablesVeil_->setVisible(microscope.isCovered() && !moment);
+    operationsVeil_->setVisible(microscope.isCovered());
+    const bool counts = moment && !microscope.isCovered();
+    operations_->show(counts ? moment->cost : clipping::OperationCounts{},
+                      counts ? walk.moments.back().cost : clipping::OperationCounts{});
 }
 
 void MicroscopePage::showPlace()

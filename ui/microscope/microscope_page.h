@@ -14,6 +14,7 @@ class MicroscopeView;
 class OperationsView;
 class Overview;
 class VariableTable;
+class Veil;
 
 /// The clip microscope: the line enlarged, the steps below, pseudo-code, variables and operations
 /// at the right. Left, Right, Space, Home and End step wherever in it the focus is, except in a
@@ -68,6 +69,7 @@ private:
     Overview* overview_;
     QLabel* place_;
     QToolButton *back_, *fit_;
+    Veil *variablesVeil_, *operationsVeil_;
     QSplitter *across_, *down_, *right_;
     Qt::Corner corner_ = Qt::TopLeftCorner; ///< of the view: where the overview lies
     QWidget* side_ = nullptr;

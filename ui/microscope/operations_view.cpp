@@ -43,10 +43,10 @@ void OperationsView::show(const clipping::OperationCounts& now,
         QString word;
         bool always;
     } rows[]{{now.comparisons, all.comparisons, tr("comparisons"), true},
-             {now.additions, all.additions, tr("+ and \u2212"), true},
+             {now.additions, all.additions, tr("additions"), true},
              {now.multiplications, all.multiplications, tr("multiplications"), true},
              {now.divisions, all.divisions, tr("divisions"), true},
-             {now.negations, all.negations, tr("sign changes"), false}};
+             {now.negations, all.negations, tr("negations"), false}};
     cells_.clear();
     QStringList words;
     for (const auto& row : rows)

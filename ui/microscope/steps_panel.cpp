@@ -131,10 +131,16 @@ void StepsPanel::showStep()
     const app::Moment* moment = microscope_.moment();
     const bool any = moment != nullptr;
     const QString before = sentence_->text();
-    sentence_->setText(any ? moment->sentence : walk.refusal);
+    const bool covered = microscope_.isCovered();
+    sentence_->setText(any       ? moment->sentence
+                       : covered ? tr("The steps are covered until you answer the question.")
+                                 : walk.refusal);
     const QString total = app::countText(walk.moments.size());
-    count_->setText(any ? tr("<b>%1</b> of %2").arg(app::countText(microscope_.step() + 1), total)
-                        : tr("no steps"));
+    const QString now = app::countText(microscope_.step() + 1);
+    count_->setText(any && covered ? tr("step <b>%1</b>").arg(now)
+                    : any          ? tr("<b>%1</b> of %2").arg(now, total)
+                    : covered      ? QString()
+                                   : tr("no steps"));
     // So wide that nothing moves while one steps.
     count_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %1").arg(total)) + 10);
     const bool start = microscope_.step() == 0, end = microscope_.atEnd();

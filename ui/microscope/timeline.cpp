@@ -4,6 +4,7 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/microscope/timeline_mark.h"
+#include "ui/microscope/veil.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -21,6 +22,7 @@ namespace {
 constexpr double side = 14, railY = 28; // pixels
 constexpr double crowded = 9;           // pixels between signs: below, comparisons are mere dashes
 constexpr int notch = 120;
+constexpr double coveredSpacing = 40, leastVeil = 200; // pixels
 
 bool telling(app::Mark mark) { return mark != app::Mark::Look && mark != app::Mark::Compare; }
 
@@ -35,11 +37,15 @@ Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const auto changed = [this] {
         const auto& walk = microscope_.walk();
-        if (!walk.moments.empty())
-            setAccessibleDescription(tr("Step %1 of %2: %3")
-                                         .arg(microscope_.step() + 1)
-                                         .arg(walk.moments.size())
-                                         .arg(markWord(microscope_.moment()->mark)));
+        QString words;
+        if (microscope_.isCovered())
+            words = tr("The later steps are covered until you answer.");
+        else if (!walk.moments.empty())
+            words = tr("Step %1 of %2: %3")
+                        .arg(microscope_.step() + 1)
+                        .arg(walk.moments.size())
+                        .arg(markWord(microscope_.moment()->mark));
+        setAccessibleDescription(words);
         update();
     };
     connect(&microscope, &app::Microscope::stepChanged, this, changed);
@@ -55,7 +61,19 @@ QSize Timeline::sizeHint() const { return {480, minimumSizeHint().height()}; }
 double Timeline::spacing() const
 {
     const auto count = microscope_.walk().moments.size();
+    if (microscope_.isCovered()) // the same however many steps there are
+        return std::min(coveredSpacing,
+                        (width() - 2 * side - leastVeil) / std::max(1.0, double(count)));
     return count < 2 ? 0 : std::min((width() - 2 * side) / double(count - 1), 96.0);
+}
+
+/// Over all later steps, and as far to the right as the timeline goes: its end tells nothing.
+QRect Timeline::veil() const
+{
+    constexpr int high = 22;
+    const int count = int(microscope_.walk().moments.size());
+    const int left = int(count == 0 ? side : placeOf(std::size_t(count - 1)).x() + coveredSpacing / 2);
+    return {left, int(railY) - high / 2, width() - int(side) - left, high};
 }
 
 QPointF Timeline::placeOf(std::size_t step) const
@@ -91,6 +109,8 @@ void Timeline::paintEvent(QPaintEvent*)
         paintNumbers(painter);
         paintNow(painter);
     }
+    if (microscope_.isCovered())
+        paintVeil(painter, veil(), palette());
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(lookOf(palette()).selection, 2));

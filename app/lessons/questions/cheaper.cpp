@@ -51,12 +51,14 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
                         .arg(ofOne)
                         .arg(nameOf(*other))
                         .arg(ofOther)
-                        .arg(what)};
+                        .arg(what),
+                    tr("For each of the two, think what it must know before it can decide about "
+                       "this line. Then count.")};
 }
 
 } // namespace
 
 extern const QuestionKind cheaperQuestion;
-const QuestionKind cheaperQuestion{"cheaper", ask};
+const QuestionKind cheaperQuestion{"cheaper", ask, Covered::AllSteps};
 
 } // namespace app

@@ -30,12 +30,15 @@ std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::siz
         choices << tr("At %1").arg(edgeWords(edge, specimen.y));
     return Question{tr("At which edge is the line cut next?"), choices,
                     int(std::ranges::find(edges, cut->edge) - edges.begin()),
-                    tr("Step %1: %2").arg(cut - walk.moments.begin() + 1).arg(cut->sentence)};
+                    tr("Step %1: %2").arg(cut - walk.moments.begin() + 1).arg(cut->sentence),
+                    tr("Read the pseudo-code on from line %1, with the values of the table. Which "
+                       "test is the first that holds?")
+                        .arg(walk.moments[step].line)};
 }
 
 } // namespace
 
 extern const QuestionKind edgeQuestion;
-const QuestionKind edgeQuestion{"edge", ask};
+const QuestionKind edgeQuestion{"edge", ask, Covered::LaterSteps};
 
 } // namespace app

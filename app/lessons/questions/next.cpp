@@ -33,9 +33,11 @@ std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step,
         QStringList choices;
         for (const Event& other : events)
             choices << tr(other.words);
-        return Question{tr("What does it do next, after it has compared?"), choices,
+        return Question{tr("What does the algorithm do next, comparisons apart?"), choices,
                         int(event - events.begin()),
-                        tr("Step %1: %2").arg(i + 1).arg(moment.sentence)};
+                        tr("Step %1: %2").arg(i + 1).arg(moment.sentence),
+                        tr("Read the pseudo-code on from line %1, with the values of the table.")
+                            .arg(walk.moments[step].line)};
     }
     return std::nullopt;
 }
@@ -43,6 +45,6 @@ std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step,
 } // namespace
 
 extern const QuestionKind nextQuestion;
-const QuestionKind nextQuestion{"next", ask};
+const QuestionKind nextQuestion{"next", ask, Covered::LaterSteps};
 
 } // namespace app

@@ -37,15 +37,16 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
             (other & 3U) != 3 && (other & 12U) != 12 && !choices.contains(text)
             && choices.size() < 4)
             choices << text;
-    return shuffled(
-        {tr("Which outcode (above, below, right, left) has End %1?").arg(words[0]), choices, 0,
-         tr("End %1 lies %2: %3.")
-             .arg(words[0], whereabouts(code, specimen.y), outcodeText(code))});
+    return shuffled({tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
+                     tr("End %1 lies %2: %3.")
+                         .arg(words[0], whereabouts(code, specimen.y), outcodeText(code)),
+                     tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
+                         .arg(outcodeBits())});
 }
 
 } // namespace
 
 extern const QuestionKind regionQuestion;
-const QuestionKind regionQuestion{"region", ask};
+const QuestionKind regionQuestion{"region", ask, Covered::AllSteps};
 
 } // namespace app

@@ -1,14 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/difference.h"
+#include "app/latin.h"
 #include "app/lessons/question.h"
 
 #include <QCoreApplication>
+
+#include <array>
 
 namespace app {
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
+
+/// One verdict on what a form finds: the answer that one can choose, and why it is right.
+struct Verdict {
+    const char* choice;
+    const char* reason; ///< %1: by how many ulps
+};
+constexpr std::array verdicts{
+    Verdict{"Yes, apart from rounding", "It finds what exact arithmetic finds, apart from rounding."},
+    Verdict{"No, it shows too much",
+            "It shows a part, although no point of the line is inside the window."},
+    Verdict{"No, it shows nothing, and a part is visible",
+            "It shows nothing, although part of the line is inside the window."},
+    Verdict{"No, an end is in the wrong place",
+            "One end that it finds is off by %1 ulps of the largest coordinate."},
+    Verdict{"No, it never ends",
+            "It repeats the same cuts forever. The program had to stop it."}};
+
+/// Which of them.
+int verdictOn(const Walk& walk, const std::vector<Difference>& found)
+{
+    if (walk.outcome == clipping::Outcome::DidNotEnd)
+        return 4;
+    if (found.empty())
+        return 0;
+    return found[0].kind == Difference::Kind::OnlyA   ? 1
+           : found[0].kind == Difference::Kind::OnlyB ? 2
+                                                      : 3;
+}
+
+QString promptFor(const Clipper& clipper)
+{
+    const QString name = latin(clipper.algorithm->abbreviation);
+    return clipper.form == clipping::Form::Published
+               ? tr("Does the published %1 get this line right?").arg(name)
+               : tr("Does the corrected %1 get this line right?").arg(name);
+}
 
 /// "ask right": whether what this form finds is what there is, within the contract's ulps.
 std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::size_t,
@@ -18,25 +57,21 @@ std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::siz
     const double ulps = contractUlps(specimen.clipper, exact);
     const auto found =
         differences({&specimen.line, 1}, specimen.window, specimen.clipper, exact, ulps);
-    QString reason = tr("It finds what exact arithmetic finds, but for rounding.");
-    if (walk.outcome == clipping::Outcome::DidNotEnd)
-        reason = tr("It goes round for ever; the program had to stop it.");
-    else if (!found.empty() && found[0].kind == Difference::Kind::OnlyA)
-        reason = tr("It shows a piece, although no point of the line is inside the window.");
-    else if (!found.empty() && found[0].kind == Difference::Kind::OnlyB)
-        reason = tr("It shows nothing, although part of the line is inside the window.");
-    else if (!found.empty())
-        reason = tr("An end that it finds is off by %1 units in the last place.")
-                     .arg(shortText(found[0].ulps));
-    return Question{tr("Will what %1 finds be right?").arg(nameOf(specimen.clipper)),
-                    {tr("Yes, but for rounding"), tr("No")},
-                    found.empty() && walk.outcome != clipping::Outcome::DidNotEnd ? 0 : 1,
-                    reason};
+    const int verdict = verdictOn(walk, found);
+    QString reason = tr(verdicts[std::size_t(verdict)].reason);
+    if (!found.empty())
+        reason.replace(QStringLiteral("%1"), shortText(found[0].ulps));
+    QStringList choices;
+    for (const Verdict& row : verdicts)
+        choices << tr(row.choice);
+    return Question{promptFor(specimen.clipper), choices, verdict, reason,
+                    tr("Which decisions use a number that was rounded before? Think what happens "
+                       "if that number is slightly too large or too small.")};
 }
 
 } // namespace
 
 extern const QuestionKind rightQuestion;
-const QuestionKind rightQuestion{"right", ask};
+const QuestionKind rightQuestion{"right", ask, Covered::AllSteps};
 
 } // namespace app

@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
-/// "ask visible": is anything left of the line? What `exact` says.
+/// "ask visible": which of the four ways the line ends. What `exact` says.
 std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, const QStringList&)
 {
     const auto piece = clipped(exactClipper(), specimen.line, specimen.window);
@@ -23,15 +23,20 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, 
             : tr("What is left runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
-    return Question{tr("Is any part of this line visible in the window?"),
-                    {tr("Yes, some or all of it"), tr("No, nothing")},
-                    piece ? 0 : 1,
-                    reason};
+    const int cutEnds =
+        piece ? (piece->a != specimen.line.a) + (piece->b != specimen.line.b) : 3;
+    return Question{tr("How much of this line is visible in the window?"),
+                    {tr("All of it"), tr("A part: one end is cut"),
+                     tr("A part: both ends are cut"), tr("Nothing")},
+                    cutEnds,
+                    reason,
+                    tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
+                       "many of its ends lie outside?")};
 }
 
 } // namespace
 
 extern const QuestionKind visibleQuestion;
-const QuestionKind visibleQuestion{"visible", ask};
+const QuestionKind visibleQuestion{"visible", ask, Covered::AllSteps};
 
 } // namespace app

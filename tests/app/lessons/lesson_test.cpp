@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/course.h"
+#include "app/lessons/scores.h"
 
 #include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTest>
 
 using app::Course;
@@ -27,6 +30,17 @@ std::optional<app::Question> asked(const char* look, const QStringList& words, s
 QString rightOf(const std::optional<app::Question>& question)
 {
     return question ? question->choices.value(question->right) : QStringLiteral("no question");
+}
+
+QString whereIn(const Course& course)
+{
+    return QStringLiteral("%1, page %2").arg(course.lesson()->key).arg(course.page() + 1);
+}
+
+bool decides(const app::Moment& moment)
+{
+    return moment.mark == app::Mark::Accept || moment.mark == app::Mark::Reject
+           || moment.mark == app::Mark::GiveUp;
 }
 
 constexpr auto crossing = "cs line -160,-30 70,130 window -100,-75 100,75";
@@ -57,59 +71,185 @@ private slots:
             int questions = 0;
             for (;;) {
                 const auto& page = app::lessons()[i].pages[course.page()];
-                const QString where =
-                    QStringLiteral("%1, page %2").arg(course.lesson()->key).arg(course.page() + 1);
+                const QString where = whereIn(course);
                 QVERIFY2(microscope.specimen() == page.specimen, qPrintable(where));
-                QVERIFY2(!microscope.walk().moments.empty(), qPrintable(where));
                 QVERIFY2(course.question().has_value() == page.question.has_value(),
                          qPrintable(where)); // each question that is written can be asked
+                QCOMPARE(course.isOpen(), page.question.has_value());
                 if (const auto question = course.question()) {
                     ++questions;
-                    QVERIFY2(question->choices.size() >= 2, qPrintable(where));
+                    QVERIFY2(question->choices.size() >= 3, qPrintable(where));
                     QCOMPARE(
                         QSet<QString>(question->choices.begin(), question->choices.end()).size(),
                         question->choices.size());
                     QVERIFY(question->right >= 0 && question->right < question->choices.size());
-                    QVERIFY(!question->prompt.contains(u'%') && !question->reason.contains(u'%'));
+                    for (const QString& text :
+                         {question->prompt, question->reason, question->hint})
+                        QVERIFY2(!text.isEmpty() && !text.contains(u'%'), qPrintable(where));
                     course.choose(question->right);
+                    QVERIFY(!course.isOpen());
                 }
+                QVERIFY2(!microscope.walk().moments.empty(), qPrintable(where));
                 if (course.atLastPage())
                     break;
                 course.next();
             }
-            QCOMPARE(course.questions(), questions);
-            QCOMPARE(course.score(), (app::Score{questions, questions}));
+            QCOMPARE(course.score(), (app::Score{questions, 2 * questions}));
+            QCOMPARE(app::mostPoints(*course.lesson()), 2 * questions);
         }
     }
-    void onlyTheFirstAnswerCounts()
+    /// While a question is open: neither the text, nor the hint, nor a step says the answer.
+    void nothingAnswersAnOpenQuestion()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        int asked = 0;
+        for (std::size_t i = 0; i < app::lessons().size(); ++i)
+            for (course.begin(i);; course.next()) {
+                if (const auto question = course.question()) {
+                    ++asked;
+                    const QString where = whereIn(course);
+                    const auto& page = app::lessons()[i].pages[course.page()];
+                    const app::Walk whole = app::walkOf(page.specimen);
+                    const QString right = question->choices[question->right].section(
+                        QStringLiteral("At "), -1); // "the left edge"
+                    QVERIFY2(microscope.isCovered(), qPrintable(where));
+                    for (const QString& text : {course.text(), course.told(), question->hint})
+                        QVERIFY2(!text.contains(right), qPrintable(where + ": " + right));
+                    for (const app::Moment& moment : microscope.walk().moments) {
+                        QVERIFY2(!moment.sentence.contains(right), qPrintable(where));
+                        QVERIFY2(!question->reason.contains(moment.sentence), qPrintable(where));
+                    }
+                    QVERIFY2(microscope.walk().moments.size() < whole.moments.size(),
+                             qPrintable(where));
+                    QVERIFY2(!microscope.walk().visible, qPrintable(where));
+                    microscope.goTo(1000); // as End does, and the timeline
+                    QVERIFY2(!microscope.moment() || !decides(*microscope.moment()),
+                             qPrintable(where));
+                    course.showAnswer();
+                    QVERIFY2(!microscope.isCovered(), qPrintable(where));
+                    QCOMPARE(microscope.walk().moments.size(), whole.moments.size());
+                    QCOMPARE(course.told(), page.told);
+                }
+                if (course.atLastPage())
+                    break;
+            }
+        QVERIFY(asked > 15);
+    }
+    void theLessonDoesNotGoOnWhileAQuestionIsOpen()
     {
         app::Microscope microscope;
         Course course(microscope);
         course.begin(1);
-        const int right = course.question()->right;
-        const int wrong = right == 0 ? 1 : 0;
-        course.choose(wrong);
-        course.choose(right);
-        QCOMPARE(course.score(), (app::Score{1, 0}));
         course.next();
+        QCOMPARE(course.page(), 0U);
+        course.showAnswer();
+        course.next();
+        QCOMPARE(course.page(), 1U);
+    }
+    void aWrongAnswerHasASecondTry()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        const auto wrongOf = [&](int which) {
+            const int right = course.question()->right;
+            return which < right ? which : which + 1;
+        };
+        course.begin(1);
+        course.choose(wrongOf(0));
+        QVERIFY(course.isOpen() && microscope.isCovered());
+        course.choose(wrongOf(0)); // the same again is no try
+        QVERIFY(course.isOpen());
+        course.choose(course.question()->right);
+        QCOMPARE(course.score(), (app::Score{1, 1}));
+        course.choose(wrongOf(1)); // too late
+        course.next();
+        course.choose(wrongOf(0));
+        course.choose(wrongOf(1));
+        QVERIFY(!course.isOpen());
+        QCOMPARE(course.score(), (app::Score{2, 1}));
         course.previous();
-        QCOMPARE(course.answer(), std::optional(wrong));
+        QCOMPARE(course.answer().tries.size(), 2U);
+        QVERIFY(!microscope.isCovered());
+    }
+    void theTickIsForUnderstanding()
+    {
+        for (const Lesson& lesson : app::lessons()) {
+            const int most = app::mostPoints(lesson);
+            QVERIFY2(most >= 4, qPrintable(lesson.key));
+            QVERIFY(!app::isUnderstood(0, lesson) && !app::isUnderstood(most / 2, lesson));
+            QVERIFY(app::isUnderstood(most, lesson));
+        }
+    }
+    void pointsAreKept()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.ini"));
+        const Lesson& lesson = app::lessons()[1];
+        const auto kept = [&] {
+            return app::bestPoints(QSettings(file, QSettings::IniFormat), lesson);
+        };
+        const auto keep = [&](int points) {
+            QSettings settings(file, QSettings::IniFormat);
+            app::keepPoints(settings, lesson, points);
+        };
+        QVERIFY(!kept());
+        keep(0);
+        QCOMPARE(kept(), std::optional(0));
+        keep(5);
+        keep(3); // the best ones stay
+        QCOMPARE(kept(), std::optional(5));
+        for (const QVariant& hostile : {QVariant(1 << 30), QVariant(-7)}) {
+            QSettings(file, QSettings::IniFormat)
+                .setValue(QStringLiteral("lessons/points/outcodes"), hostile);
+            QVERIFY(*kept() >= 0 && *kept() <= app::mostPoints(lesson));
+        }
+        QSettings(file, QSettings::IniFormat)
+            .setValue(QStringLiteral("lessons/points/outcodes"), QStringLiteral("many"));
+        QVERIFY(!kept());
+    }
+    void theFirstLessonBeginsEasily()
+    {
+        for (const app::LessonPage& page : app::lessons().front().pages)
+            QCOMPARE(app::keyOf(page.specimen.clipper), QStringLiteral("cohen-sutherland"));
+    }
+    /// Where p is 0 it asks, and there the algorithm really does not divide.
+    void theQuestionAboutParallelLinesIsAskedWherePIsZero()
+    {
+        const app::LessonPage& page = app::lessons()[2].pages.back();
+        QCOMPARE(page.question->kind, QStringLiteral("next"));
+        const app::Walk walk = app::walkOf(page.specimen);
+        const std::size_t step = app::wantedStep(page, walk);
+        const auto& variables = walk.moments[step].variables;
+        const auto p = std::ranges::find(variables, QStringLiteral("p"), &app::Variable::name);
+        QVERIFY(p != variables.end() && p->value == 0);
+        QCOMPARE(rightOf(app::questionOf(page, walk, step)), "It rejects the line");
+        QCOMPARE(walk.moments.back().cost.divisions, walk.moments[step].cost.divisions);
     }
     void answersAreWhatBooksSay() // by hand
     {
         QCOMPARE(rightOf(asked(crossing, {"region", "1"})), "0001");
         QCOMPARE(rightOf(asked(crossing, {"region", "2"})), "1000");
-        QVERIFY(rightOf(asked(crossing, {"visible"})).startsWith("Yes"));
-        QVERIFY(rightOf(asked(passing, {"visible"})).startsWith("No"));
+        QCOMPARE(rightOf(asked(crossing, {"visible"})), "A part: both ends are cut");
+        QCOMPARE(rightOf(asked("cs line 0,0 0,90 window -100,-75 100,75", {"visible"})),
+                 "A part: one end is cut");
+        QCOMPARE(rightOf(asked("cs line 0,0 0,9 window -100,-75 100,75", {"visible"})),
+                 "All of it");
+        QCOMPARE(rightOf(asked(passing, {"visible"})), "Nothing");
         QCOMPARE(rightOf(asked(crossing, {"edge"})), "At the left edge");
         QVERIFY(rightOf(asked(crossing, {"next"})).startsWith("It divides"));
         QCOMPARE(rightOf(asked(passing, {"cheaper", "divisions", "cs", "nln"})), "NLN");
         QCOMPARE(
             rightOf(asked("kwc:published line 10,-160 10.5,160 window -100,-75 100,75", {"right"})),
-            "No");
+            "No, it shows nothing, and a part is visible");
         QCOMPARE(rightOf(asked("kwc line 10,-160 10.5,160 window -100,-75 100,75", {"right"})),
-                 "Yes, but for rounding");
-        QCOMPARE(rightOf(asked("cs:published line 1,1 -1,-1 window 0.1,0.1 3,3", {"right"})), "No");
+                 "Yes, apart from rounding");
+        QCOMPARE(rightOf(asked("cs:published line 1,1 -1,-1 window 0.1,0.1 3,3", {"right"})),
+                 "No, it never ends");
+        QCOMPARE(rightOf(asked("md:published line -1,1.0000000000000004 3,0.9999999999999998 "
+                               "window 0,0 1,1",
+                               {"right"})),
+                 "No, it shows too much");
         QVERIFY(!asked(crossing, {"region", "3"}));
         QVERIFY(!asked(crossing, {"nonsense"}));
     }
@@ -125,6 +265,8 @@ private slots:
         for (const char* step : {"cutt", "0", "-1", "first-2", "cut-0", "cut-2-3"})
             QVERIFY2(error(QByteArray("# T\n> S\n:: step ") + step + "\nt").contains("line 3"),
                      step);
+        QVERIFY(error("# T\n> S\n:: hint of nothing\nt").contains("line 3"));
+        QVERIFY(error("# T\n> S\n:: ask next\n:: ask edge\nt").contains("line 4"));
         QVERIFY(!error("# T\ntext, but nothing to look at").isEmpty());
         QVERIFY(!error("").isEmpty());
     }

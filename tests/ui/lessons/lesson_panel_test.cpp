@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/scores.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/lesson_panel.h"
@@ -22,6 +23,13 @@ struct Stage {
     }
     ui::ChoiceList& choices() { return *panel.findChild<ui::ChoiceList*>(); }
     ui::LessonList& list() { return *panel.findChild<ui::LessonList*>(); }
+    bool says(const QString& words) const
+    {
+        const auto labels = panel.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
+    }
     void press(int key) { QTest::keyClick(QApplication::focusWidget(), Qt::Key(key)); }
 
     app::Microscope microscope;
@@ -51,12 +59,12 @@ private slots:
         int answered = 0;
         for (int presses = 0; presses < 500 && stage.course.lesson(); ++presses) {
             seen << stage.course.lesson()->key;
-            if (stage.course.question() && !stage.course.answer()) {
+            if (stage.course.isOpen()) {
                 // Down goes from choice to choice, Enter presses.
                 for (int i = 0; i < stage.course.question()->right; ++i)
                     stage.press(Qt::Key_Down);
                 stage.press(Qt::Key_Return);
-                QVERIFY2(stage.course.answer() == stage.course.question()->right,
+                QVERIFY2(!stage.course.isOpen() && stage.course.answer().tries.size() == 1,
                          qPrintable(stage.course.question()->prompt));
                 ++answered;
             }
@@ -66,7 +74,8 @@ private slots:
         QCOMPARE(seen.size(), qsizetype(app::lessons().size()));
         QVERIFY(answered > 15);
         for (const app::Lesson& lesson : app::lessons())
-            QVERIFY2(ui::isDone(lesson.key), qPrintable(lesson.key));
+            QVERIFY2(app::bestPoints(QSettings(), lesson) == app::mostPoints(lesson),
+                     qPrintable(lesson.key));
     }
     void theMicroscopeFollowsThePages()
     {
@@ -75,25 +84,67 @@ private slots:
         QVERIFY(stage.microscope.isOpen());
         const auto first = stage.microscope.specimen();
         QCOMPARE(first, app::lessons()[1].pages[0].specimen);
+        stage.press(Qt::Key_PageDown); // its question is open
+        QCOMPARE(stage.microscope.specimen(), first);
+        QTest::mouseClick(stage.panel.findChild<QPushButton*>(QStringLiteral("show-answer")),
+                          Qt::LeftButton);
         stage.press(Qt::Key_PageDown);
         QCOMPARE(stage.microscope.specimen(), app::lessons()[1].pages[1].specimen);
         stage.press(Qt::Key_PageUp);
         QCOMPARE(stage.microscope.specimen(), first);
     }
-    void aWrongAnswerIsToldAndCounts()
+    void aWrongAnswerBringsAHintAndASecondTry()
     {
         Stage stage;
         stage.course.begin(1); // which outcode?
         const int right = stage.course.question()->right;
         const int wrong = right == 0 ? 1 : 0;
         QTest::mouseClick(stage.choices().buttons()[wrong], Qt::LeftButton);
-        QCOMPARE(stage.course.score(), (app::Score{1, 0}));
-        QCOMPARE(stage.choices().buttons()[right]->accessibleDescription(), "right");
+        QVERIFY(stage.course.isOpen());
+        QVERIFY(stage.says("Not quite") && stage.says(stage.course.question()->hint));
+        QVERIFY(!stage.says(stage.course.question()->reason));
+        QVERIFY(!stage.choices().buttons()[wrong]->isEnabled());
         QVERIFY(stage.choices().buttons()[wrong]->accessibleDescription().contains("wrong"));
-        const auto labels = stage.choices().findChildren<QLabel*>();
-        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
-            return label->isVisible() && label->text().startsWith(QStringLiteral("Not quite"));
-        }));
+        QVERIFY(stage.choices().buttons()[right]->accessibleDescription().isEmpty());
+        QTest::mouseClick(stage.choices().buttons()[right], Qt::LeftButton);
+        QVERIFY(!stage.course.isOpen());
+        QCOMPARE(stage.course.score(), (app::Score{1, 1}));
+        QVERIFY(stage.says("Right.") && stage.says(stage.course.question()->reason));
+        QCOMPARE(stage.choices().buttons()[right]->accessibleDescription(), "right");
+    }
+    void readingThroughEarnsNoTick()
+    {
+        Stage stage;
+        const app::Lesson& lesson = app::lessons()[1];
+        for (stage.course.begin(1);; stage.course.next()) {
+            stage.course.showAnswer();
+            if (stage.course.atLastPage())
+                break;
+        }
+        stage.panel.showList();
+        QCOMPARE(app::bestPoints(QSettings(), lesson), std::optional(0));
+        const QString words = stage.list().buttons()[1]->accessibleDescription();
+        QVERIFY2(words.contains("Best: 0 of"), qPrintable(words));
+        QVERIFY2(!words.contains("Understood"), qPrintable(words));
+    }
+    void pointsAreThereAtTheNextStart()
+    {
+        const app::Lesson& lesson = app::lessons()[1];
+        Stage first;
+        for (first.course.begin(1);; first.course.next()) {
+            if (first.course.isOpen())
+                first.course.choose(first.course.question()->right);
+            if (first.course.atLastPage())
+                break;
+        }
+        app::Microscope microscope;
+        app::Course course(microscope);
+        const ui::LessonPanel next(course); // the settings are as they were left
+        const auto* list = next.findChild<ui::LessonList*>();
+        QVERIFY(list->buttons()[1]->accessibleDescription().contains("Understood"));
+        QVERIFY(list->buttons()[1]->accessibleDescription().contains(
+            QStringLiteral("%1 of %1").arg(app::mostPoints(lesson))));
+        QVERIFY(!list->buttons()[0]->accessibleDescription().contains("Best"));
     }
 
 private:

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/microscope/veil.h"
+
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int eye = 16, gap = 6; // pixels
+
+QString words() { return QCoreApplication::translate("Veil", "covered until you answer"); }
+
+} // namespace
+
+Veil::Veil(QWidget* over) : QWidget(over)
+{
+    setAccessibleName(words());
+    setFont(captionFont(over->font()));
+    over->installEventFilter(this);
+    setGeometry(over->rect());
+}
+
+bool Veil::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        setGeometry(parentWidget()->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void Veil::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), lookOf(palette()).panel);
+    paintVeil(painter, rect().adjusted(space::dockMargin, 6, -space::dockMargin, -6), palette());
+}
+
+void paintVeil(QPainter& painter, const QRect& area, const QPalette& palette)
+{
+    const Look& look = lookOf(palette);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look.hover);
+    painter.drawRoundedRect(area, space::radius, space::radius);
+    const int text = painter.fontMetrics().horizontalAdvance(words());
+    const bool both = eye + gap + text + 2 * gap <= area.width();
+    const int left = area.center().x() - (both ? eye + gap + text : eye) / 2;
+    icon("eye-closed").paint(&painter, QRect(left, area.center().y() - eye / 2, eye, eye));
+    painter.setPen(look.muted);
+    if (both)
+        painter.drawText(QRect(left + eye + gap, area.top(), text + gap, area.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, words());
+    painter.restore();
+}
+
+} // namespace ui
