@@ -35,9 +35,9 @@ QString edgeName(Edge edge)
     case Edge::Right:
         return tr("right edge");
     case Edge::Bottom:
-        return tr("upper edge");
+        return tr("top edge");
     case Edge::Top:
-        return tr("lower edge");
+        return tr("bottom edge");
     default:
         return {};
     }

@@ -89,7 +89,7 @@ Exhibit printedStep2()
 {
     return {QStringLiteral("md-step-2"), Exhibits::tr("MD with Step 2 as printed"),
             unbroken(Exhibits::tr(
-                "The text of the paper cuts at the window's lower and upper edge with "
+                "The text of the paper cuts at the window's edges ymin and ymax with "
                 "(ymin − x1) and (ymax − x1). It should read (ymin − y1) and (ymax − y1), "
                 "as in the pseudo-code: x = x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). "
                 "Lines that leave through these edges are cut at the wrong place, "
