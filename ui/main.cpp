@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/application.h"
 #include "app/command_line/command.h"
+#include "app/command_line/terminal.h"
 #include "app/plug_in/child.h"
 #include "ui/editor.h"
 
 int main(int argc, char** argv)
 {
+    app::holdStandardStreams();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

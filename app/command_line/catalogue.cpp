@@ -3,6 +3,7 @@
 #include "app/command_line/given.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/formats/file_name.h"
 
 #include <QLocale>
 
@@ -70,6 +71,14 @@ QString overview()
                           "130 interrupted.\n");
 }
 
+// Also of folders and libraries, which no format looks at.
+void refuseLostNames(const QStringList& arguments)
+{
+    for (const QString& argument : arguments)
+        if (const auto fault = faultOfName(argument))
+            throw Failure{Commands::tr("Cannot use %1: %2").arg(argument, *fault)};
+}
+
 void run(const Command& command, const QStringList& arguments)
 {
     const Given given(command, arguments);
@@ -93,6 +102,7 @@ int runCommandLine(const QStringList& arguments)
     const auto command = commandOf(arguments);
     const QString name = command ? QLatin1StringView(command->key) : QString();
     try {
+        refuseLostNames(arguments);
         if (command)
             run(*command, arguments.sliced(1));
         else if (asksForVersion(arguments))

@@ -3,6 +3,7 @@
 
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/formats/read_open_file.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -89,7 +90,7 @@ Imported readDrawing(const Given& given, const QString& path)
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
         throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};
-    auto imported = format.read(in);
+    auto imported = readOpenFile(in, format);
     if (!imported)
         throw Failure{Commands::tr("Cannot read standard input: %1").arg(imported.error)};
     return std::move(*imported.value);
@@ -123,16 +124,7 @@ void writeDrawing(const Sheet& sheet, const Output& output)
             throw Failure{*error};
         return;
     }
-    QFile out;
-    const auto fail = [](const QString& why) {
-        throw Failure{Commands::tr("Cannot write standard output: %1").arg(why)};
-    };
-    if (!out.open(stdout, QIODevice::WriteOnly))
-        fail(out.errorString() + u'.');
-    if (const auto error = output.format->write(sheet, out, output.options))
-        fail(*error);
-    if (!out.flush())
-        fail(out.errorString() + u'.');
+    printWith([&](QIODevice& out) { return output.format->write(sheet, out, output.options); });
 }
 
 QStringList losses(const Imported& imported)

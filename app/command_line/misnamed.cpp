@@ -3,6 +3,7 @@
 
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
+#include "app/formats/file_name.h"
 
 #include <QFileInfo>
 
@@ -28,6 +29,8 @@ std::optional<Refusal> misnamed(const QString& argument)
 {
     if (QFileInfo::exists(argument))
         return std::nullopt;
+    if (const auto fault = faultOfName(argument))
+        return Refusal{Commands::tr("Cannot open %1: %2").arg(argument, *fault), Exit::Failed};
     if (looksLikeFile(argument))
         return Refusal{Commands::tr("Cannot open %1: there is no such file.").arg(argument),
                        Exit::Failed};

@@ -5,13 +5,16 @@
 #include "app/command_line/refusal.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace app {
@@ -45,14 +48,34 @@ void removeUnfinished()
 
 void print(const QString& text)
 {
-    const QByteArray bytes = text.toUtf8();
-    const auto size = std::size_t(bytes.size());
-    if (std::fwrite(bytes.data(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        throw Failure{Commands::tr("Cannot write standard output: %1.")
-                          .arg(QString::fromLocal8Bit(std::strerror(errno)))};
+    printWith([bytes = text.toUtf8()](QIODevice& out) -> std::optional<QString> {
+        out.write(bytes);
+        return std::nullopt;
+    });
+}
+
+void printWith(const Filling& write)
+{
+    QFile out;
+    const bool open = out.open(STDOUT_FILENO, QIODevice::WriteOnly);
+    if (const auto error = open ? fill(out, write) : out.errorString() + u'.')
+        throw Failure{Commands::tr("Cannot write standard output: %1").arg(*error)};
 }
 
 void say(const QString& line) { std::fputs((line + u'\n').toUtf8().constData(), stderr); }
+
+// Opened the wrong way round, so that reading or writing is an error as it was. open() takes the
+// lowest number that is free; standard error is not missed.
+void holdStandardStreams()
+{
+    struct Stream {
+        int number, mode;
+    };
+    for (const Stream stream : {Stream{STDIN_FILENO, O_WRONLY}, Stream{STDOUT_FILENO, O_RDONLY},
+                                Stream{STDERR_FILENO, O_WRONLY}})
+        if (::fcntl(stream.number, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]]
+            const int taken = ::open("/dev/null", stream.mode);
+}
 
 void answerSignals()
 {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/file_name.h"
 #include "app/formats/format.h"
+#include "app/formats/read_open_file.h"
 #include "app/formats/replace_file.h"
 
 #include <QCoreApplication>
@@ -50,6 +52,8 @@ Result<Imported> readFile(const QString& path, const Format* format)
     if (info.isDir())
         return failure(
             QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
+    if (const auto fault = faultOfName(path))
+        return failure(*fault);
     if (!info.exists())
         return failure(QCoreApplication::translate("formats", "there is no such file."));
     format = format ? format : formatOfFile(path);
@@ -60,7 +64,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
     try {
-        Result<Imported> result = format->read(file);
+        Result<Imported> result = readOpenFile(file, *format);
         return result ? std::move(result) : failure(result.error);
     } catch (const std::bad_alloc&) {
         return failure(QCoreApplication::translate(

@@ -42,7 +42,7 @@ Result<WrittenExample> writeExample(const QString& folder, Existing existing)
             continue;
         }
         const auto error = replaceFile(path, [&](QIODevice& out) {
-            return out.write(text) == text.size() ? std::nullopt : std::optional(out.errorString());
+            return out.write(text) == text.size() ? std::nullopt : std::optional(out.errorString() + u'.');
         });
         if (error)
             return Result<WrittenExample>::failure(

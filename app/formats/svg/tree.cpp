@@ -74,7 +74,7 @@ public:
 
     Tree build()
     {
-        while (!xml_.atEnd())
+        while (!xml_.atEnd() && !xml_.hasError()) // where a read fails there is no end
             take(xml_.readNext());
         if (xml_.hasError())
             throw whyNot(xml_, tree_.elements_.size());

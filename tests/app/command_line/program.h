@@ -5,17 +5,20 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <functional>
+
 /// How a program ended.
 struct Ended {
     int code;
     QByteArray out, err;
 };
 
-/// Runs a program to its end. A crash has the code -1.
+/// Runs a program to its end, after `before` in its process. A crash has the code -1.
 inline Ended runProgram(const QString& program, const QStringList& arguments,
-                        const QByteArray& input = {})
+                        const QByteArray& input = {}, std::function<void()> before = {})
 {
     QProcess process;
+    process.setChildProcessModifier(std::move(before));
     auto environment = QProcessEnvironment::systemEnvironment();
     for (const auto* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         environment.remove(QString::fromLatin1(display));
@@ -32,6 +35,12 @@ inline Ended runProgram(const QString& program, const QStringList& arguments,
 inline Ended clearcut(const QStringList& arguments, const QByteArray& input = {})
 {
     return runProgram(QStringLiteral(CLEARCUT_BINARY), arguments, input);
+}
+
+/// The same after `before` in its process: limits, streams.
+inline Ended clearcutAfter(std::function<void()> before, const QStringList& arguments)
+{
+    return runProgram(QStringLiteral(CLEARCUT_BINARY), arguments, {}, std::move(before));
 }
 
 /// Runs it in a shell, for redirections; $clearcut is the program.

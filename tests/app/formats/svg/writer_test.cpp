@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFileInfo>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <random>
 
+#include "tests/app/formats/failing_disk.h"
 #include "tests/app/formats/svg/text.h"
 
 namespace {
@@ -26,26 +29,6 @@ QByteArray bodyOf(const app::Sheet& sheet, const app::WriteOptions& options = {}
     const auto begin = text.indexOf("<g ");
     return text.mid(begin, text.indexOf("</svg>") - begin);
 }
-
-// Takes a limited number of bytes, as a full disk does.
-class FullDisk : public QIODevice {
-public:
-    FullDisk() { open(QIODevice::WriteOnly | QIODevice::Unbuffered); }
-
-protected:
-    qint64 readData(char*, qint64) override { return -1; }
-    qint64 writeData(const char*, qint64 size) override
-    {
-        room_ -= size;
-        if (room_ >= 0)
-            return size;
-        setErrorString("No space left on device");
-        return -1;
-    }
-
-private:
-    qint64 room_ = 200'000;
-};
 
 } // namespace
 
@@ -145,10 +128,19 @@ private slots:
 
     void aFullDiskIsReported()
     {
-        const auto error = app::findFormat(u"svg")->write(
-            sheetWith(std::vector<app::Shape>(20'000, lineShape({0, 0}, {1, 1}))),
-            *std::make_unique<FullDisk>(), {});
-        QCOMPARE(error.value_or(""), "No space left on device.");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.svg");
+        const auto sheet = sheetWith(std::vector<app::Shape>(20'000, lineShape({0, 0}, {1, 1})));
+        QVERIFY(!app::writeFile(sheet, path));
+        const auto size = std::size_t(QFileInfo(path).size());
+        QVERIFY(size > 500'000);
+        for (const std::size_t room : {std::size_t(0), size / 2, size - 16385, size - 1}) {
+            QVERIFY(QFile(path).resize(3));
+            const disk::Failing failing(disk::Step::Write, room);
+            const auto error = app::writeFile(sheet, path);
+            QCOMPARE(error.value_or(""), "Cannot write " + path + ": No space left on device.");
+            QCOMPARE(QFileInfo(path).size(), 3);
+        }
     }
 };
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/format.h"
+
+#include <QFileDevice>
+
+namespace app {
+
+/// Reads what is open. A disk or a pipe that fails half-way is a sentence, not a shorter drawing.
+Result<Imported> readOpenFile(QFileDevice& file, const Format& format);
+
+} // namespace app
