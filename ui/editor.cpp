@@ -2,14 +2,18 @@
 #include "ui/editor.h"
 
 #include "app/command_line/misnamed.h"
+#include "app/formats/replace_file.h"
 #include "app/teaching/line_text.h"
+#include "ui/display.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QImageWriter>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -122,17 +126,6 @@ std::optional<app::Refusal> parse(Options& options, const QStringList& arguments
     return std::nullopt;
 }
 
-/// Whether a window can be shown; asked before Qt ends the program for want of a display.
-bool displayAtHand()
-{
-#if defined(Q_OS_LINUX)
-    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY")
-           || qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
-#else
-    return true;
-#endif
-}
-
 void nameProgram()
 {
     QCoreApplication::setOrganizationName(QStringLiteral("Clearcut"));
@@ -141,11 +134,22 @@ void nameProgram()
     QSettings::setDefaultFormat(QSettings::IniFormat);
 }
 
-bool savedPicture(MainWindow& window, const QString& path)
+/// Nothing, or why it could not be written.
+std::optional<QString> savePicture(MainWindow& window, const QString& path)
 {
     window.canvas().settle();
     QCoreApplication::processEvents();
-    return window.grab().save(path);
+    const QPixmap picture = window.grab();
+    QString type = QFileInfo(path).suffix();
+    if (!QImageWriter::supportedImageFormats().contains(type.toLower().toLatin1()))
+        type = QStringLiteral("png");
+    return app::replaceFile(path, [&](QIODevice& out) -> std::optional<QString> {
+        QBuffer buffer;
+        if (!picture.save(&buffer, type.toLatin1().constData()))
+            return tr("there is not enough memory for the picture.");
+        out.write(buffer.data());
+        return std::nullopt;
+    });
 }
 
 void showPanes(Canvas& canvas, const QString& count)
@@ -206,16 +210,16 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
         openMicroscope(window, options);
     if (options.screenshot.isEmpty())
         return application.exec();
-    bool saved = false;
+    std::optional<QString> error;
     constexpr int forThumbnails = 1500; // milliseconds; they are painted on another thread
     QTimer::singleShot(forThumbnails, &window, [&] {
-        saved = savedPicture(window, options.screenshot);
+        error = savePicture(window, options.screenshot);
         application.quit();
     });
     application.exec();
-    if (!saved)
-        complain(tr("Cannot write %1.").arg(options.screenshot));
-    return int(saved ? app::Exit::Done : app::Exit::Failed);
+    if (error)
+        complain(tr("Cannot write %1: %2").arg(options.screenshot, *error));
+    return int(error ? app::Exit::Failed : app::Exit::Done);
 }
 
 } // namespace
@@ -231,9 +235,8 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     }
     if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    if (!displayAtHand()) {
-        complain(tr("There is no display for the editor. Start it from a desktop, or use a command "
-                    "that needs none: clearcut clip IN -o OUT (clearcut --help lists them)."));
+    if (const QString why = whyNoDisplay(); !why.isEmpty()) {
+        complain(why);
         return int(app::Exit::Failed);
     }
     nameProgram();
@@ -246,10 +249,10 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
+    const auto application = startApplication(argc, argv);
     const Theme saved = Theme(QSettings().value("theme", int(Theme::System)).toInt());
-    applyTheme(application, options.theme.value_or(saved));
-    return show(application, options, clock);
+    applyTheme(*application, options.theme.value_or(saved));
+    return show(*application, options, clock);
 }
 
 } // namespace ui
