@@ -24,8 +24,12 @@ QString filter(const app::Format& format)
     return QStringLiteral("%1 (*.%2)").arg(format.name, ending(format));
 }
 
+/// What Return answers: the first verb, or Cancel where the verb cannot be taken back.
+enum class Usual : std::uint8_t { FirstVerb, Cancel };
+
 /// A message box with verbs; -1 for Cancel or Esc.
-int ask(QWidget& parent, const QString& sentence, const QString& more, const QStringList& verbs)
+int ask(QWidget& parent, const QString& sentence, const QString& more, const QStringList& verbs,
+        Usual usual = Usual::FirstVerb)
 {
     QMessageBox box(QMessageBox::NoIcon, QCoreApplication::applicationName(), sentence,
                     QMessageBox::NoButton, &parent);
@@ -34,8 +38,9 @@ int ask(QWidget& parent, const QString& sentence, const QString& more, const QSt
     for (const QString& verb : verbs)
         buttons << box.addButton(verb, buttons.isEmpty() ? QMessageBox::AcceptRole
                                                          : QMessageBox::DestructiveRole);
-    box.setDefaultButton(buttons.front());
-    box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    QPushButton* const cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box.setEscapeButton(cancel);
+    box.setDefaultButton(usual == Usual::Cancel ? cancel : buttons.front());
     box.exec();
     return int(buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));
 }
@@ -121,7 +126,7 @@ bool Questions::trustLibrary(const QString& path)
                tr("A library is a program. It runs in a process of its own, so a crash harms "
                   "nothing, but with all your rights: run only what you or people you trust have "
                   "written."),
-               {tr("Run")})
+               {tr("Run")}, Usual::Cancel)
            == 0;
 }
 
@@ -139,7 +144,7 @@ bool Questions::overwriteFiles(const QStringList& existing, int all)
                    .arg(all)
                    .arg(QFileInfo(existing.front()).path()),
                tr("Writing replaces what is there now: %1").arg(names.join(QStringLiteral(", "))),
-               {tr("Overwrite")})
+               {tr("Overwrite")}, Usual::Cancel)
            == 0;
 }
 
@@ -173,7 +178,7 @@ Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Lefto
 bool Questions::overwriteChanged(const QString& path)
 {
     return ask(window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
-               tr("Saving replaces what is there now."), {tr("Overwrite")})
+               tr("Saving replaces what is there now."), {tr("Overwrite")}, Usual::Cancel)
            == 0;
 }
 
