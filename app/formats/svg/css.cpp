@@ -10,19 +10,6 @@
 namespace app::svg {
 namespace {
 
-std::string withoutComments(std::string_view text)
-{
-    std::string result;
-    result.reserve(std::max<std::size_t>(text.size(), 100)); // views of it are kept
-    while (!text.empty()) {
-        const auto begin = std::min(text.find("/*"), text.size());
-        result += text.substr(0, begin);
-        const auto end = text.find("*/", begin);
-        text.remove_prefix(begin == text.size() || end == text.npos ? text.size() : end + 2);
-    }
-    return result;
-}
-
 // The end of the block that begins at text[open] == '{', one past its '}'.
 std::size_t endOfBlock(std::string_view text, std::size_t open)
 {
@@ -56,7 +43,45 @@ std::size_t endOfDeclaration(std::string_view text)
     return text.size();
 }
 
+// One past what begins at text[i] and holds no comment: a string, or url(…) without quotes. `i + 1`
+// where it is anything else.
+std::size_t endOfLiteral(std::string_view text, std::size_t i)
+{
+    if (text[i] == '"' || text[i] == '\'') {
+        std::size_t end = i + 1;
+        while (end < text.size() && text[end] != text[i] && text[end] != '\n')
+            end += text[end] == '\\' ? 2 : 1;
+        return std::min(end + 1, text.size());
+    }
+    const auto open = i + 4;
+    if (!equalsIgnoringCase(text.substr(i, 4), "url(")
+        || text.find_first_not_of(blanks, open) == text.find_first_of("\"'", open))
+        return i + 1;
+    return std::min(text.find(')', open), text.size() - 1) + 1;
+}
+
 } // namespace
+
+std::string withoutComments(std::string_view text, int depth)
+{
+    std::string result;
+    result.reserve(std::max<std::size_t>(text.size(), 100)); // views of it are kept
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i, 2) == "/*") {
+            const auto end = text.find("*/", i + 2);
+            i = end == text.npos ? text.size() : end + 2;
+            if (depth > 0)
+                result += ' ';
+            continue;
+        }
+        depth += text[i] == '{';
+        depth -= text[i] == '}';
+        const auto end = endOfLiteral(text, i);
+        result += text.substr(i, end - i);
+        i = end;
+    }
+    return result;
+}
 
 std::vector<Declaration> parseDeclarations(std::string_view text)
 {
@@ -80,7 +105,7 @@ std::vector<Declaration> parseDeclarations(std::string_view text)
     return declarations;
 }
 
-StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text))
+StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text, 0))
 {
     std::string_view rest = text_;
     for (rest = trimmed(rest); !rest.empty(); rest = trimmed(rest)) {

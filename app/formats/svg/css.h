@@ -10,6 +10,11 @@
 
 namespace app::svg {
 
+/// Style text without its /* comments */, which strings and addresses, url(…), do not hold. One
+/// that is in a block leaves a blank, as it parts words; `depth` is that of the blocks around the
+/// text.
+std::string withoutComments(std::string_view text, int depth);
+
 /// "stroke-width: 2px !important"
 struct Declaration {
     std::string_view property, value;

@@ -240,6 +240,17 @@ void Styles::set(const Property& property, Properties& properties, std::string_v
         property.set(properties, value, lengths);
 }
 
+std::string_view Styles::uncommented(const Tree::Attribute& attribute)
+{
+    const auto value = tree_.valueOf(attribute);
+    if (value.find("/*") == value.npos)
+        return value;
+    const auto [known, isNew] = uncommented_.try_emplace(attribute.offset);
+    if (isNew)
+        known->second = withoutComments(value, 1);
+    return known->second;
+}
+
 Properties Styles::of(Node node, const Properties& parent, const Lengths& around)
 {
     Properties result = parent.inherited();
@@ -248,9 +259,9 @@ Properties Styles::of(Node node, const Properties& parent, const Lengths& around
     std::string_view inlined;
     for (auto attribute = tree_.begin(node); attribute != tree_.last(node); ++attribute) {
         if (const Property* property = byName_[attribute->name])
-            set(*property, result, tree_.valueOf(*attribute), parent, lengths);
+            set(*property, result, uncommented(*attribute), parent, lengths);
         else if (tree_.nameOf(attribute->name) == "style")
-            inlined = tree_.valueOf(*attribute);
+            inlined = uncommented(*attribute);
     }
     if (inlined.empty() && sheet_.empty())
         return result;

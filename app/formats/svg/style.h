@@ -62,9 +62,12 @@ private:
     static void set(const Property& property, Properties& properties, std::string_view value,
                     const Properties& parent, const Lengths& lengths);
 
+    std::string_view uncommented(const Tree::Attribute& attribute);
+
     const Tree& tree_;
     StyleSheet sheet_;
-    std::vector<const Property*> byName_; ///< of the tree's attribute names
+    std::unordered_map<std::uint32_t, std::string> uncommented_; ///< values by their offset
+    std::vector<const Property*> byName_;                        ///< of the tree's attribute names
 };
 
 } // namespace app::svg

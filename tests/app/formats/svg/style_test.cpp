@@ -109,6 +109,45 @@ private slots:
         QCOMPARE(name(style("", ".c , .b{stroke:blue}").stroke), "0 0 255 255");
     }
 
+    void comments_data()
+    {
+        QTest::addColumn<QByteArray>("attributes");
+        QTest::addColumn<QByteArray>("sheet");
+        const auto row = [](const char* attributes, const char* sheet) {
+            QTest::addRow("%s | %s", attributes, sheet)
+                << QByteArray(attributes) << QByteArray(sheet);
+        };
+        row(" style='stroke:blue/* red */'", "");
+        row(" style='/* a */stroke:/* b */blue'", "");
+        row(" style='fill:red; /* c; */ stroke : blue; /* */'", "");
+        row(" style='fill:none;/*stroke:red;*/stroke:blue'", "");
+        row(" style='stroke:blue;/* not closed; stroke:red'", "");
+        row(" style='stroke/**/:/**/blue/**/!important'", "#i{stroke:red!important}");
+        row(" style='font-family:\"/*\";stroke:blue'", "");
+        row(" style='filter:url(/*);stroke:blue'", "");
+        row(" stroke='blue/* c */'", "");
+        row(" stroke='/* c */ blue '", "");
+        row("", "#i{/* a */stroke:/* b */blue/* c */;/* d */}");
+        row("", "/* #i{stroke:red} */#i/**/.a{stroke:blue}/* e");
+        row("", "x{content:'/*'}#i{stroke:blue}y{content:\"*/\"}");
+    }
+    void comments()
+    {
+        QFETCH(QByteArray, attributes);
+        QFETCH(QByteArray, sheet);
+        QCOMPARE(name(style(attributes, sheet).stroke), "0 0 255 255");
+    }
+    void commentsPartWords()
+    {
+        const auto dashes = [](const QByteArray& attributes, const QByteArray& sheet) {
+            return style(attributes, sheet).dashes;
+        };
+        const std::vector<double> expected{1, 2};
+        QCOMPARE(dashes(" style='stroke-dasharray:1/**/2'", ""), expected);
+        QCOMPARE(dashes(" stroke-dasharray='1/**/2'", ""), expected);
+        QCOMPARE(dashes("", "#i{stroke-dasharray:1/**/2}"), expected);
+    }
+
     void selectors()
     {
         const auto inGroup = [](const QByteArray& sheet) {
