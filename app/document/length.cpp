@@ -48,7 +48,7 @@ double toUserUnits(Length length, double millimetresPerUnit, double whole)
     switch (length.unit) {
     case Unit::User: return length.value;
     case Unit::Percent: return length.value / 100 * whole;
-    default: return length.value * infoOf(length.unit).millimetres / millimetresPerUnit;
+    default: return length.value * (infoOf(length.unit).millimetres / millimetresPerUnit);
     }
 }
 

@@ -30,7 +30,8 @@ struct Length {
 /// "10mm", "-3.5", "2 in", "50%": the C locale's numbers; nothing for anything else, NaN or infinity.
 std::optional<Length> parseLength(std::string_view text);
 
-/// In user units. `millimetresPerUnit` is the drawing's; `whole` is what 100 % means.
+/// In user units. `millimetresPerUnit` is the drawing's; `whole` is what 100 % means. Exact where
+/// the unit is as large as the drawing's.
 double toUserUnits(Length length, double millimetresPerUnit, double whole = 0);
 
 } // namespace app

@@ -6,8 +6,8 @@ namespace app {
 double Page::millimetresPerUnit() const
 {
     const auto scale = [](Length length, double units) {
-        const double millimetres = infoOf(length.unit).millimetres * length.value;
-        return units > 0 && millimetres > 0 ? millimetres / units : 0.0;
+        const double unit = infoOf(length.unit).millimetres; // a ratio first: 1000 px of 1000 is 1
+        return units > 0 && length.value > 0 ? unit * (length.value / units) : 0.0;
     };
     const double x = scale(width, size.x), y = scale(height, size.y);
     if (x > 0 && y > 0)

@@ -6,13 +6,13 @@ namespace app {
 Paper paperOf(const Page& page)
 {
     const double unit = page.millimetresPerUnit();
-    const auto size = [&](Length length, double units) {
-        const double millimetres = length.value * infoOf(length.unit).millimetres;
-        return millimetres > 0 ? millimetres
-                               : units * unit; // as large as the page where it is open
+    const auto size = [&](Length length, double units) { // in user units
+        const double ratio = infoOf(length.unit).millimetres / unit;
+        return length.value * ratio > 0 ? length.value * ratio
+                                        : units; // as large as the page where it is open
     };
     const Point paper{size(page.width, page.size.x), size(page.height, page.size.y)};
-    return {paper, unit, page.min - (paper / unit - page.size) / 2.0};
+    return {paper * unit, unit, page.min - (paper - page.size) / 2.0};
 }
 
 } // namespace app

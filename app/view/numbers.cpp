@@ -33,13 +33,13 @@ QString countText(std::size_t count) { return QLocale().toString(qulonglong(coun
 double inUnit(double userUnits, Unit unit, double millimetresPerUnit)
 {
     const double size = infoOf(unit).millimetres;
-    return size > 0 ? userUnits * millimetresPerUnit / size : userUnits;
+    return size > 0 ? userUnits * (millimetresPerUnit / size) : userUnits;
 }
 
 double fromUnit(double value, Unit unit, double millimetresPerUnit)
 {
     const double size = infoOf(unit).millimetres;
-    return size > 0 ? value * size / millimetresPerUnit : value;
+    return size > 0 ? value * (size / millimetresPerUnit) : value;
 }
 
 QString lengthNumber(double userUnits, Unit unit, double millimetresPerUnit, int more)

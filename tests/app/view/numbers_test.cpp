@@ -37,6 +37,13 @@ private slots:
             if (unit.unit != app::Unit::Percent)
                 QCOMPARE(app::fromUnit(app::inUnit(12.5, unit.unit, 0.3), unit.unit, 0.3), 12.5);
     }
+    void pixelsAreExactWhereAUnitIsOne()
+    {
+        for (int size = 1; size <= 5000; ++size) {
+            QCOMPARE(app::fromUnit(size, app::Unit::Px, 25.4 / 96), double(size));
+            QCOMPARE(app::inUnit(size, app::Unit::Px, 25.4 / 96), double(size));
+        }
+    }
     void times()
     {
         QCOMPARE(app::millisecondsText(0.004), "< 0.01 ms");
