@@ -71,10 +71,12 @@ struct Layer {
     QString name;
     bool visible = true;
     bool locked = false;
+    QString id{}; ///< the SVG's; may be empty
     friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// The page: its rectangle in user units (the SVG's viewBox) and its size on paper.
+/// The page: its rectangle in user units (the whole sheet of paper; an SVG's viewBox) and its size
+/// on paper. Lengths with a unit count from its `min`, the paper's top left corner.
 struct Page {
     Point min{0, 0};
     Point size{297, 210};
@@ -88,12 +90,24 @@ struct Page {
     clipping::Window rectangle() const { return {min, min + size}; }
 };
 
+/// What a file says about itself: title, author, licence … It is kept as the file has it: XML in
+/// which every prefix is declared; "" where the file says nothing.
+struct About {
+    QString id;          ///< plain text: the root's
+    QString comments;    ///< <!-- … --> before and after the root, where licences often stand
+    QString title;       ///< the root's <title> elements
+    QString description; ///< its <desc> elements
+    QString metadata;    ///< what its <metadata> holds, apart from Clearcut's own
+    friend bool operator==(const About&, const About&) = default;
+};
+
 /// A whole drawing.
 struct Sheet {
     Page page;
     std::vector<Layer> layers{{QStringLiteral("Drawing")}}; ///< bottom to top, never empty
     std::vector<Shape> shapes; ///< bottom to top; `layer` never decreases
     clipping::Window window = page.rectangle(); ///< the clip window
+    About about{};
     friend bool operator==(const Sheet&, const Sheet&) = default;
 
     bool shown(const Shape& shape) const { return !shape.hidden && layers[shape.layer].visible; }

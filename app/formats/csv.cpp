@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/reader.h"
 #include "app/formats/csv/writer.h"
+#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 
@@ -8,8 +9,14 @@ namespace app {
 
 Format csvFormat()
 {
-    return {"csv", QCoreApplication::translate("formats", "Lines as a table"), csv::read,
-            csv::write, Holds::SeparateLines};
+    return {"csv",
+            QCoreApplication::translate("formats", "Lines as a table"),
+            csv::read,
+            csv::write,
+            Holds::SeparateLines,
+            Hides::No,
+            QCoreApplication::translate("formats", "%1 lines; %2 layers (those above become one)")
+                .arg(countText(csv::mostRows), countText(csv::mostLayers))};
 }
 
 } // namespace app

@@ -19,6 +19,7 @@ struct Loss {
     QString what;
     int count = 1;
     bool remark = false;
+    QString instead{}; ///< what is kept of it ("their lines are"); may be empty
 };
 
 /// A drawing as it came out of a file, with what the document could not hold.
@@ -27,6 +28,9 @@ struct Imported {
     std::vector<Loss> report;
     /// CSV: the 0-based data row that each shape of the sheet came from; else empty.
     std::vector<std::uint32_t> rows{};
+    /// Whether the file has a page of its own. Else (CSV) the page is what is drawn, and lengths
+    /// with a unit count from the user origin as bare numbers do.
+    bool paged = true;
     bool lossy() const; ///< any that is not a remark: Save becomes Save as
 };
 
@@ -48,16 +52,21 @@ struct WriteOptions {
 /// window in a single point counts as well.
 enum class Holds : std::uint8_t { Paths, SeparateLines };
 
+/// Whether a file can hold what is hidden, and keeps it hidden.
+enum class Hides : std::uint8_t { No, Yes };
+
 /// One row of the catalogue of file formats. A null function: cannot.
 struct Format {
     std::string_view key; ///< "svg": the file name's ending and --from/--to
     QString name;         ///< "SVG drawing", translated
     Result<Imported> (*read)(QIODevice& in);
-    /// Nothing, or the sentence that says what went wrong. Hidden shapes and layers are written
-    /// only where they can stay hidden (SVG).
+    /// Nothing, or the sentence that says what went wrong. Hidden shapes and layers are left out
+    /// unless the format `hides`.
     std::optional<QString> (*write)(const Sheet& sheet, QIODevice& out,
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
+    Hides hides = Hides::No;
+    QString limits{}; ///< the most that a file of it may hold, as it follows "at most "; or nothing
 };
 
 /// Every format, in menu order; the first is the native one.

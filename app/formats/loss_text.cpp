@@ -36,7 +36,8 @@ QStringList lossLines(const std::vector<Loss>& report)
     QStringList lines;
     for (const Loss& loss : report)
         if (!loss.remark)
-            lines << tr("Lost: %1").arg(counted(loss));
+            lines << tr("Lost: %1").arg(counted(loss))
+                         + (loss.instead.isEmpty() ? QString() : tr("; %1").arg(loss.instead));
     for (const Loss& loss : report)
         if (loss.remark)
             lines << tr("Changed: %1").arg(counted(loss));

@@ -3,6 +3,7 @@
 #include "app/formats/paper.h"
 #include "app/formats/seen_part.h"
 #include "app/formats/write_all.h"
+#include "app/view/numbers.h"
 #include "app/view/painter_path.h"
 
 #include <QBuffer>
@@ -121,7 +122,14 @@ std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOpti
 
 Format pngFormat()
 {
-    return {"png", QCoreApplication::translate("formats", "PNG picture"), nullptr, write};
+    return {"png",
+            QCoreApplication::translate("formats", "PNG picture"),
+            nullptr,
+            write,
+            Holds::Paths,
+            Hides::No,
+            QCoreApplication::translate("formats", "%1 pixels a side and %2 in all")
+                .arg(countText(std::size_t(mostPixelsOfSide)), countText(std::size_t(mostPixels)))};
 }
 
 } // namespace app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg/limits.h"
 #include "app/formats/svg/reader.h"
 #include "app/formats/svg/writer.h"
+#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 
@@ -8,7 +10,16 @@ namespace app {
 
 Format svgFormat()
 {
-    return {"svg", QCoreApplication::translate("formats", "SVG drawing"), svg::read, svg::write};
+    return {"svg",
+            QCoreApplication::translate("formats", "SVG drawing"),
+            svg::read,
+            svg::write,
+            Holds::Paths,
+            Hides::Yes,
+            QCoreApplication::translate("formats", "%1 elements, nested %2 deep; %3 points; %4 "
+                                                   "layers (those above become one)")
+                .arg(countText(svg::mostElements), countText(svg::deepestNesting),
+                     countText(svg::mostParts), countText(svg::mostLayers))};
 }
 
 } // namespace app

@@ -17,9 +17,7 @@
 namespace app::csv {
 namespace {
 
-constexpr std::size_t mostRows = 5'000'000; // some 2 GB
-constexpr std::size_t mostLayers = 1'000;   // what is above goes into the last one
-constexpr double largest = 1e300;           // so that sums and differences stay finite
+constexpr double largest = 1e300; // so that sums and differences stay finite
 
 QString tr(const char* text) { return QCoreApplication::translate("csv", text); }
 
@@ -200,6 +198,7 @@ private:
 
     void finish()
     {
+        imported_.paged = false;
         Sheet& sheet = imported_.sheet;
         const QString usualName = sheet.layers.front().name;
         sheet.layers.resize(std::max<std::size_t>(1, layers_.size()));

@@ -36,6 +36,24 @@ std::string escaped(const QString& text)
     return result;
 }
 
+std::string escapedContent(const QString& text)
+{
+    std::string result;
+    for (const char c : text.toStdString()) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '\r')
+            result += "&#13;";
+        else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t')
+            result += c;
+    }
+    return result;
+}
+
 void appendAttribute(std::string& text, std::string_view name, std::string_view value)
 {
     (((text += ' ') += name) += "=\"") += value;

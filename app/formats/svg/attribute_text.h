@@ -14,6 +14,9 @@ namespace app::svg {
 /// Characters that XML cannot hold at all are left out.
 std::string escaped(const QString& text);
 
+/// The same for what stands between tags, where line ends and quotes are themselves.
+std::string escapedContent(const QString& text);
+
 /// `value` is escaped already.
 void appendAttribute(std::string& text, std::string_view name, std::string_view value);
 void appendAttribute(std::string& text, std::string_view name, double value);

@@ -16,7 +16,7 @@ void Layers::open(const Layer& layer)
     const Layer& around = open_.back().layer;
     const bool nested = open_.size() > 1;
     open_.push_back({{layer.name, layer.visible && (!nested || around.visible),
-                      layer.locked || (nested && around.locked)},
+                      layer.locked || (nested && around.locked), layer.id},
                      {}});
     begin(open_.back());
 }
@@ -27,8 +27,10 @@ void Layers::begin(Open& open)
 {
     if (sheet_.layers.size() + 1 < mostLayers) {
         Layer layer = open.layer;
-        if (open.parts++ > 0)
+        if (open.parts++ > 0) {
             layer.name = QStringLiteral("%1 (%2)").arg(layer.name).arg(open.parts);
+            layer.id.clear(); // an id is there once
+        }
         sheet_.layers.push_back(layer);
     } else if (!merged_) {
         sheet_.layers.push_back({Text::tr("All further layers")});

@@ -11,7 +11,8 @@ namespace app::svg {
 constexpr int deepestNesting = 500; ///< elements within elements, `use` followed; recursion is safe
 constexpr std::size_t mostElements = 5'000'000; ///< in the file
 constexpr std::size_t mostBytes = 500'000'000; ///< of what comes out of a pipe, which may never end
-constexpr std::size_t mostText = 1'000'000'000; ///< bytes of attributes and style sheets
+constexpr std::size_t mostText = 1'000'000'000;  ///< bytes of attributes and style sheets
+constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, description and metadata
 constexpr std::size_t mostNames =
     10'000; ///< different ones of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`

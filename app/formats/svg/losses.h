@@ -11,7 +11,9 @@ namespace app::svg {
 struct LossKind {
     const char* one;
     const char* many;
-    bool remark = false; ///< kept in another way
+    bool remark = false;              ///< kept in another way
+    const char* oneInstead = nullptr; ///< what is kept of it; null: nothing
+    const char* manyInstead = nullptr;
 };
 
 namespace losses {
@@ -25,9 +27,10 @@ inline constexpr LossKind animation{QT_TRANSLATE_NOOP("svg", "animation"),
                                     QT_TRANSLATE_NOOP("svg", "animations")};
 inline constexpr LossKind script{QT_TRANSLATE_NOOP("svg", "script"),
                                  QT_TRANSLATE_NOOP("svg", "scripts")};
-inline constexpr LossKind gradient{
-    QT_TRANSLATE_NOOP("svg", "gradient (its first colour is used)"),
-    QT_TRANSLATE_NOOP("svg", "gradients (their first colours are used)")};
+inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("svg", "gradient"),
+                                   QT_TRANSLATE_NOOP("svg", "gradients"), false,
+                                   QT_TRANSLATE_NOOP("svg", "its first colour is used"),
+                                   QT_TRANSLATE_NOOP("svg", "their first colours are used")};
 inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("svg", "pattern"),
                                   QT_TRANSLATE_NOOP("svg", "patterns")};
 inline constexpr LossKind mask{QT_TRANSLATE_NOOP("svg", "mask"), QT_TRANSLATE_NOOP("svg", "masks")};
@@ -35,18 +38,22 @@ inline constexpr LossKind filter{QT_TRANSLATE_NOOP("svg", "filter"),
                                  QT_TRANSLATE_NOOP("svg", "filters")};
 inline constexpr LossKind blending{QT_TRANSLATE_NOOP("svg", "blend mode"),
                                    QT_TRANSLATE_NOOP("svg", "blend modes")};
-inline constexpr LossKind marker{QT_TRANSLATE_NOOP("svg", "line with markers"),
-                                 QT_TRANSLATE_NOOP("svg", "lines with markers")};
+inline constexpr LossKind marker{QT_TRANSLATE_NOOP("svg", "arrowhead or other marker"),
+                                 QT_TRANSLATE_NOOP("svg", "arrowheads or other markers"), false,
+                                 QT_TRANSLATE_NOOP("svg", "its line is kept"),
+                                 QT_TRANSLATE_NOOP("svg", "their lines are kept")};
 inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("svg", "clip path that is not convex"),
                                    QT_TRANSLATE_NOOP("svg", "clip paths that are not convex")};
-inline constexpr LossKind unevenStroke{
-    QT_TRANSLATE_NOOP("svg", "unevenly stretched stroke (made even)"),
-    QT_TRANSLATE_NOOP("svg", "unevenly stretched strokes (made even)")};
+inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("svg", "unevenly stretched stroke"),
+                                       QT_TRANSLATE_NOOP("svg", "unevenly stretched strokes"),
+                                       false, QT_TRANSLATE_NOOP("svg", "it is made even"),
+                                       QT_TRANSLATE_NOOP("svg", "they are made even")};
 inline constexpr LossKind longDashes{QT_TRANSLATE_NOOP("svg", "dash pattern that is too long"),
                                      QT_TRANSLATE_NOOP("svg", "dash patterns that are too long")};
-inline constexpr LossKind damaged{
-    QT_TRANSLATE_NOOP("svg", "damaged shape (kept as far as it is clear)"),
-    QT_TRANSLATE_NOOP("svg", "damaged shapes (kept as far as they are clear)")};
+inline constexpr LossKind damaged{QT_TRANSLATE_NOOP("svg", "part of a damaged shape"),
+                                  QT_TRANSLATE_NOOP("svg", "parts of damaged shapes"), false,
+                                  QT_TRANSLATE_NOOP("svg", "the rest is kept"),
+                                  QT_TRANSLATE_NOOP("svg", "the rest is kept")};
 inline constexpr LossKind transform{QT_TRANSLATE_NOOP("svg", "transform that is not understood"),
                                     QT_TRANSLATE_NOOP("svg", "transforms that are not understood")};
 inline constexpr LossKind styleRule{
@@ -54,12 +61,16 @@ inline constexpr LossKind styleRule{
     QT_TRANSLATE_NOOP("svg", "style rules that are not understood")};
 inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
                                     QT_TRANSLATE_NOOP("svg", "references to other files")};
-inline constexpr LossKind notice{
-    QT_TRANSLATE_NOOP("svg", "notice of author, licence or title"),
-    QT_TRANSLATE_NOOP("svg", "notices of author, licence or title")};
-inline constexpr LossKind layers{
-    QT_TRANSLATE_NOOP("svg", "drawing with too many layers (the upper ones became one)"),
-    QT_TRANSLATE_NOOP("svg", "drawings with too many layers (the upper ones became one)")};
+inline constexpr LossKind elementNote{
+    QT_TRANSLATE_NOOP("svg", "title or description of a single object"),
+    QT_TRANSLATE_NOOP("svg", "titles or descriptions of single objects")};
+inline constexpr LossKind metadata{
+    QT_TRANSLATE_NOOP("svg", "title, description and metadata of more than 16 MB"),
+    QT_TRANSLATE_NOOP("svg", "titles, descriptions and metadata of more than 16 MB")};
+inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many layers"),
+                                 QT_TRANSLATE_NOOP("svg", "stacks of too many layers"), false,
+                                 QT_TRANSLATE_NOOP("svg", "the upper ones became one"),
+                                 QT_TRANSLATE_NOOP("svg", "the upper ones became one")};
 
 inline constexpr LossKind cutClipPath{QT_TRANSLATE_NOOP("svg", "clip path was cut for real"),
                                       QT_TRANSLATE_NOOP("svg", "clip paths were cut for real"),

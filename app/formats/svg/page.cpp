@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/page.h"
 
+#include "app/document/page_around.h"
 #include "app/formats/number.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/limits.h"
@@ -23,34 +24,81 @@ Length readSize(std::string_view text)
     return pixels && *pixels > 0 ? Length{*pixels, Unit::Px} : everything;
 }
 
-// How the viewport stretches the view box, beyond what a page can say: y against x.
-double unevenness(const RootPage& root, const Point& pixels, std::string_view aspect)
+// What the paper may be longer or wider than the view box before that counts: sizes are written
+// with few decimals.
+constexpr double slackMillimetres = 0.01;
+
+// The sheet around a view box, in user units; `pixels` is its size. Where the proportions are the
+// same it is the view box itself, to the bit.
+Box sheetAround(const Box& box, const Point& pixels, const AspectRatio& aspect)
 {
-    if (root.unsized || !trimmed(aspect).starts_with("none") || pixels.x <= 0 || pixels.y <= 0)
-        return 1;
-    const Point scale = pixels / root.page.size;
-    return scale.y / scale.x;
+    const Point scale = pixels / box.size;
+    const bool meet = aspect.fit == AspectRatio::Fit::Meet;
+    const int free = (scale.x > scale.y) == meet ? 0 : 1; // the direction with another length
+    const double size = box.size[1 - free] * (pixels[free] / pixels[1 - free]);
+    const double more = size - box.size[free];
+    if (!(std::abs(size) <= largestCoordinate)
+        || std::abs(more) * scale[1 - free] * pixel <= slackMillimetres)
+        return box;
+    Box sheet = box;
+    sheet.min[free] -= more * aspect.alignment[free];
+    sheet.size[free] = size;
+    return sheet;
+}
+
+void layOut(RootPage& root, const Box& box, const Point& pixels, std::string_view text)
+{
+    const AspectRatio aspect = parseAspectRatio(text);
+    Box sheet = box;
+    if (aspect.fit != AspectRatio::Fit::Stretch) {
+        sheet = sheetAround(box, pixels, aspect);
+    } else { // beyond what a page can say: y against x
+        const Point scale = pixels / box.size;
+        root.matrix.d = scale.y / scale.x;
+        sheet.min.y *= root.matrix.d;
+        sheet.size.y *= root.matrix.d;
+    }
+    root.page.min = sheet.min;
+    root.page.size = sheet.size;
 }
 
 } // namespace
 
 RootPage readPage(const Tree& tree)
 {
+    constexpr Point usual{300, 150};
     RootPage root;
     root.page.width = readSize(tree.attribute(0, "width"));
     root.page.height = readSize(tree.attribute(0, "height"));
     const Point pixels{toUserUnits(root.page.width, pixel), toUserUnits(root.page.height, pixel)};
     const auto box = parseViewBox(tree.attribute(0, "viewBox"));
-    root.unsized = !box && (pixels.x <= 0 || pixels.y <= 0);
+    root.openX = !box && pixels.x <= 0;
+    root.openY = !box && pixels.y <= 0;
     root.page.min = box ? box->min : Point{};
-    root.page.size = box ? box->size : root.unsized ? Point{300, 150} : pixels;
-    const double stretch = unevenness(root, pixels, tree.attribute(0, "preserveAspectRatio"));
-    if (stretch != 1) {
-        root.matrix.d = stretch;
-        root.page.min.y *= stretch;
-        root.page.size.y *= stretch;
-    }
+    root.page.size =
+        box ? box->size : Point{root.openX ? usual.x : pixels.x, root.openY ? usual.y : pixels.y};
+    root.viewport = root.page.size;
+    if (box && pixels.x > 0 && pixels.y > 0)
+        layOut(root, *box, pixels, tree.attribute(0, "preserveAspectRatio"));
     return root;
+}
+
+Page closed(const RootPage& root, const std::vector<Shape>& shapes)
+{
+    if (shapes.empty() && root.openX && root.openY)
+        return {};
+    Page page = root.page;
+    const Point end = pageAround(shapes).rectangle().max;
+    const auto close = [](double& size, Length& length, double drawn) {
+        if (drawn > 0)
+            size = drawn;
+        length = {size, Unit::Px};
+    };
+    if (root.openX)
+        close(page.size.x, page.width, end.x);
+    if (root.openY)
+        close(page.size.y, page.height, end.y);
+    return page;
 }
 
 std::optional<clipping::Window> readWindow(const Tree& tree)

@@ -9,8 +9,20 @@
 
 #include <QBuffer>
 
+#include <glm/common.hpp>
+
 namespace app::svg {
 namespace {
+
+// The page; of a file without a page, all that is drawn as well.
+clipping::Window usualWindow(const RootPage& root, const Sheet& sheet)
+{
+    const clipping::Window page = sheet.page.rectangle();
+    if (sheet.shapes.empty() || !(root.openX || root.openY))
+        return page;
+    const clipping::Window drawn = pageAround(sheet.shapes).rectangle();
+    return {glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
+}
 
 Imported import(const Tree& tree)
 {
@@ -20,14 +32,15 @@ Imported import(const Tree& tree)
     const RootPage root = readPage(tree);
     Walk walk(tree, sheet, report, usualTolerance(root.page));
     try {
-        walk.drawAll(root.matrix, root.page.size / Point{1, root.matrix.d});
+        walk.drawAll(root.matrix, root.viewport);
     } catch (Refused& refused) {
         if (refused.line == Refused::here)
             refused.line = walk.line();
         throw;
     }
-    sheet.page = root.unsized ? pageAround(sheet.shapes) : root.page;
-    sheet.window = readWindow(tree).value_or(sheet.page.rectangle());
+    sheet.page = closed(root, sheet.shapes);
+    sheet.window = readWindow(tree).value_or(usualWindow(root, sheet));
+    sheet.about = tree.about();
     imported.report = report.losses();
     return imported;
 }

@@ -21,8 +21,11 @@ void Report::add(const LossKind& kind, int count)
 std::vector<Loss> Report::losses() const
 {
     std::vector<Loss> losses;
-    for (const auto& [kind, count] : counted_)
-        losses.push_back({Text::tr(count == 1 ? kind->one : kind->many), count, kind->remark});
+    for (const auto& [kind, count] : counted_) {
+        const char* const instead = count == 1 ? kind->oneInstead : kind->manyInstead;
+        losses.push_back({Text::tr(count == 1 ? kind->one : kind->many), count, kind->remark,
+                          instead ? Text::tr(instead) : QString()});
+    }
     return losses;
 }
 

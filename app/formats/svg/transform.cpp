@@ -162,23 +162,31 @@ std::optional<Box> parseViewBox(std::string_view text)
     return Box{{v[0], v[1]}, {v[2], v[3]}};
 }
 
-Matrix viewBoxTransform(const Box& viewBox, const Box& viewport,
-                        std::string_view preserveAspectRatio)
+AspectRatio parseAspectRatio(std::string_view text)
 {
-    Point scale = viewport.size / viewBox.size;
-    Scanner words(trimmed(preserveAspectRatio));
+    using Fit = AspectRatio::Fit;
+    Scanner words(trimmed(text));
     auto align = words.word();
     if (align == "defer") {
         words.skipBlanks();
         align = words.word();
     }
     words.skipBlanks();
-    if (align != "none")
-        scale = Point(words.word() == "slice" ? std::max(scale.x, scale.y)
-                                              : std::min(scale.x, scale.y));
+    const bool slice = words.word() == "slice";
+    return {align == "none" ? Fit::Stretch : slice ? Fit::Slice : Fit::Meet, alignment(align)};
+}
+
+Matrix viewBoxTransform(const Box& viewBox, const Box& viewport,
+                        std::string_view preserveAspectRatio)
+{
+    const auto [fit, alignment] = parseAspectRatio(preserveAspectRatio);
+    Point scale = viewport.size / viewBox.size;
+    if (fit != AspectRatio::Fit::Stretch)
+        scale = Point(fit == AspectRatio::Fit::Slice ? std::max(scale.x, scale.y)
+                                                     : std::min(scale.x, scale.y));
     const Point free = viewport.size - viewBox.size * scale;
-    return translation(viewport.min + free * alignment(align))
-           * Matrix{scale.x, 0, 0, scale.y, 0, 0} * translation(-viewBox.min);
+    return translation(viewport.min + free * alignment) * Matrix{scale.x, 0, 0, scale.y, 0, 0}
+           * translation(-viewBox.min);
 }
 
 } // namespace app::svg

@@ -39,6 +39,14 @@ struct Box {
 /// "min-x min-y width height" with positive sizes.
 std::optional<Box> parseViewBox(std::string_view text);
 
+/// What preserveAspectRatio says: how a view box lies in a viewport of another proportion.
+struct AspectRatio {
+    enum class Fit : std::uint8_t { Meet, Slice, Stretch };
+    Fit fit = Fit::Meet;
+    Point alignment{0.5, 0.5}; ///< the part of the free space that is left of and above the drawing
+};
+AspectRatio parseAspectRatio(std::string_view text);
+
 /// Maps the view box into the viewport as preserveAspectRatio says.
 Matrix viewBoxTransform(const Box& viewBox, const Box& viewport,
                         std::string_view preserveAspectRatio);

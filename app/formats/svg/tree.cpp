@@ -22,8 +22,6 @@ constexpr std::array namespaces{
     Namespace{QLatin1StringView("http://www.w3.org/1999/xlink"), "xlink:"},
     Namespace{QLatin1StringView("http://www.inkscape.org/namespaces/inkscape"), "inkscape:"},
     Namespace{QLatin1StringView("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"), "sodipodi:"},
-    Namespace{QLatin1StringView("http://www.w3.org/1999/02/22-rdf-syntax-ns#"), "rdf:"},
-    Namespace{QLatin1StringView("http://purl.org/dc/elements/1.1/"), "dc:"},
     Namespace{QLatin1StringView("urn:clearcut:1"), "clearcut:"},
 };
 
@@ -81,21 +79,22 @@ public:
         tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
         tree_.attributes_.emplace_back(); // so that the end of the last ones has an address
         tree_.elements_.shrink_to_fit();
+        tree_.about_ = about_.about();
+        tree_.saysTooMuch_ = about_.tooLarge();
+        tree_.notesOfElements_ = about_.ofElements();
         return std::move(tree_);
     }
 
 private:
     void take(QXmlStreamReader::TokenType token)
     {
+        about_.take(xml_);
         if (token == QXmlStreamReader::StartElement)
             open();
         else if (token == QXmlStreamReader::EndElement)
             close();
         else if (token == QXmlStreamReader::Characters && inStyle_)
             append(tree_.styleSheet_, xml_.text());
-        else if (token == QXmlStreamReader::Characters && metadataDepth_ > 0
-                 && !xml_.isWhitespace())
-            tree_.hasNotice_ |= nameOf(open_.back()) != "dc:format";
     }
 
     void open()
@@ -119,21 +118,7 @@ private:
         for (const QXmlStreamAttribute& attribute : xml_.attributes())
             addAttribute(attribute);
         inStyle_ = tree_.names_[name] == "style";
-        if (metadataDepth_ > 0 || tree_.names_[name] == "metadata")
-            openMetadata();
     }
-
-    // A resource is a text by another name. Every editor writes that the file is a still image.
-    void openMetadata()
-    {
-        ++metadataDepth_;
-        const Node node = open_.back();
-        for (auto i = tree_.elements_[node].attributes; i < tree_.attributes_.size(); ++i)
-            tree_.hasNotice_ |= tree_.names_[tree_.attributes_[i].name] == "rdf:resource"
-                                && tree_.attributes_[i].length > 0 && nameOf(node) != "dc:type";
-    }
-
-    const std::string& nameOf(Node node) const { return tree_.names_[tree_.elements_[node].name]; }
 
     void addAttribute(const QXmlStreamAttribute& attribute)
     {
@@ -153,7 +138,6 @@ private:
         if (inStyle_)
             tree_.styleSheet_ += '\n';
         inStyle_ = false;
-        metadataDepth_ -= metadataDepth_ > 0;
     }
 
     std::uint32_t nameIndex(QStringView uri, QStringView local)
@@ -189,7 +173,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
     std::string key_;
     bool inStyle_ = false;
-    int metadataDepth_ = 0; ///< of the element that is open, <metadata> being 1
+    AboutReader about_;
 };
 
 Tree Tree::read(QIODevice& in)

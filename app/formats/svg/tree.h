@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/svg/about.h"
+
 #include <QIODevice>
 
 #include <cstdint>
@@ -17,7 +19,7 @@ constexpr Node noNode = ~Node(0);
 
 /// The elements of a file and their attributes, as compact as they can be: 100,000 lines take
 /// about as much memory as their file. Names are those of SVG's own namespace; those of Inkscape,
-/// Sodipodi, XLink, RDF, Dublin Core and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
+/// Sodipodi, XLink and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
 class Tree {
 public:
     /// Throws Refused for what is not well-formed, not SVG or beyond the limits. External entities
@@ -52,8 +54,11 @@ public:
     /// The text of all <style> elements.
     const std::string& styleSheet() const { return styleSheet_; }
 
-    /// Whether <metadata> says more than the kind of the file: an author, a licence, a title …
-    bool hasNotice() const { return hasNotice_; }
+    const About& about() const { return about_; }
+    /// What the file says about itself was larger than `mostMetadata`, and is not kept.
+    bool saysTooMuch() const { return saysTooMuch_; }
+    /// How many titles, descriptions and metadata are those of single elements.
+    int notesOfElements() const { return notesOfElements_; }
 
     /// The first element of that id, or noNode.
     Node find(std::string_view id) const;
@@ -74,7 +79,9 @@ private:
     std::vector<std::string> names_;
     std::string text_, styleSheet_;
     std::unordered_map<std::string_view, Node> ids_;
-    bool hasNotice_ = false;
+    About about_;
+    bool saysTooMuch_ = false;
+    int notesOfElements_ = 0;
 };
 
 /// "href", or the older "xlink:href".

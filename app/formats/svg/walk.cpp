@@ -77,7 +77,8 @@ void Walk::drawAll(const Matrix& rootMatrix, const Point& viewport)
     drawChildren(0, inside(0, place));
     layers_.finish();
     report_.add(losses::styleRule, styles_.ignoredRules());
-    report_.add(losses::notice, tree_.hasNotice() ? 1 : 0);
+    report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
+    report_.add(losses::elementNote, tree_.notesOfElements());
     report_.add(losses::layers, layers_.merged() ? 1 : 0);
 }
 
@@ -152,7 +153,8 @@ void Walk::drawLayer(Node node, Place place, const Place& around)
         label = tree_.attribute(node, "id");
     const bool locked = tree_.attribute(node, "sodipodi:insensitive") == "true";
     place.hidden = around.hidden; // where the layer itself is hidden, its shapes need not be
-    layers_.open({QString::fromUtf8(label), place.properties.displayed, locked});
+    layers_.open({QString::fromUtf8(label), place.properties.displayed, locked,
+                  QString::fromUtf8(tree_.attribute(node, "id"))});
     drawChildren(node, place);
     layers_.close();
 }
@@ -189,10 +191,9 @@ void Walk::drawOutline(Node node, const Place& around)
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());
     if (properties.longDashes)
         report_.add(losses::longDashes);
-    if (kind->takesMarkers
-        && !(properties.markerStart.empty() && properties.markerMid.empty()
-             && properties.markerEnd.empty()))
-        report_.add(losses::marker);
+    if (kind->takesMarkers)
+        report_.add(losses::marker, !properties.markerStart.empty() + !properties.markerMid.empty()
+                                        + !properties.markerEnd.empty());
     if (shape.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
         report_.add(losses::unevenStroke);
     shape.hidden = place.hidden || !properties.visible;

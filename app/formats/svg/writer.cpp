@@ -58,16 +58,25 @@ private:
     {
         const Page& page = sheet.page;
         const clipping::Window& window = sheet.window;
-        text_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                 "<svg xmlns=\"http://www.w3.org/2000/svg\""
+        text_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+        appendLine(sheet.about.comments);
+        text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\""
                  " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
                  " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
                  " xmlns:clearcut=\"urn:clearcut:1\"";
+        if (!sheet.about.id.isEmpty())
+            appendAttribute(text_, "id", escaped(sheet.about.id));
         appendAttribute(text_, "width", lengthText(page.width));
         appendAttribute(text_, "height", lengthText(page.height));
         appendAttribute(text_, "viewBox",
                         std::array{page.min.x, page.min.y, page.size.x, page.size.y});
-        text_ += ">\n<metadata><clearcut:window";
+        text_ += ">\n";
+        appendLine(sheet.about.title);
+        appendLine(sheet.about.description);
+        text_ += "<metadata>";
+        if (!sheet.about.metadata.isEmpty())
+            ((text_ += '\n') += sheet.about.metadata.toStdString()) += '\n';
+        text_ += "<clearcut:window";
         appendAttribute(text_, "xmin", window.min.x);
         appendAttribute(text_, "ymin", window.min.y);
         appendAttribute(text_, "xmax", window.max.x);
@@ -75,9 +84,18 @@ private:
         text_ += "/></metadata>\n";
     }
 
+    // XML that stands in a line of its own; nothing for nothing.
+    void appendLine(const QString& xml)
+    {
+        if (!xml.isEmpty())
+            (text_ += xml.toStdString()) += '\n';
+    }
+
     void appendLayer(const Layer& layer, std::span<const Shape> shapes)
     {
         text_ += "<g inkscape:groupmode=\"layer\"";
+        if (!layer.id.isEmpty())
+            appendAttribute(text_, "id", escaped(layer.id));
         appendAttribute(text_, "inkscape:label", escaped(layer.name));
         if (layer.locked)
             appendAttribute(text_, "sodipodi:insensitive", "true");

@@ -59,8 +59,8 @@ private slots:
     void pages()
     {
         using app::Unit;
-        QCOMPARE(page("width='20cm' height='30mm' viewBox='1 2 3 4'"),
-                 (app::Page{{1, 2}, {3, 4}, {20, Unit::Cm}, {30, Unit::Mm}}));
+        QCOMPARE(page("width='15cm' height='200mm' viewBox='1 2 3 4'"),
+                 (app::Page{{1, 2}, {3, 4}, {15, Unit::Cm}, {200, Unit::Mm}}));
         QCOMPARE(page("width='200' height='100px'"),
                  (app::Page{{0, 0}, {200, 100}, {200, Unit::Px}, {100, Unit::Px}}));
         QCOMPARE(page("width='1in' height='1in'").size, (app::Point{96, 96}));
@@ -68,14 +68,87 @@ private slots:
                  (app::Page{{0, 0}, {50, 60}, {100, Unit::Percent}, {100, Unit::Percent}}));
         QCOMPARE(page("viewBox='0 0 0 60' width='5' height='6'").size, (app::Point{5, 6}));
         QCOMPARE(page("viewBox='0,0,50,60' width='-3'").width, (app::Length{100, Unit::Percent}));
-        const app::Page around = page("");
-        QCOMPARE(around.min, (app::Point{10, 20}));
-        QCOMPARE(around.size, (app::Point{30, 60}));
+        const app::Page open = page(""); // what is drawn ends at 40,80
+        QCOMPARE(open, (app::Page{{0, 0}, {40, 80}, {40, Unit::Px}, {80, Unit::Px}}));
+        QCOMPARE(page("width='100%' height='100%'"), open);
+        QCOMPARE(page("height='5'"), (app::Page{{0, 0}, {40, 5}, {40, Unit::Px}, {5, Unit::Px}}));
         QCOMPARE(sheetOf("<svg/>").page, app::Page{});
         const app::Page uneven =
             page("width='100' height='100' viewBox='0 10 100 50' preserveAspectRatio='none'");
         QCOMPARE(uneven.min, (app::Point{0, 20}));
         QCOMPARE(uneven.size, (app::Point{100, 100}));
+    }
+
+    // Where SVG's default, xMidYMid meet, and every other preserveAspectRatio puts a view box of
+    // 100 by 100 units on a sheet of 200 mm by 100 mm, a unit being 1 mm or, with slice, 2 mm.
+    void thePageIsTheSheet_data()
+    {
+        QTest::addColumn<QByteArray>("aspect");
+        QTest::addColumn<app::Page>("expected");
+        using app::Unit;
+        const app::Length wide{200, Unit::Mm}, high{100, Unit::Mm};
+        const auto row = [&](const char* aspect, const app::Point& min, const app::Point& size) {
+            QTest::newRow(aspect) << QByteArray(aspect) << app::Page{min, size, wide, high};
+        };
+        row("", {-40, 20}, {200, 100});
+        row("xMidYMid", {-40, 20}, {200, 100});
+        row("defer xMidYMin meet", {-40, 20}, {200, 100});
+        row("xMinYMid", {10, 20}, {200, 100});
+        row("xMaxYMax", {-90, 20}, {200, 100});
+        row("xMidYMid slice", {10, 45}, {100, 50});
+        row("xMinYMin slice", {10, 20}, {100, 50});
+        row("xMaxYMax slice", {10, 70}, {100, 50});
+    }
+    void thePageIsTheSheet()
+    {
+        QFETCH(QByteArray, aspect);
+        QFETCH(app::Page, expected);
+        const auto of = [&](const QByteArray& box) {
+            return page("width='200mm' height='100mm' viewBox='" + box + "' preserveAspectRatio='"
+                        + aspect + "'");
+        };
+        QCOMPARE(of("10 20 100 100"), expected);
+        // Read again it is the same, and what is written with few decimals stays as it is.
+        app::Sheet sheet;
+        sheet.page = expected;
+        QCOMPARE(sheetOf(textOf(sheet)).page, expected);
+        QCOMPARE(of("10 20 756 378.01").size, (app::Point{756, 378.01}));
+    }
+
+    void pagesInPixelsAreExact()
+    {
+        for (int size = 1; size <= 5000; ++size) {
+            const QByteArray n = QByteArray::number(size);
+            const double pixels = size;
+            for (const QByteArray& unit : {QByteArray(), QByteArray("px")}) {
+                const app::Page bare = page("width='" + n + unit + "' height='" + n + unit + "'");
+                QCOMPARE(bare.size, (app::Point{pixels, pixels}));
+                QCOMPARE(bare.millimetresPerUnit(), 25.4 / 96);
+            }
+            const app::Page boxed =
+                page("width='" + n + "mm' height='" + n + "mm' viewBox='0 0 " + n + ' ' + n + "'");
+            QCOMPARE(boxed.size, (app::Point{pixels, pixels}));
+            QCOMPARE(boxed.millimetresPerUnit(), 1.0);
+        }
+    }
+
+    void aDrawingWithoutPageKeepsItsPlace()
+    {
+        // To the user origin, where programs put the corner, and written with that size.
+        const auto sheet = [](const QByteArray& d) {
+            return sheetOf("<svg xmlns='http://www.w3.org/2000/svg' width='100%' height='100%'>"
+                           "<path d='"
+                           + d + "' stroke='red' fill='none' stroke-width='0'/></svg>");
+        };
+        const app::Sheet right = sheet("M10 20L30 60");
+        QCOMPARE(right.page.rectangle(), (clipping::Window{{0, 0}, {30, 60}}));
+        QCOMPARE(right.window, right.page.rectangle());
+        QVERIFY(textOf(right).contains("width=\"30px\" height=\"60px\" viewBox=\"0 0 30 60\""));
+        // What is left of the sheet is not lost to a cut that names no window.
+        const app::Sheet around = sheet("M-10 -20L30 60");
+        QCOMPARE(around.page, right.page);
+        QCOMPARE(around.window, (clipping::Window{{-10, -20}, {30, 60}}));
+        QCOMPARE(sheetOf(textOf(around)), around);
     }
 
     void clipWindowInTheMetadata()
@@ -261,11 +334,16 @@ private slots:
 
     void whatCannotBeKeptIsReported()
     {
+        QCOMPARE(reportOf("<text/><text/><image/><foreignObject/><script/><path d='M0 0h1' "
+                          "mask='url(#m)' filter='url(#f)' "
+                          "marker-end='url(#e)'><animate/></path>"),
+                 "2 texts; 1 image; 1 foreign object; 1 script; 1 mask; 1 filter; 1 arrowhead or "
+                 "other marker");
+        QCOMPARE(reportOf("<path d='M0 0h1h1' marker='url(#e)'/>"),
+                 "3 arrowheads or other markers");
         QCOMPARE(
-            reportOf("<text/><text/><image/><foreignObject/><script/><path d='M0 0h1' "
-                     "mask='url(#m)' filter='url(#f)' "
-                     "marker-end='url(#e)'><animate/></path>"),
-            "2 texts; 1 image; 1 foreign object; 1 script; 1 mask; 1 filter; 1 line with markers");
+            readText(drawing("<path d='M0 0h1h1' marker='url(#e)'/>")).value->report.at(0).instead,
+            "their lines are kept");
         QCOMPARE(
             reportOf("<title/><desc/><metadata/><defs><text/></defs><unknown><text/></unknown>"),
             "");
@@ -273,39 +351,105 @@ private slots:
         QCOMPARE(reportOf("<g xmlns='http://other.example'><text/></g>"), "");
     }
 
-    void noticesAreReported_data()
+    // What a file says about itself is kept as the file has it, prefixes declared where they are
+    // used first, and what is written of it is read as the same again.
+    void whatAFileSaysAboutItselfIsKept_data()
     {
-        QTest::addColumn<QByteArray>("work");
-        QTest::addColumn<QString>("report");
-        const QString lost = "1 notice of author, licence or title";
-        const QByteArray usual = "<dc:format>image/svg+xml</dc:format><dc:type rdf:resource="
-                                 "'http://purl.org/dc/dcmitype/StillImage'/>";
-        QTest::newRow("what editors write by themselves")
-            << usual + "<dc:title></dc:title> <dc:title/>" << QString();
-        QTest::newRow("author") << usual
-                                       + "<dc:creator><cc:Agent><dc:title>A. Drawer</dc:title>"
-                                         "</cc:Agent></dc:creator>"
-                                << lost;
-        QTest::newRow("licence") << QByteArray(
-            "<cc:license rdf:resource='http://cc.example/by-sa/4.0/'/>")
-                                 << lost;
-        QTest::newRow("no licence") << QByteArray("<cc:license rdf:resource=''/>") << QString();
-        QTest::newRow("more than one")
-            << QByteArray("<dc:title>A</dc:title><dc:rights>B</dc:rights>") << lost;
+        QTest::addColumn<QByteArray>("elements");
+        QTest::addColumn<app::About>("about");
+        const auto row = [](const char* name, const QByteArray& elements, app::About about) {
+            QTest::newRow(name) << elements << std::move(about);
+        };
+        row("nothing",
+            "<title/><desc> </desc><metadata> <window xmlns='urn:clearcut:1'/></metadata>", {});
+        row("title and description",
+            "<title>A &amp; B</title><title xml:lang='de'>C</title><desc id='d'>D<b>E</b></desc>",
+            {{},
+             {},
+             "<title>A &amp; B</title>\n<title xml:lang=\"de\">C</title>",
+             "<desc id=\"d\">D<b>E</b></desc>",
+             {}});
+        row("plain text", "<metadata>Created by P</metadata>", {{}, {}, {}, {}, "Created by P"});
+        row("text around the clip window",
+            "<metadata>A<window xmlns='urn:clearcut:1' xmin='0' ymin='0' xmax='9' ymax='9'>"
+            "<x/></window><?p q?><!--c--></metadata><metadata>B</metadata>",
+            {{}, {}, {}, {}, "A<?p q?><!--c-->\nB"});
+        row("Dublin Core",
+            "<metadata xmlns:dc='http://purl.org/dc/elements/1.1/'>"
+            "<r:RDF xmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#'><cc:Work r:about='' "
+            "xmlns:cc='http://creativecommons.org/ns#'><dc:creator>&lt;A&gt;</dc:creator>"
+            "<cc:license r:resource='http://cc.example/by-sa/4.0/'/></cc:Work></r:RDF></metadata>",
+            {{},
+             {},
+             {},
+             {},
+             "<r:RDF xmlns:r=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+             "xmlns:dc=\"http://purl.org/dc/elements/1.1/\"><cc:Work "
+             "xmlns:cc=\"http://creativecommons.org/ns#\" r:about=\"\">"
+             "<dc:creator>&lt;A&gt;</dc:creator>"
+             "<cc:license r:resource=\"http://cc.example/by-sa/4.0/\"/></cc:Work></r:RDF>"});
+        row("other default namespaces",
+            "<metadata><a xmlns='urn:a'><b xmlns=''/><c/></a></metadata>",
+            {{}, {}, {}, {}, "<a xmlns=\"urn:a\"><b xmlns=\"\"/><c/></a>"});
     }
-    void noticesAreReported()
+    void whatAFileSaysAboutItselfIsKept()
     {
-        QFETCH(QByteArray, work);
-        QFETCH(QString, report);
-        const QByteArray metadata =
-            "<metadata><r:RDF xmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
-            "xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
-            "xmlns:cc='http://creativecommons.org/ns#' "
-            "xmlns:dc='http://purl.org/dc/elements/1.1/'><cc:Work r:about=''>"
-            + work + "</cc:Work></r:RDF></metadata>";
-        QCOMPARE(reportOf(metadata), report);
-        QCOMPARE(reportOf("<text/>" + metadata),
-                 report.isEmpty() ? QString("1 text") : "1 text; " + report);
+        QFETCH(QByteArray, elements);
+        QFETCH(app::About, about);
+        const auto result = readText(drawing(elements));
+        QVERIFY2(result, qPrintable(result.error));
+        QVERIFY(result.value->report.empty());
+        const app::About& read = result.value->sheet.about;
+        QCOMPARE(read.title, about.title);
+        QCOMPARE(read.description, about.description);
+        QCOMPARE(read.metadata, about.metadata);
+        const QByteArray text = textOf(result.value->sheet);
+        QVERIFY2(sheetOf(text).about == read, text.constData());
+        QCOMPARE(textOf(sheetOf(text)), text);
+    }
+
+    void withoutANamespaceItIsSvgAsWell()
+    {
+        const app::Sheet sheet =
+            sheetOf("<svg width='9' height='9'><title>T</title><metadata><a/></metadata></svg>");
+        QCOMPARE(sheet.about.title, "<title>T</title>");
+        QCOMPARE(sheet.about.metadata, "<a/>");
+        QCOMPARE(sheetOf(textOf(sheet)), sheet);
+    }
+
+    void commentsAroundTheRootAndIdsAreKept()
+    {
+        const app::Sheet sheet =
+            sheetOf("<?xml version='1.0'?><!-- SPDX-License-Identifier: CC0-1.0 --><!-- & --><svg "
+                    "xmlns='http://www.w3.org/2000/svg' "
+                    "xmlns:i='http://www.inkscape.org/namespaces/inkscape' "
+                    "id='root' width='9' height='9'><!-- inside --><g i:groupmode='layer' "
+                    "i:label='A' id='l'>"
+                    "<path id='p' d='M0 0h1'/><g i:groupmode='layer' id='m'><path d='M0 0h2'/></g>"
+                    "<path d='M0 0h3'/></g></svg><!-- after -->");
+        QCOMPARE(sheet.about.comments,
+                 "<!-- SPDX-License-Identifier: CC0-1.0 -->\n<!-- & -->\n<!-- after -->");
+        QCOMPARE(sheet.about.id, "root");
+        QStringList ids;
+        for (const app::Layer& layer : sheet.layers)
+            ids << layer.id;
+        QCOMPARE(ids, (QStringList{"l", "m", ""}));
+        QCOMPARE(sheetOf(textOf(sheet)), sheet);
+    }
+
+    void notesOfSingleObjectsAreALoss()
+    {
+        const QByteArray elements = "<g><title>A</title><desc><b>B</b></desc><title> </title>"
+                                    "<path d='M0 0h1'><title/></path></g>";
+        QCOMPARE(reportOf(elements), "2 titles or descriptions of single objects");
+        QCOMPARE(readText(drawing(elements)).value->sheet.about, app::About{});
+    }
+
+    void tooMuchMetadataIsALoss()
+    {
+        const QByteArray much(17'000'000, 'x');
+        QCOMPARE(reportOf("<title>T</title><metadata>" + much + "</metadata><desc>D</desc>"),
+                 "1 title, description and metadata of more than 16 MB");
     }
 
     void idsAndNames()

@@ -19,14 +19,14 @@ public:
     app::Sheet sheet()
     {
         app::Sheet sheet;
-        sheet.page = {
-            point(), {1 + std::abs(number()), 1 + std::abs(number())}, length(), length()};
+        sheet.page = page();
         const app::Point p = point(), q = point(); // one that is inside out is not kept
         sheet.window = {glm::min(p, q), glm::max(p, q)};
         sheet.layers.clear();
         for (auto n = 1 + below(4); n > 0; --n) {
             const auto layer = std::uint32_t(sheet.layers.size());
-            sheet.layers.push_back({text(), below(2) == 0, below(2) == 0});
+            sheet.layers.push_back(
+                {text(), below(2) == 0, below(2) == 0, below(2) ? text() : QString()});
             app::Style last;
             for (auto shapes = below(12); shapes > 0; --shapes) {
                 if (below(2) == 0)
@@ -56,6 +56,17 @@ private:
     {
         const auto& unit = app::units()[1 + below(app::units().size() - 1)]; // bare numbers are px
         return {1 + std::abs(number()), unit.unit};
+    }
+
+    // As proportionate as the sheet of paper that it is, or open in a direction.
+    app::Page page()
+    {
+        app::Page page{
+            point(), {1 + std::abs(number()), 1 + std::abs(number())}, length(), length()};
+        const auto open = [](const app::Length& l) { return l.unit == app::Unit::Percent; };
+        if (!open(page.width) && !open(page.height))
+            page.height = {page.width.value * (page.size.y / page.size.x), page.width.unit};
+        return page;
     }
 
     QString text()

@@ -229,7 +229,7 @@ private slots:
         QCOMPARE(scaled("scale(1,-4)").width, 4.0);
         QCOMPARE(scaled("scale(3)", "vector-effect='non-scaling-stroke'").width, 2.0);
         QCOMPARE(reportOf("<line x2='1' stroke='red' transform='scale(1,2)'/>"),
-                 "1 unevenly stretched stroke (made even)");
+                 "1 unevenly stretched stroke");
         QCOMPARE(reportOf("<line x2='1' fill='red' transform='scale(1,2)'/>"), "");
     }
 
@@ -252,7 +252,7 @@ private slots:
         QCOMPARE(fill("url(#nothing) #00f"), "0 0 255 255");
         QCOMPARE(fill("url(#nothing)"), "none");
         QCOMPARE(reportOf(defs + triangle + " fill='url(#r)' stroke='url(#p)'/>"),
-                 "1 pattern; 1 gradient (its first colour is used)");
+                 "1 pattern; 1 gradient");
         QCOMPARE(reportOf(defs + triangle + " fill='url(#one)'/>"), "");
     }
 };
