@@ -216,8 +216,9 @@ void Files::exportCut()
     writing.dpi = exportDpi;
     std::stop_source cancel;
     writing.stop = cancel.get_token();
-    const auto job = [sheet = session_.sheet(), options, path, writing] {
-        return exported(sheet, options, path, writing);
+    const bool hides = format && format->hides == app::Hides::Yes;
+    const auto job = [sheet = session_.sheet(), options, path, writing, hides] {
+        return exported(hides ? sheet : app::withoutHidden(sheet), options, path, writing);
     };
     const auto done =
         inBackground(&window_, tr("Exporting %1…").arg(QFileInfo(path).fileName()), job);
@@ -237,11 +238,12 @@ void Files::crop()
 {
     emit documentWanted();
     app::CutOptions options = cutOptions();
-    options.onlyShown = false;
+    options.reach = app::Reach::Editable;
     auto command = std::make_unique<app::CropToWindow>(session_.drawing, options);
     const app::CutCounts counts = command->counts();
     if (!command->changes())
-        return emit told({Message::Kind::Done, tr("Nothing to crop: all of it is kept.")});
+        return emit told({Message::Kind::Done,
+                          tr("Nothing to crop: all of it is kept.") + app::leftAloneText(counts)});
     session_.history.push(command.release());
     emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
 }

@@ -8,9 +8,20 @@
 
 namespace app {
 
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("cut", text); }
+
+void addCount(QString& text, std::size_t count, const char* sentence)
+{
+    if (count > 0)
+        text += u' ' + tr(sentence).arg(countText(count));
+}
+
+} // namespace
+
 QString cutText(const CutCounts& counts)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("cut", text); };
     QStringList parts;
     const auto add = [&](std::size_t count, const char* text) {
         if (count > 0)
@@ -21,10 +32,17 @@ QString cutText(const CutCounts& counts)
     add(counts.gone, "%1 left out");
     QString text = parts.isEmpty() ? tr("there was nothing to cut.")
                                    : tr("shapes %1.").arg(parts.join(tr(", ")));
-    if (counts.opened > 0)
-        text += u' ' + tr("Opened: %1.").arg(countText(counts.opened));
-    if (counts.unfilled > 0)
-        text += u' ' + tr("Fill lost: %1.").arg(countText(counts.unfilled));
+    addCount(text, counts.opened, "Opened: %1.");
+    addCount(text, counts.unfilled, "Fill lost: %1.");
+    addCount(text, counts.hidden, "Cut as well, and still hidden: %1.");
+    return text + leftAloneText(counts);
+}
+
+QString leftAloneText(const CutCounts& counts)
+{
+    QString text;
+    addCount(text, counts.leftLocked, "Left alone on locked layers: %1.");
+    addCount(text, counts.leftHidden, "Left alone because hidden: %1.");
     return text;
 }
 

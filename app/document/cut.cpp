@@ -24,13 +24,18 @@ struct Chords {
     }
 };
 
-Chords chordsOf(const Sheet& sheet, double tolerance)
+bool reached(const Sheet& sheet, const Shape& shape, Reach reach)
+{
+    return reach == Reach::Everything || (sheet.shown(shape) && !sheet.layers[shape.layer].locked);
+}
+
+Chords chordsOf(const Sheet& sheet, double tolerance, Reach reach)
 {
     Chords chords;
     for (const Shape& shape : sheet.shapes)
         for (const Path& path : shape.paths) {
             chords.first.push_back(chords.all.size());
-            if (sheet.shown(shape))
+            if (reached(sheet, shape, reach))
                 flatten(path, tolerance, chords.all);
         }
     chords.first.push_back(chords.all.size());
@@ -62,24 +67,23 @@ public:
     Cutter(const Sheet& sheet, const CutOptions& options)
         : options_(options), sheet_(sheet),
           chords_(chordsOf(sheet,
-                           options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page))),
+                           options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page),
+                           options.reach)),
           pieces_(keptPieces(chords_.all, options)), next_(pieces_.begin())
     {
         result_.sheet.page = sheet.page;
         result_.sheet.layers = sheet.layers;
         result_.sheet.window = sheet.window;
+        result_.sheet.about = sheet.about;
     }
 
     Cut cut()
     {
         for (const Shape& shape : sheet_.shapes) {
-            if (sheet_.shown(shape)) {
+            if (reached(sheet_, shape, options_.reach))
                 cutShape(shape);
-            } else {
-                path_ += shape.paths.size();
-                if (!options_.onlyShown)
-                    result_.sheet.shapes.push_back(shape);
-            }
+            else
+                leaveAlone(shape);
             result_.sources.resize(result_.sheet.shapes.size(),
                                    std::size_t(&shape - sheet_.shapes.data()));
         }
@@ -105,8 +109,17 @@ private:
         return parts;
     }
 
+    void leaveAlone(const Shape& shape)
+    {
+        path_ += shape.paths.size();
+        ++(sheet_.layers[shape.layer].locked ? result_.counts.leftLocked
+                                             : result_.counts.leftHidden);
+        result_.sheet.shapes.push_back(shape);
+    }
+
     void cutShape(const Shape& shape)
     {
+        result_.counts.hidden += !sheet_.shown(shape);
         const OverStart overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
         std::vector<Run> runs;
         bool whole = true;
@@ -137,7 +150,7 @@ private:
     // A cut shape has no inside to fill any more, so a shape that was only filled is outlined.
     void addCutShape(const Shape& shape, std::vector<Run>& runs)
     {
-        Shape outline{{}, shape.style, shape.id, shape.layer, false};
+        Shape outline{{}, shape.style, shape.id, shape.layer, shape.hidden};
         outline.style.stroke = lineInk(shape);
         outline.style.fill.reset();
         std::ranges::move(shapesOfRuns(outline, std::move(runs)),
@@ -172,6 +185,22 @@ Cut cut(const Sheet& sheet, const CutOptions& options)
 {
     assert(options.algorithm);
     return Cutter(sheet, options).cut();
+}
+
+Sheet withoutHidden(Sheet sheet)
+{
+    std::erase_if(sheet.shapes, [&](const Shape& shape) { return !sheet.shown(shape); });
+    std::vector<std::uint32_t> now(sheet.layers.size()); // where each layer that stays will be
+    std::vector<Layer> layers;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        now[i] = std::uint32_t(layers.size());
+        if (sheet.layers[i].visible)
+            layers.push_back(std::move(sheet.layers[i]));
+    }
+    for (Shape& shape : sheet.shapes)
+        shape.layer = now[shape.layer];
+    sheet.layers = layers.empty() ? Sheet{}.layers : std::move(layers);
+    return sheet;
 }
 
 } // namespace app

@@ -8,13 +8,17 @@ namespace app {
 
 enum class Keep : std::uint8_t { Inside, Outside };
 
+/// What a cut acts on: everything, hidden and locked or not, so that no geometry stays where it
+/// should not; or only what a person can edit, while hidden shapes and locked layers stay whole.
+enum class Reach : std::uint8_t { Everything, Editable };
+
 struct CutOptions {
     const clipping::Uses<clipping::Segment, clipping::Window>* algorithm = nullptr; ///< not null
     clipping::Window window{};
     Keep keep = Keep::Inside;
     double tolerance = 0;      ///< user units, flattening of curves; 0: 0.05 mm on paper
     bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
-    bool onlyShown = true;     ///< hidden shapes and layers are left out (export); else kept as is
+    Reach reach = Reach::Everything;
 };
 
 /// Whether there is anything to fill: not in single straight lines. (SVG fills what does not say
@@ -32,7 +36,9 @@ struct CutCounts {
     std::size_t gone = 0;     ///< shapes of which nothing is left
     std::size_t opened = 0;   ///< closed paths that are open now
     std::size_t unfilled = 0; ///< shapes that lost their fill (outlined in it if without stroke)
-    std::size_t segmentsBefore = 0, segmentsAfter = 0;
+    std::size_t hidden = 0;   ///< hidden shapes that were cut like the others, and stay hidden
+    std::size_t leftHidden = 0, leftLocked = 0;        ///< shapes that Reach::Editable left alone
+    std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the shapes that were cut
 };
 
 struct Cut {
@@ -45,6 +51,10 @@ struct Cut {
 /// of one path form one path (across a closed path's start as well); shapes wholly kept come back
 /// unchanged, closed and filled; cut ones are open and unfilled; cut curves are split, not replaced
 /// by chords; every end made by a cut lies on the window's edge, bit for bit inside the window.
+/// What is hidden stays hidden.
 Cut cut(const Sheet& sheet, const CutOptions& options);
+
+/// The drawing without its hidden shapes and layers.
+Sheet withoutHidden(Sheet sheet);
 
 } // namespace app

@@ -234,6 +234,21 @@ private slots:
         QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
         QCOMPARE(t.window->message(), QString());
     }
+    void croppingLeavesALockedLayerAlone()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.show();
+        auto layers = t.window->session().sheet().layers;
+        layers.front().locked = true;
+        t.window->session().drawing.setLayers(layers);
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->session().history.count(), 0);
+        QCOMPARE(t.window->message(),
+                 "Nothing to crop: all of it is kept. Left alone on locked layers: 2.");
+    }
     void croppingWhatIsInsideIsNoStep()
     {
         TestWindow t;

@@ -7,6 +7,7 @@
 #include "app/commands/set_layers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
+#include "app/comparison/cut_text.h"
 #include "app/document/session.h"
 
 #include <QTest>
@@ -73,7 +74,7 @@ public:
             app::CutOptions options;
             options.algorithm = &clipping::algorithms().front().corrected;
             options.window = sheet.window;
-            options.onlyShown = false;
+            options.reach = app::Reach::Editable;
             return random_() % 4 ? next() : new app::CropToWindow(drawing_, options);
         }
         }
@@ -122,6 +123,40 @@ private slots:
             }
             QVERIFY(drawing.sheet() == states.back());
         }
+    }
+    // The lock protects against editing, and what is hidden is not seen to change.
+    void croppingLeavesLockedAndHiddenAlone()
+    {
+        app::Sheet before = sheet(1);
+        before.layers = {{"open"}, {"locked", true, true}, {"hidden", false}};
+        before.shapes.push_back(line({-5, 0}, {5, 0}, 2));
+        before.shapes.insert(before.shapes.begin(), line({0, 9}, {5, 9}, 0));
+        before.window = {{1, 0}, {2, 9}};
+        before.shapes.front().hidden = true;
+        app::Drawing drawing(before);
+        app::CutOptions options;
+        options.algorithm = &clipping::findAlgorithm("exact")->corrected;
+        options.window = before.window;
+        options.reach = app::Reach::Editable;
+        app::CropToWindow crop(drawing, options);
+        QCOMPARE(crop.counts().cut, 1u);
+        QCOMPARE(crop.counts().leftLocked, 1u);
+        QCOMPARE(crop.counts().leftHidden, 3u);
+        QCOMPARE(app::cutText(crop.counts()), "shapes 1 cut. Left alone on locked layers: 1. Left "
+                                              "alone because hidden: 3.");
+        crop.redo();
+        const auto& after = drawing.sheet().shapes;
+        QCOMPARE(after.size(), before.shapes.size());
+        for (std::size_t i = 0; i < after.size(); ++i)
+            QCOMPARE(after[i] == before.shapes[i], i != 1);
+        QCOMPARE(after[1].paths[0].start.x, 1.0);
+
+        options.reach = app::Reach::Everything; // as the command line cuts
+        const app::Cut all = app::cut(before, options);
+        QCOMPARE(all.counts.leftLocked + all.counts.leftHidden, 0u);
+        QCOMPARE(all.counts.hidden, 3u);
+        for (const app::Shape& shape : all.sheet.shapes)
+            QVERIFY(shape.paths[0].start.x >= 1 && shape.paths[0].stretches[0].to.x <= 2);
     }
     void nudgesAreOneStepAndDragsAreNot()
     {
