@@ -66,9 +66,10 @@ QString overview()
                       {"--size WIDTHxHEIGHT", Commands::tr("How large the window is.")},
                       {"--panes 1|2|4|all", Commands::tr("How many algorithms side by side.")},
                       {"--screenshot FILE.png", Commands::tr("Take a picture of it and end.")}})
-           + Commands::tr("\nCommands:\n") + aligned(rows)
-           + Commands::tr("\nExit codes: 0 done, 1 failed, 2 wrong usage, 3 something differs, "
-                          "130 interrupted.\n");
+           + Commands::tr("\nCommands:\n") + aligned(rows) + u'\n'
+           + wrapped(Commands::tr("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 something "
+                                  "differs, 130 interrupted."),
+                     0);
 }
 
 // Also of folders and libraries, which no format looks at.

@@ -31,6 +31,7 @@ struct Command {
     qsizetype operands;   ///< how many arguments that are no options; others are a wrong usage
     void (*run)(const Given& given); ///< throws WrongUsage or Failure (refusal.h)
     bool paints = false;             ///< whether it needs fonts or OpenGL, and so a QGuiApplication
+    QStringList limits{};            ///< how much it can take, a sentence each
 };
 std::vector<Command> commands();
 

@@ -216,9 +216,8 @@ std::size_t Given::choice(const QString& option, const QStringList& words) const
     return std::size_t(index);
 }
 
-QString wrapped(const QString& text, qsizetype indent)
+QString wrapped(const QString& text, qsizetype indent, qsizetype width)
 {
-    constexpr qsizetype width = 96;
     QString result;
     qsizetype column = indent;
     const QStringList words = text.split(u' ');
@@ -234,14 +233,58 @@ QString wrapped(const QString& text, qsizetype indent)
     return result + u'\n';
 }
 
+namespace {
+
+/// Where the second column begins: after the first one, but no farther right than `most`.
+qsizetype secondColumn(const std::vector<std::pair<QString, QString>>& rows, qsizetype most)
+{
+    qsizetype column = 0;
+    for (const auto& row : rows)
+        if (row.first.size() + 4 <= most)
+            column = std::max(column, row.first.size() + 4);
+    return column > 0 ? column : most;
+}
+
+// A command line, broken where a shell reads on.
+QString brokenExample(const QString& example)
+{
+    constexpr qsizetype indent = 6;
+    const QStringList lines =
+        wrapped(example, indent, helpWidth - 2).split(u'\n', Qt::SkipEmptyParts);
+    return QStringLiteral("  ") + lines.join(QStringLiteral(" \\\n")) + u'\n';
+}
+
+QString listed(const QString& heading, const QStringList& sentences)
+{
+    QString text = u'\n' + heading + u'\n';
+    for (const QString& sentence : sentences)
+        text += QStringLiteral("  ") + wrapped(sentence, 2);
+    return sentences.isEmpty() ? QString() : text;
+}
+
+} // namespace
+
 QString aligned(const std::vector<std::pair<QString, QString>>& rows)
+{
+    const qsizetype indent = secondColumn(rows, helpWidth / 2);
+    QString text;
+    for (const auto& [left, right] : rows) {
+        const QString first = QStringLiteral("  ") + left;
+        text += first.size() + 2 <= indent ? first.leftJustified(indent)
+                                           : first + u'\n' + QString(indent, u' ');
+        text += wrapped(right, indent);
+    }
+    return text;
+}
+
+QString inColumns(const std::vector<std::pair<QString, QString>>& rows)
 {
     qsizetype indent = 0;
     for (const auto& row : rows)
         indent = std::max(indent, row.first.size() + 4);
     QString text;
     for (const auto& [left, right] : rows)
-        text += (QStringLiteral("  ") + left).leftJustified(indent) + wrapped(right, indent);
+        text += (QStringLiteral("  ") + left).leftJustified(indent) + right + u'\n';
     return text;
 }
 
@@ -259,10 +302,11 @@ QString helpOf(const Command& command)
         rows.emplace_back(option.value.isEmpty() ? names : names + u' ' + option.value,
                           option.meaning);
     }
-    text += aligned(rows);
+    text += aligned(rows) + listed(Commands::tr("Limits:"), command.limits);
     if (!command.examples.isEmpty())
-        text +=
-            Commands::tr("\nExamples:\n  %1\n").arg(command.examples.join(QStringLiteral("\n  ")));
+        text += u'\n' + Commands::tr("Examples:") + u'\n';
+    for (const QString& example : command.examples)
+        text += brokenExample(example);
     return text;
 }
 

@@ -51,10 +51,18 @@ private:
 /// What `clearcut KEY --help` prints.
 QString helpOf(const Command& command);
 
-/// Broken into lines that fit a page; those after the first begin with `indent` spaces.
-QString wrapped(const QString& text, qsizetype indent);
+/// Columns of a terminal, into which every help fits.
+constexpr qsizetype helpWidth = 80;
 
-/// Lines of two columns, the second one aligned and broken.
+/// Broken into lines of at most `width` characters; those after the first begin with `indent`
+/// spaces, and the first one stands behind as many.
+QString wrapped(const QString& text, qsizetype indent, qsizetype width = helpWidth);
+
+/// Lines of two columns, the second one aligned and broken. It has half of the width at least: what
+/// is too long for the first column stands in a line of its own.
 QString aligned(const std::vector<std::pair<QString, QString>>& rows);
+
+/// The same for data, which are never broken.
+QString inColumns(const std::vector<std::pair<QString, QString>>& rows);
 
 } // namespace app
