@@ -4,6 +4,9 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
+#include "app/experiment/choice.h"
+#include "app/experiment/threads.h"
+#include "app/view/numbers.h"
 
 #include <algorithm>
 
@@ -128,7 +131,9 @@ Command benchCommand()
          "clearcut bench --measure classes,operations,accuracy"},
         0,
         bench,
-        true};
+        true,
+        {Commands::tr("At most %1 lines and %2 runs; %3 threads on this computer.")
+             .arg(countText(mostLines), countText(mostRuns), countText(mostThreads()))}};
 }
 
 } // namespace app

@@ -5,6 +5,7 @@
 #include "app/command_line/window_options.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
+#include "app/document/measure.h"
 #include "app/document/usual_algorithm.h"
 
 #include <algorithm>
@@ -28,19 +29,30 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
     return *uses;
 }
 
-CutOptions cutOptionsOf(const Given& given, const Sheet& sheet, const Output& output)
+CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Output& output)
 {
-    CutOptions options{&usesOf(given), windowOf(given, sheet)};
+    CutOptions options{&usesOf(given), windowOf(given, imported)};
     options.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0 ? Keep::Inside
                                                                                     : Keep::Outside;
-    const double unit = sheet.page.millimetresPerUnit();
-    options.tolerance = flatteningMillimetres / unit;
-    if (const auto length = given.length(QStringLiteral("tolerance")))
-        options.tolerance = toUserUnits(*length, unit);
-    if (!(options.tolerance > 0))
-        throw WrongUsage{Commands::tr("--tolerance must be greater than 0.")};
+    options.tolerance = toleranceOf(given, imported.sheet.page);
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
+}
+
+// A cut of which nothing is left is rarely what was wanted: says why.
+void sayNothingIsLeft(const Imported& imported, const CutOptions& options)
+{
+    const auto bounds = measureOf(imported.sheet).bounds;
+    if (!bounds)
+        return say(Commands::tr("The drawing is empty: there is nothing to cut."));
+    const QString window = rectangleText(options.window, imported),
+                  drawn = rectangleText(*bounds, imported);
+    say((options.keep == Keep::Inside
+             ? Commands::tr("Nothing is left: all of the drawing is outside the window. The window "
+                            "is %1; the drawing is in %2.")
+             : Commands::tr("Nothing is left: all of the drawing is inside the window. The window "
+                            "is %1; the drawing is in %2."))
+            .arg(window, drawn));
 }
 
 void report(const Imported& imported, const CutCounts& counts)
@@ -55,6 +67,29 @@ void report(const Imported& imported, const CutCounts& counts)
     if (counts.unfilled > 0)
         text += Commands::tr("; fills lost, only the outline is cut: %1").arg(counts.unfilled);
     say(text + u'.');
+    if (counts.hidden > 0)
+        say(Commands::tr("Hidden shapes: %1 cut like the others, and still hidden; --drop-hidden "
+                         "leaves them out.")
+                .arg(counts.hidden));
+}
+
+/// Leaves out what is hidden where that is asked for, or the file could not hide it; gives how many
+/// shapes that were.
+std::size_t dropHidden(const Given& given, const Output& output, Sheet& sheet)
+{
+    if (output.format->hides == Hides::Yes && !given.has(QStringLiteral("drop-hidden")))
+        return 0;
+    const std::size_t hidden = hiddenIn(sheet);
+    sheet = withoutHidden(std::move(sheet));
+    return hidden;
+}
+
+void sayDropped(const Given& given, const Output& output, std::size_t dropped)
+{
+    if (!given.has(QStringLiteral("drop-hidden")))
+        sayHiddenLeftOut(dropped, *output.format);
+    else if (dropped > 0)
+        say(Commands::tr("Hidden shapes: %1 left out.").arg(dropped));
 }
 
 /// Says how long each part of the work took, if that is asked for.
@@ -94,7 +129,8 @@ void clip(const Given& given)
     refuseLossInPlace(given, imported, input, output);
     stopwatch.lap(Commands::tr("read"));
 
-    const CutOptions options = cutOptionsOf(given, imported.sheet, output);
+    const CutOptions options = cutOptionsOf(given, imported, output);
+    const std::size_t dropped = dropHidden(given, output, imported.sheet);
     if (output.format->holds == Holds::SeparateLines)
         imported.sheet = flattened(std::move(imported.sheet), options.tolerance);
     Cut result = cut(imported.sheet, options);
@@ -108,8 +144,14 @@ void clip(const Given& given)
     writeDrawing(result.sheet, output);
     stopwatch.lap(Commands::tr("write"));
 
-    if (!given.has(QStringLiteral("quiet")))
+    if (!given.has(QStringLiteral("quiet"))) {
         report(imported, result.counts);
+        sayDropped(given, output, dropped);
+        if (result.sheet.shapes.empty())
+            sayNothingIsLeft(imported, options);
+        else if (windowHasUnits(given))
+            say(Commands::tr("Window: %1.").arg(rectangleText(options.window, imported)));
+    }
     if (given.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")
                 .arg(result.counts.segmentsBefore)
@@ -131,9 +173,12 @@ Command clipCommand()
         {{"form"},
          "corrected|published",
          Commands::tr("With its defects mended, or as its authors printed it (corrected).")},
-        {{"tolerance"},
-         "LENGTH",
-         Commands::tr("How far a curve may be from the lines that it is clipped as (0.05mm).")},
+        toleranceOption(),
+        {{"drop-hidden"},
+         {},
+         Commands::tr("Leave out hidden shapes and layers. Otherwise they are cut like the others "
+                      "and stay hidden, where the type of the output can hide them (svg). Locked "
+                      "layers are cut in any case.")},
     };
     for (const auto& more : {further, writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
@@ -149,7 +194,9 @@ Command clipCommand()
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",
              "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
             1,
-            clip};
+            clip,
+            false,
+            readingAndWritingLimits()};
 }
 
 } // namespace app

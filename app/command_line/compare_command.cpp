@@ -100,10 +100,11 @@ void compare(const Given& given)
 {
     const Comparison comparison = comparisonOf(given);
     const TableOutput output = tableOutput(given);
-    const Drawing drawing(readDrawing(given, given.operands().first()).sheet);
+    const Imported imported = readDrawing(given, given.operands().first());
+    const Drawing drawing(imported.sheet);
     const Scene scene(drawing);
-    const Differences found = extended({windowOf(given, drawing.sheet())}, comparison,
-                                       scene.segments(), scene.segments().size());
+    const Differences found = extended({windowOf(given, imported)}, comparison, scene.segments(),
+                                       scene.segments().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
     // A person who wants the sum, or where there is no difference, gets the sentence alone.
@@ -133,7 +134,8 @@ Command compareCommand()
         {{"ulps"},
          "N",
          Commands::tr("How many ulps of the largest coordinate of line and window ends may be "
-                      "apart (what the contracts of both allow).")},
+                      "apart, 0 to %1 (what the contracts of both allow).")
+             .arg(mostUlps)},
     };
     const std::vector<Option> last{
         {{"summary"}, {}, Commands::tr("Do not list the lines that differ, only sum them up.")},
@@ -148,7 +150,9 @@ Command compareCommand()
             {"clearcut compare plan.svg -a kwc:published",
              "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv"},
             1,
-            compare};
+            compare,
+            false,
+            readingLimits()};
 }
 
 } // namespace app

@@ -13,9 +13,13 @@ void convert(const Given& given)
     const Imported imported = readDrawing(given, input);
     refuseLossInPlace(given, imported, input, output);
     output.options.sources = imported.rows;
+    output.options.tolerance = toleranceOf(given, imported.sheet.page);
     writeDrawing(imported.sheet, output);
-    if (!given.has(QStringLiteral("quiet")))
-        sayLosses(imported);
+    if (given.has(QStringLiteral("quiet")))
+        return;
+    sayLosses(imported);
+    if (output.format->hides == Hides::No)
+        sayHiddenLeftOut(hiddenIn(imported.sheet), *output.format);
 }
 
 } // namespace
@@ -25,6 +29,7 @@ Command convertCommand()
     std::vector<Option> options = writingOptions();
     for (Option& more : readingOptions())
         options.push_back(std::move(more));
+    options.push_back(toleranceOption());
     options.push_back({{"q", "quiet"}, {}, Commands::tr("Do not say what was lost.")});
     return {"convert",
             "INPUT -o OUTPUT [OPTIONS]",
@@ -32,7 +37,9 @@ Command convertCommand()
             std::move(options),
             {"clearcut convert drawing.svg -o drawing.pdf"},
             1,
-            convert};
+            convert,
+            false,
+            readingAndWritingLimits()};
 }
 
 } // namespace app

@@ -177,7 +177,9 @@ Command costmapCommand()
         {{"area"},
          "XMIN,YMIN,XMAX,YMAX",
          Commands::tr("Which part of the plane (three windows wide and high).")},
-        {{"size"}, "COLUMNSxROWS", Commands::tr("How many cells (240x180).")},
+        {{"size"},
+         "COLUMNSxROWS",
+         Commands::tr("How many cells, up to %1 a side (240x180).").arg(mostSide)},
         {{"measure"},
          measures.join(u'|'),
          Commands::tr("What is counted for each line, or its time, which is noisy (operations).")},
@@ -197,7 +199,8 @@ Command costmapCommand()
              "clearcut costmap -a nln:published -w 0,0,2,2 --from -1,1 -o - > nln.csv"},
             0,
             printCostMap,
-            true};
+            true,
+            {Commands::tr("Coordinates: at most 1e150.")}};
 }
 
 } // namespace app

@@ -3,17 +3,20 @@
 
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/document/flatten.h"
 #include "app/formats/read_open_file.h"
 
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace app {
 namespace {
 
 const QString standardStream = QStringLiteral("-");
+constexpr quint64 mostDecimals = 30;
 
 bool sameFile(const QString& a, const QString& b)
 {
@@ -68,11 +71,68 @@ std::vector<Option> writingOptions()
         {{"in-place"}, {}, Commands::tr("Write over the input.")},
         {{"precision"},
          "N",
-         Commands::tr("Decimals of written coordinates, moved into the window "
-                      "where rounding left it (as many as it takes to read the "
-                      "same number back).")},
+         Commands::tr("Decimals of written coordinates, 0 to %1, moved into the window where "
+                      "rounding left it (as many as it takes to read the same number back).")
+             .arg(mostDecimals)},
         {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
     };
+}
+
+Option toleranceOption()
+{
+    return {{"tolerance"},
+            "LENGTH",
+            Commands::tr("How far the lines that stand for a curve may be from it (0.05mm).")};
+}
+
+double toleranceOf(const Given& given, const Page& page)
+{
+    const auto length = given.length(QStringLiteral("tolerance"));
+    if (!length)
+        return usualTolerance(page);
+    const double tolerance = toUserUnits(*length, page.millimetresPerUnit());
+    if (!(tolerance > 0))
+        throw WrongUsage{Commands::tr("--tolerance must be greater than 0.")};
+    return tolerance;
+}
+
+std::size_t hiddenIn(const Sheet& sheet)
+{
+    return std::size_t(std::ranges::count_if(
+        sheet.shapes, [&](const Shape& shape) { return !sheet.shown(shape); }));
+}
+
+void sayHiddenLeftOut(std::size_t count, const Format& format)
+{
+    if (count > 0)
+        say(Commands::tr("Hidden shapes: %1 left out; a file of type %2 cannot hide them.")
+                .arg(count)
+                .arg(QLatin1StringView(format.key)));
+}
+
+namespace {
+
+template <class Chosen>
+QStringList limitsOf(Chosen chosen)
+{
+    QStringList sentences;
+    for (const Format& format : formats())
+        if (!format.limits.isEmpty() && chosen(format))
+            sentences << Commands::tr("%1: at most %2.")
+                             .arg(QLatin1StringView(format.key), format.limits);
+    return sentences;
+}
+
+} // namespace
+
+QStringList readingLimits()
+{
+    return limitsOf([](const Format& format) { return format.read != nullptr; });
+}
+
+QStringList readingAndWritingLimits()
+{
+    return limitsOf([](const Format&) { return true; });
 }
 
 Imported readDrawing(const Given& given, const QString& path)
@@ -109,7 +169,6 @@ Output outputOf(const Given& given, const QString& input)
                          "write over it.")
                 .arg(output.path)};
     output.format = &formatOf(given, QStringLiteral("to"), output.path, &Format::write);
-    constexpr quint64 mostDecimals = 30;
     if (const auto decimals = given.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
     output.options.dpi = given.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
@@ -132,7 +191,10 @@ QStringList losses(const Imported& imported)
     QStringList lines;
     for (const Loss& loss : imported.report)
         lines << QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what)
-                     + (loss.remark ? QString() : Commands::tr(" (not kept)"));
+                     + (loss.remark ? QString()
+                        : loss.instead.isEmpty()
+                            ? Commands::tr(" (not kept)")
+                            : Commands::tr(" (not kept; %1)").arg(loss.instead));
     return lines;
 }
 

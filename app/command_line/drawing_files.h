@@ -12,6 +12,20 @@ namespace app {
 std::vector<Option> readingOptions();
 std::vector<Option> writingOptions();
 
+/// --tolerance, of commands that flatten curves.
+Option toleranceOption();
+/// What it says, in user units; throws WrongUsage. Left to itself it is the usual one.
+double toleranceOf(const Given& given, const Page& page);
+
+/// How many shapes are hidden, themselves or with their layer.
+std::size_t hiddenIn(const Sheet& sheet);
+/// Says on standard error that so many were not written, if any.
+void sayHiddenLeftOut(std::size_t count, const Format& format);
+
+/// How much a file may hold that is read, or that is read or written, a sentence for each type.
+QStringList readingLimits();
+QStringList readingAndWritingLimits();
+
 /// Reads `path`; throws Failure.
 Imported readDrawing(const Given& given, const QString& path);
 

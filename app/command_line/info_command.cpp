@@ -2,12 +2,13 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/command_line/window_options.h"
 #include "app/document/flatten.h"
+#include "app/document/measure.h"
 #include "app/formats/number.h"
 
-#include <glm/common.hpp>
-
-#include <optional>
+#include <algorithm>
+#include <limits>
 
 namespace app {
 namespace {
@@ -16,6 +17,16 @@ QString text(double value)
 {
     std::string number;
     appendNumber(number, value);
+    return QString::fromStdString(number);
+}
+
+// A sum, which may be beyond all numbers.
+QString rounded(double value)
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    constexpr int decimals = 3;
+    std::string number;
+    appendNumber(number, std::min(value, most), decimals, 0, most);
     return QString::fromStdString(number);
 }
 
@@ -30,25 +41,8 @@ QString text(const clipping::Window& w)
         .arg(text(w.min.x), text(w.min.y), text(w.max.x), text(w.max.y));
 }
 
-/// What there is in a layer, or in the whole drawing; curves as the lines they are clipped as.
-struct Content {
-    std::size_t shapes = 0, lines = 0;
-    std::optional<clipping::Window> bounds;
-
-    void add(const std::vector<Chord>& chords)
-    {
-        ++shapes;
-        lines += chords.size();
-        for (const Chord& chord : chords)
-            for (const Point& p : {chord.segment.a, chord.segment.b})
-                bounds = bounds
-                             ? clipping::Window{glm::min(bounds->min, p), glm::max(bounds->max, p)}
-                             : clipping::Window{p, p};
-    }
-};
-
 std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
-                                                   const std::vector<Content>& layers)
+                                                   const std::vector<Measure>& layers)
 {
     std::vector<std::pair<QString, QString>> rows;
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -67,23 +61,27 @@ std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
 std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
 {
     const Sheet& sheet = imported.sheet;
-    Content all;
-    std::vector<Content> layers(sheet.layers.size());
+    Measure all;
+    std::vector<Measure> layers(sheet.layers.size());
     const double tolerance = usualTolerance(sheet.page);
-    std::size_t hidden = 0;
-    std::vector<Chord> chords;
+    const double unit = sheet.page.millimetresPerUnit();
     for (const Shape& shape : sheet.shapes) {
-        chords.clear();
-        for (const Path& path : shape.paths)
-            flatten(path, tolerance, chords);
-        all.add(chords);
-        layers[shape.layer].add(chords);
-        hidden += !sheet.shown(shape);
+        add(all, shape, tolerance);
+        add(layers[shape.layer], shape, tolerance);
     }
     std::vector<std::pair<QString, QString>> rows{
         {Commands::tr("lines"), QString::number(all.lines)},
-        {Commands::tr("shapes"), Commands::tr("%1, hidden %2").arg(all.shapes).arg(hidden)},
+        {Commands::tr("length"),
+         Commands::tr("%1, on paper %2mm").arg(rounded(all.length), rounded(all.length * unit))},
+        {Commands::tr("shapes"),
+         Commands::tr("%1, hidden %2").arg(all.shapes).arg(hiddenIn(sheet))},
+        {Commands::tr("paths"), Commands::tr("%1, closed %2, curves %3")
+                                    .arg(all.paths)
+                                    .arg(all.closedPaths)
+                                    .arg(all.curves)},
         {Commands::tr("bounds"), all.bounds ? text(*all.bounds) : Commands::tr("none")},
+        {Commands::tr("in mm"),
+         all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
         {Commands::tr("window"), text(sheet.window)},
         {Commands::tr("page"),
          Commands::tr("%1, on paper %2 × %3")
@@ -100,7 +98,7 @@ std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
 
 void inform(const Given& given)
 {
-    print(aligned(rowsOf(readDrawing(given, given.operands().first()))));
+    print(inColumns(rowsOf(readDrawing(given, given.operands().first()))));
 }
 
 } // namespace
@@ -110,12 +108,15 @@ Command infoCommand()
     return {
         "info",
         "INPUT [OPTIONS]",
-        Commands::tr("Says what a drawing holds: lines, layers, bounds, page, units, clip window, "
-                     "and what of the file is not kept."),
+        Commands::tr("Says what a drawing holds: lines and their length, shapes, paths and curves, "
+                     "bounds (in millimetres, too), clip window, page, unit, layers, and what of "
+                     "the file is not kept."),
         readingOptions(),
         {"clearcut info drawing.svg"},
         1,
-        inform};
+        inform,
+        false,
+        readingLimits()};
 }
 
 } // namespace app

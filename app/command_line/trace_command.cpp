@@ -169,7 +169,11 @@ Command traceCommand()
          {{"picture-only"},
           {},
           Commands::tr("Pictures without sentence, pseudo-code and variables.")},
-         {{"width"}, "PIXELS", Commands::tr("Of png and gif; they are 16:9 (1280).")},
+         {{"width"},
+          "PIXELS",
+          Commands::tr("Of png and gif, %1 to %2; they are 16:9 (1280).")
+              .arg(leastWidth)
+              .arg(mostWidth)},
          {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
          {{"q", "quiet"}, {}, Commands::tr("Do not say what was written.")}},
         {"clearcut trace -a md --line -160,-30,70,130",

@@ -2,23 +2,55 @@
 #include "app/command_line/window_options.h"
 
 #include "app/command_line/refusal.h"
+#include "app/formats/number.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace app {
+namespace {
+
+// Where lengths with a unit count from.
+Point cornerOf(const Imported& imported)
+{
+    return imported.paged ? imported.sheet.page.min : Point{};
+}
+
+QString text(const clipping::Window& w)
+{
+    std::string numbers;
+    for (const double number : {w.min.x, w.min.y, w.max.x, w.max.y}) {
+        appendNumber(numbers, number);
+        numbers += ',';
+    }
+    numbers.pop_back();
+    return QString::fromStdString(numbers);
+}
+
+// A length counts from the paper's corner, a bare number is the drawing's own.
+double placeOf(const Length& length, double corner, double unit)
+{
+    return length.unit == Unit::User ? length.value : corner + toUserUnits(length, unit);
+}
+
+} // namespace
 
 std::vector<Option> windowOptions()
 {
     return {
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("The clip window: numbers in the drawing's units, or lengths such as 10mm "
+         Commands::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
+                      "with a unit, such as 10mm, count from the paper's top left corner "
                       "(without: the drawing's own clip window, or else its page).")},
-        {{"page"}, {}, Commands::tr("The clip window is the drawing's page.")},
+        {{"page"}, {}, Commands::tr("The clip window is the drawing's page: the whole sheet.")},
         {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
     };
 }
 
-clipping::Window windowOf(const Given& given, const Sheet& sheet)
+clipping::Window windowOf(const Given& given, const Imported& imported)
 {
+    const Sheet& sheet = imported.sheet;
     const double unit = sheet.page.millimetresPerUnit();
     const auto margin = given.length(QStringLiteral("margin"));
     if (margin && !given.has(QStringLiteral("page")))
@@ -27,8 +59,11 @@ clipping::Window windowOf(const Given& given, const Sheet& sheet)
     if (const auto r = given.rectangle(QStringLiteral("window"))) {
         if (given.has(QStringLiteral("page")))
             throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
-        const auto units = [&](std::size_t i) { return toUserUnits((*r)[i], unit); };
-        window = {{units(0), units(1)}, {units(2), units(3)}};
+        const Point corner = cornerOf(imported);
+        const auto place = [&](std::size_t i) {
+            return placeOf((*r)[i], i % 2 == 0 ? corner.x : corner.y, unit);
+        };
+        window = {{place(0), place(1)}, {place(2), place(3)}};
     } else if (given.has(QStringLiteral("page"))) {
         const double less = margin ? toUserUnits(*margin, unit) : 0;
         window = {sheet.page.min + less, sheet.page.min + sheet.page.size - less};
@@ -37,6 +72,38 @@ clipping::Window windowOf(const Given& given, const Sheet& sheet)
         throw WrongUsage{Commands::tr("The window is empty: its XMIN,YMIN must not be greater than "
                                       "its XMAX,YMAX.")};
     return window;
+}
+
+bool windowHasUnits(const Given& given)
+{
+    const auto lengths = given.rectangle(QStringLiteral("window"));
+    return lengths && std::ranges::any_of(*lengths, [](const Length& length) {
+               return length.unit != Unit::User;
+           });
+}
+
+QString rectangleText(const clipping::Window& rectangle, const Imported& imported)
+{
+    return Commands::tr("%1 in the drawing's coordinates, %2")
+        .arg(text(rectangle), millimetreText(rectangle, imported));
+}
+
+QString millimetreText(const clipping::Window& rectangle, const Imported& imported)
+{
+    constexpr int decimals = 3; // a micrometre
+    constexpr double most = std::numeric_limits<double>::max();
+    const double unit = imported.sheet.page.millimetresPerUnit();
+    const Point corner = cornerOf(imported);
+    const Point min = (rectangle.min - corner) * unit, max = (rectangle.max - corner) * unit;
+    std::string numbers;
+    for (const double number : {min.x, min.y, max.x, max.y}) {
+        appendNumber(numbers, std::clamp(number, -most, most), decimals, -most, most);
+        numbers += "mm,";
+    }
+    numbers.pop_back();
+    return (imported.paged ? Commands::tr("%1 from the paper's top left corner")
+                           : Commands::tr("%1 from the origin"))
+        .arg(QString::fromStdString(numbers));
 }
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/window_options.h"
+#include "app/document/cut.h"
 #include "app/experiment/paper_scene.h"
 #include "app/formats/format.h"
 #include "app/formats/number.h"
@@ -93,7 +95,8 @@ private slots:
         QCOMPARE(clearcut(arguments + QStringList{"--keep", "outside"}, csvOf(lines)).out,
                  csvOf(outside));
         if (algorithm.key == "exact") // is what clips unless another is named
-            QCOMPARE(clearcut(arguments.first(arguments.size() - 2), csvOf(lines)).out, csvOf(inside));
+            QCOMPARE(clearcut(arguments.first(arguments.size() - 2), csvOf(lines)).out,
+                     csvOf(inside));
     }
 
     void windowsAreWrittenInManyWays_data()
@@ -116,7 +119,226 @@ private slots:
         QCOMPARE(run.code, 0);
         QCOMPARE(run.out,
                  csvHeader + "-1,0,3,0,Drawing,#000000,1,0\n0,-2,0,4,Drawing,#000000,1,1\n");
-        QCOMPARE(run.err, "Shapes: 0 kept whole, 2 cut, 0 gone.\n");
+        QVERIFY2(run.err.startsWith("Shapes: 0 kept whole, 2 cut, 0 gone.\n"), run.err.constData());
+    }
+
+    // A page of 100 mm by 50 mm with the user origin in its middle, a unit being half a millimetre:
+    // lengths with a unit count from the paper's corner, bare numbers from the user origin.
+    void lengthsWithAUnitCountFromThePapersCorner_data()
+    {
+        QTest::addColumn<QString>("window");
+        QTest::addColumn<QByteArray>("left");
+        QTest::newRow("lengths") << "10mm,10mm,90mm,40mm" << QByteArray("-80,0,80,0");
+        QTest::newRow("bare numbers") << "-80,-30,80,30" << QByteArray("-80,0,80,0");
+        QTest::newRow("mixed") << "10mm,-30,80,4cm" << QByteArray("-80,0,80,0");
+        QTest::newRow("left of the paper") << "-1cm,0cm,10cm,5cm" << QByteArray("-120,0,100,0");
+        QTest::newRow("the corner itself") << "0in,0in,0,25mm" << QByteArray("-100,0,0,0");
+    }
+    void lengthsWithAUnitCountFromThePapersCorner()
+    {
+        QFETCH(QString, window);
+        QFETCH(QByteArray, left);
+        const auto run =
+            clearcut({"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-w", window},
+                     "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='50mm' "
+                     "viewBox='-100 -50 200 100'><path d='M-500 0H500' stroke='red'/></svg>");
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.out.split('\n').value(1), left + ",Drawing,#ff0000,1");
+        const bool hasUnit = window.contains("m") || window.contains("in");
+        QCOMPARE(run.err.contains("Window: "), hasUnit);
+        QCOMPARE(run.err.contains("mm from the paper's top left corner"), hasUnit);
+        if (window == "10mm,10mm,90mm,40mm")
+            QVERIFY2(run.err.contains("Window: -80,-30,80,30 in the drawing's coordinates, "
+                                      "10mm,10mm,90mm,40mm from the paper's top left corner."),
+                     run.err.constData());
+    }
+
+    void theHelpAndThePageSayFromWhereLengthsCount()
+    {
+        const QByteArray rule = "count from the paper's top left corner";
+        QVERIFY(clearcut({"clip", "--help"}).out.simplified().contains(rule));
+        QVERIFY(contentOf(SOURCE_DIR "/resources/desktop/clearcut.1").simplified().contains(rule));
+    }
+
+    void aCutThatLeavesNothingSaysSo()
+    {
+        const QByteArray drawing = "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                                   "height='50mm' viewBox='-100 -50 200 100'><path d='M-90 0H90' "
+                                   "stroke='red'/></svg>";
+        const auto errorOf = [](const QByteArray& text, const QStringList& more) {
+            const auto run = clearcut(
+                QStringList{"clip", "-", "--from", "svg", "--to", "svg", "-o", "-"} + more, text);
+            return run.code == 0 ? run.err : "exit code " + QByteArray::number(run.code);
+        };
+        const QByteArray outside = errorOf(drawing, {"-w", "100,0,200,20"});
+        QVERIFY2(outside.contains("Nothing is left: all of the drawing is outside the window. The "
+                                  "window is 100,0,200,20 in the drawing's coordinates, "
+                                  "100mm,25mm,150mm,35mm from the paper's top left corner; the "
+                                  "drawing is in -90,0,90,0 in the drawing's coordinates, "
+                                  "5mm,25mm,95mm,25mm from the paper's top left corner."),
+                 outside.constData());
+        const QByteArray inside = errorOf(drawing, {"--page", "--keep", "outside"});
+        QVERIFY2(inside.contains("Nothing is left: all of the drawing is inside the window."),
+                 inside.constData());
+        QVERIFY(errorOf("<svg xmlns='http://www.w3.org/2000/svg'/>", {})
+                    .contains("The drawing is empty: there is nothing to cut."));
+        QVERIFY(!errorOf(drawing, {}).contains("Nothing is left"));
+        QCOMPARE(errorOf(drawing, {"-w", "100,0,200,20", "-q"}), "");
+    }
+
+    // A border on the page's edge is kept whole by --page, whatever the size of the page.
+    void thePageKeepsABorderOfEverySize_data()
+    {
+        QTest::addColumn<QByteArray>("unit");
+        QTest::addColumn<bool>("boxed");
+        for (const char* unit : {"", "px", "mm", "in"})
+            for (const bool boxed : {false, true})
+                QTest::addRow("%s, %s", unit, boxed ? "view box" : "no view box")
+                    << QByteArray(unit) << boxed;
+    }
+    void thePageKeepsABorderOfEverySize()
+    {
+        QFETCH(QByteArray, unit);
+        QFETCH(bool, boxed);
+        const auto commands = app::commands();
+        const app::Given given(commands.front(), {"-", "-o", "-", "--page"});
+        QCOMPARE(commands.front().key, "clip");
+        const app::CutOptions usual{&clipping::findAlgorithm("exact")->corrected};
+        for (int size = 1; size <= 5000; ++size) {
+            const QByteArray n = QByteArray::number(size), length = n + unit;
+            const QByteArray border = boxed ? n : length;
+            QByteArray svg =
+                "<svg xmlns='http://www.w3.org/2000/svg' width='" + length + "' height='" + length
+                + "'" + (boxed ? " viewBox='0 0 " + n + ' ' + n + "'" : "") + "><rect width='"
+                + border + "' height='" + border + "' fill='none' stroke='red'/></svg>";
+            QBuffer buffer(&svg);
+            buffer.open(QIODevice::ReadOnly);
+            const auto imported = app::findFormat(u"svg")->read(buffer);
+            QVERIFY(imported);
+            auto options = usual;
+            options.window = app::windowOf(given, *imported.value);
+            const auto cut = app::cut(imported.value->sheet, options);
+            QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
+        }
+    }
+
+    // A page whose view box has another proportion: --page is the whole sheet.
+    void thePageIsTheSheet()
+    {
+        const auto run =
+            clearcut({"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "--page"},
+                     "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' "
+                     "height='100mm' viewBox='0 0 100 100'>"
+                     "<path d='M-500 50H500M50 -500V500' stroke='red'/></svg>");
+        QVERIFY2(run.out.contains("\n-50,50,150,50,") && run.out.contains("\n50,0,50,100,"),
+                 run.out.constData());
+    }
+
+    void hiddenShapesAreCutAndStayHidden()
+    {
+        const QByteArray line = "<path d='M-9 5H99' stroke='red'/>";
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' "
+            "xmlns:i='http://www.inkscape.org/namespaces/inkscape' "
+            "xmlns:s='http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd' width='10' height='10'>"
+            "<g i:groupmode='layer' i:label='shown'>"
+            + line
+            + "<path d='M-9 6H99' display='none'/></g>"
+              "<g i:groupmode='layer' i:label='hidden' display='none'>"
+            + line + line
+            + "</g>"
+              "<g i:groupmode='layer' i:label='locked' s:insensitive='true'>"
+            + line + "</g></svg>";
+        writeText(path("hidden.svg"), drawing);
+        const auto cut = [&](const QStringList& more) {
+            return clearcut(QStringList{"clip", path("hidden.svg"), "-w", "0,0,10,10"} + more);
+        };
+        const auto run = cut({"-o", path("cut.svg")});
+        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 5 cut, 0 gone.\nHidden shapes: 3 cut like "
+                                  "the others, and still hidden; --drop-hidden leaves them out."),
+                 run.err.constData());
+        const app::Sheet before = sheetOf(drawing), sheet = sheetOf(contentOf(path("cut.svg")));
+        QCOMPARE(sheet.layers, before.layers);
+        QCOMPARE(sheet.shapes.size(), before.shapes.size());
+        for (std::size_t i = 0; i < sheet.shapes.size(); ++i) {
+            QCOMPARE(sheet.shown(sheet.shapes[i]), before.shown(before.shapes[i]));
+            QCOMPARE(sheet.shapes[i].paths.at(0).start.x, 0.0);
+            QCOMPARE(sheet.shapes[i].paths.at(0).stretches.at(0).to.x, 10.0);
+        }
+
+        const auto dropped = cut({"-o", path("dropped.svg"), "--drop-hidden"});
+        QVERIFY2(dropped.err.contains("Shapes: 0 kept whole, 2 cut, 0 gone.\nHidden shapes: 3 left "
+                                      "out."),
+                 dropped.err.constData());
+        const app::Sheet shown = sheetOf(contentOf(path("dropped.svg")));
+        QCOMPARE(shown.layers.size(), 2u);
+        QCOMPARE(shown.layers.at(1).name, "locked");
+        QCOMPARE(shown.shapes.size(), 2u);
+        QCOMPARE(shown.shapes.at(1).layer, 1u);
+
+        QCOMPARE(cut({"--in-place"}).code, 0);
+        QCOMPARE(sheetOf(contentOf(path("hidden.svg"))), sheet);
+    }
+
+    void whatCannotHideSaysThatHiddenShapesAreLeftOut()
+    {
+        const QByteArray drawing = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10'>"
+                                   "<path d='M1 5H9' stroke='red'/><path d='M1 6H9' stroke='red' "
+                                   "display='none'/></svg>";
+        for (const auto& format : app::formats())
+            for (const char* command : {"clip", "convert"}) {
+                const QString key = QLatin1StringView(format.key);
+                const QStringList arguments{command, "-", "--from", "svg", "--to", key, "-o", "-"};
+                const auto run = clearcut(arguments, drawing);
+                const QByteArray said = "Hidden shapes: 1 left out; a file of type " + key.toUtf8()
+                                        + " cannot hide them.";
+                QCOMPARE(run.err.contains(said), format.hides == app::Hides::No);
+                QCOMPARE(clearcut(arguments + QStringList{"-q"}, drawing).err, "");
+            }
+    }
+
+    void theTitleAndLicenceAreStillThereAfterACut()
+    {
+        const QByteArray about =
+            "<title>Plan</title><desc>of a house</desc><metadata><rdf:RDF "
+            "xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
+            "xmlns:dc='http://purl.org/dc/elements/1.1/'><dc:creator>A. Drawer</dc:creator>"
+            "<dc:rights rdf:resource='http://cc.example/by/4.0/'/></rdf:RDF></metadata>";
+        const auto run = clearcut({"clip", "-", "--from", "svg", "--to", "svg", "-o", "-"},
+                                  "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>"
+                                      + about + "<path d='M-1 1H99' stroke='red'/></svg>");
+        QVERIFY(run.code == 0 && !run.err.contains("not kept"));
+        for (const char* part :
+             {"<title>Plan</title>", "<desc>of a house</desc>",
+              "<dc:creator>A. Drawer</dc:creator>", "\"http://cc.example/by/4.0/\""})
+            QVERIFY2(run.out.contains(part), run.out.constData());
+    }
+
+    void markersAreLostAndTheirLinesAreKept()
+    {
+        const auto run = clearcut({"convert", "-", "--from", "svg", "--to", "csv", "-o", "-"},
+                                  "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>"
+                                  "<path d='M0 0H9' stroke='red' marker-end='url(#a)'/></svg>");
+        QCOMPARE(run.err, "1 × arrowhead or other marker (not kept; its line is kept)\n");
+        QCOMPARE(run.out.count('\n'), 2);
+    }
+
+    void convertTakesATolerance()
+    {
+        const auto rows = [&](const QStringList& more) {
+            return clearcut(QStringList{"convert", "-", "--from", "svg", "--to", "csv", "-o", "-"}
+                                + more,
+                            "<svg xmlns='http://www.w3.org/2000/svg' width='90mm' height='90mm' "
+                            "viewBox='0 0 180 180'><circle cx='90' cy='90' r='80'/></svg>")
+                .out.count('\n');
+        };
+        QVERIFY(rows({"--tolerance", "1mm"}) < rows({}) / 2);
+        QCOMPARE(rows({"--tolerance", "0.1"}), rows({}));
+        QCOMPARE(clearcut({"convert", "-", "--from", "svg", "--to", "csv", "-o", "-", "--tolerance",
+                           "0"},
+                          "<svg xmlns='http://www.w3.org/2000/svg'/>")
+                     .code,
+                 2);
     }
 
     void theWindowOfTheDrawingOrItsPage()

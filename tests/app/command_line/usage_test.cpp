@@ -65,12 +65,67 @@ private slots:
                     QVERIFY(more.out.contains(
                         "--" + option.names.last().toUtf8()
                         + (option.value.isEmpty() ? "" : " " + option.value.toUtf8())));
-                for (const QByteArray& line : more.out.split('\n'))
-                    QVERIFY2(QString::fromUtf8(line).size() <= 100, line.constData());
             }
         }
         QVERIFY(clearcut({"--version"}).out.startsWith("clearcut 0."));
         QCOMPARE(clearcut({"-V"}).out, clearcut({"--version"}).out);
+    }
+
+    // In a terminal of 80 columns no line is broken, and what explains an option has half of it.
+    void everyHelpFitsATerminal_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("clearcut") << QStringList{"--help"};
+        for (const app::Command& command : app::commands())
+            QTest::newRow(command.key.data())
+                << QStringList{QLatin1StringView(command.key), "--help"};
+    }
+    void everyHelpFitsATerminal()
+    {
+        QFETCH(QStringList, arguments);
+        const auto run = clearcut(arguments);
+        QVERIFY(!run.out.isEmpty());
+        bool options = false;
+        for (const QByteArray& line : run.out.split('\n')) {
+            const QString text = QString::fromUtf8(line);
+            QVERIFY2(text.size() <= 80, line.constData());
+            if (!text.startsWith(u' '))
+                options = text.startsWith("Options");
+            const auto first = text.size() - QStringView(text).trimmed().size();
+            QVERIFY2(!options || text.contains(QRegularExpression("^ +-")) || first <= 40,
+                     line.constData());
+        }
+    }
+
+    // What a refusal says is the most stands in the help.
+    void limitsStandInTheHelp_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QByteArray>("limit");
+        const auto row = [](const char* command, const char* limit) {
+            QTest::addRow("%s, %s", command, limit) << QString(command) << QByteArray(limit);
+        };
+        for (const char* reads : {"clip", "convert", "info", "compare"}) {
+            row(reads, "svg: at most 5,000,000 elements, nested 500 deep; 10,000,000 points; 1,000 "
+                       "layers");
+            row(reads, "csv: at most 5,000,000 lines; 1,000 layers");
+        }
+        for (const char* writes : {"clip", "convert"}) {
+            row(writes, "png: at most 32,767 pixels a side and 150,000,000 in all");
+            row(writes, "0 to 30");
+        }
+        row("compare", "0 to 1000000000");
+        row("trace", "64 to 8192");
+        row("costmap", "up to 4096 a side");
+        row("costmap", "at most 1e150");
+        row("bench", "4,000,000,000 lines and 10,000 runs");
+    }
+    void limitsStandInTheHelp()
+    {
+        QFETCH(QString, command);
+        QFETCH(QByteArray, limit);
+        const auto run = clearcut({command, "--help"});
+        QVERIFY2(run.out.simplified().contains(limit), run.out.constData());
     }
 
     void whatIsACommand()
@@ -469,6 +524,20 @@ private slots:
                  run.out.constData());
         QVERIFY(run.out.contains("unit    0.5mm\n"));
         QVERIFY(run.out.contains("“Locked”: shapes 5, lines 85, locked\n"));
+    }
+
+    void infoMeasures()
+    {
+        const auto run =
+            clearcut({"info", "-", "--from", "svg"},
+                     "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='50mm' "
+                     "viewBox='-100 -50 200 100'><path d='M-80 0h60v10'/><rect width='20' "
+                     "height='10' display='none'/><path d='M0 0C0 0 30 0 30 0'/></svg>");
+        for (const char* line : {"length  160, on paper 80mm\n", "shapes  3, hidden 1\n",
+                                 "paths   3, closed 1, curves 1\n", "bounds  -80,0,30,10\n",
+                                 "in mm   10mm,25mm,65mm,30mm from the paper's top left corner\n"})
+            QVERIFY2(run.out.contains(line), run.out.constData());
+        QVERIFY(clearcut({"info", path("a.csv")}).out.contains("mm from the origin\n"));
     }
 };
 
