@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_shapes.h"
+#include "ui/dialogs/questions.h"
+
+#include <QDir>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+
+#include "tests/app/formats/failing_disk.h"
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+/// What the question's default button says, when Return is pressed on it.
+template <class Ask>
+QString answeredByReturn(Ask ask)
+{
+    QString button = "no question";
+    QTimer::singleShot(0, qApp, [&] {
+        auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box)
+            return;
+        button = box->defaultButton()->text();
+        QTest::keyClick(box->defaultButton(), Qt::Key_Return);
+        if (box->isVisible()) // Return is for the default button
+            box->defaultButton()->click();
+    });
+    ask();
+    return button;
+}
+
+} // namespace
+
+class QuestionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // What cannot be taken back is not answered by Return alone.
+    void returnLosesNothing()
+    {
+        QWidget window;
+        Questions questions(window);
+        bool answer = true;
+        QCOMPARE(answeredByReturn([&] { answer = questions.overwriteFiles({"/a/b.svg"}, 2); }),
+                 "Cancel");
+        QVERIFY(!answer);
+        answer = true;
+        QCOMPARE(answeredByReturn([&] { answer = questions.overwriteChanged("/a/b.svg"); }),
+                 "Cancel");
+        QVERIFY(!answer);
+        answer = true;
+        QCOMPARE(answeredByReturn([&] { answer = questions.trustLibrary("/a/b.so"); }), "Cancel");
+        QVERIFY(!answer);
+        Questions::Answer saving{};
+        QCOMPARE(answeredByReturn([&] { saving = questions.saveChanges("b"); }), "Save");
+        QCOMPARE(saving, Questions::Answer::Save);
+    }
+
+    void aFullDiskKeepsTheOldFileAndTheAsterisk()
+    {
+        TestWindow test;
+        const QString file = test.twoLines();
+        test.show();
+        test.window->files().open(file);
+        app::Session& session = test.window->session();
+        const app::Shape line{
+            {{{1, 2}, {{{3, 4}}}, false}}, {.stroke = app::Colour{}}, {}, 0, false};
+        session.history.push(new app::AddShapes(session.drawing, {line}, "Draw line"));
+        QVERIFY(test.window->isWindowModified());
+        const auto read = [&] {
+            QFile now(file);
+            return now.open(QIODevice::ReadOnly) ? now.readAll() : QByteArray();
+        };
+        const QByteArray old = read();
+        const QString other = test.path("other.svg");
+        QVERIFY(!app::writeFile(test.window->session().sheet(), other));
+        const auto size = std::size_t(QFileInfo(other).size());
+        QVERIFY(size > 100 && QFile::remove(other));
+        QString told;
+        connect(&test.window->files(), &Files::told, this,
+                [&](const Message& message) { told = message.sentence; });
+        const auto refuses = [&](const QString& circumstances) {
+            told.clear();
+            const bool saved = test.window->files().save();
+            disk::state() = {};
+            QVERIFY2(!saved && read() == old && test.window->isWindowModified()
+                         && told.startsWith("Cannot write " + file),
+                     qPrintable(circumstances + u' ' + told));
+        };
+        for (std::size_t room = 0; room < size && !QTest::currentTestFailed(); ++room) {
+            const disk::Failing failing(disk::Step::Write, room);
+            refuses(QStringLiteral("full at byte %1 of %2").arg(room).arg(size));
+        }
+        for (const auto step : {disk::Step::Sync, disk::Step::Rename}) {
+            const disk::Failing failing(step);
+            refuses(step == disk::Step::Sync ? "fsync" : "rename");
+        }
+        QVERIFY(test.window->files().save());
+        QVERIFY(!test.window->isWindowModified());
+        QVERIFY(read() != old);
+    }
+};
+
+QTEST_MAIN(QuestionsTest)
+#include "questions_test.moc"
