@@ -3,11 +3,14 @@
 
 #include "app/command_line/misnamed.h"
 #include "app/formats/replace_file.h"
+#include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
 #include "ui/display.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
+#include "ui/saved_theme.h"
+#include "ui/window_place.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -28,13 +31,15 @@ namespace ui {
 namespace {
 
 constexpr qint64 quickBytes = 1'000'000; // read in a blink
+constexpr int mostPixels = 10'000;       // of --size, each way: 400 MB for a picture
+constexpr QSize usualPicture(1280, 800);
 
 struct Options {
     Backend backend = Backend::Automatic;
     std::optional<Theme> theme;
     QString file, screenshot;
     std::optional<QSize> size;
-    QString panes; ///< 1 to 4, or "all"; empty: as they were
+    QString panes;                     ///< 1 to 4, or "all"; empty: as they were
     std::optional<QString> microscope; ///< open it: at a line that is typed so; empty: at the first
     std::optional<app::Clipper> algorithm; ///< what clips
     std::size_t step = 1;
@@ -52,8 +57,9 @@ std::optional<QSize> parsedSize(const QString& text)
 {
     const QStringList numbers = text.split(u'x');
     const QSize size(numbers.value(0).toInt(), numbers.value(1).toInt());
-    return numbers.size() == 2 && size.isValid() && !size.isEmpty() ? std::optional(size)
-                                                                    : std::nullopt;
+    const bool usable = numbers.size() == 2 && std::min(size.width(), size.height()) > 0
+                        && std::max(size.width(), size.height()) <= mostPixels;
+    return usable ? std::optional(size) : std::nullopt;
 }
 
 app::Refusal wrong(const QString& sentence) { return {sentence, app::Exit::Usage}; }
@@ -94,7 +100,8 @@ std::optional<QString> take(Options& options, const QString& name, const QString
     else if (name == "--step")
         return tr("--step is a number from 1.");
     else if (name == "--size")
-        return tr("--size is a width and a height, such as 1280x800.");
+        return tr("--size is a width and a height of at most %1 pixels, such as 1280x800.")
+            .arg(mostPixels);
     else
         return tr("There is no option %1 with the value \"%2\". Try --help.").arg(name, value);
     return std::nullopt;
@@ -131,7 +138,7 @@ void nameProgram()
     QCoreApplication::setOrganizationName(QStringLiteral("Clearcut"));
     QCoreApplication::setApplicationName(QStringLiteral("Clearcut"));
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.clearcut.Clearcut"));
-    QSettings::setDefaultFormat(QSettings::IniFormat);
+    app::useSafeSettings();
 }
 
 /// Nothing, or why it could not be written.
@@ -177,8 +184,12 @@ void openMicroscope(MainWindow& window, const Options& options)
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     MainWindow window(options.backend);
-    if (options.size)
+    if (!options.screenshot.isEmpty())
+        window.resize(options.size.value_or(usualPicture)); // whatever the screen is
+    else if (options.size) {
         window.resize(*options.size);
+        fitToScreens(window);
+    }
     if (!options.panes.isEmpty())
         showPanes(window.canvas(), options.panes);
     // What takes long to read must not keep the window from being seen.
@@ -250,8 +261,7 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     const auto application = startApplication(argc, argv);
-    const Theme saved = Theme(QSettings().value("theme", int(Theme::System)).toInt());
-    applyTheme(*application, options.theme.value_or(saved));
+    applyTheme(*application, options.theme.value_or(savedTheme()));
     return show(*application, options, clock);
 }
 

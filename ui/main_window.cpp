@@ -8,6 +8,7 @@
 #include "ui/files.h"
 #include "ui/keyboard.h"
 #include "ui/look_icon.h"
+#include "ui/saved_theme.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/option_bar.h"
@@ -30,8 +31,6 @@ namespace ui {
 namespace {
 
 constexpr QSize smallest(1024, 640);
-
-Theme savedTheme() { return Theme(QSettings().value("theme", int(Theme::System)).toInt()); }
 
 } // namespace
 

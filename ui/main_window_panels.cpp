@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings/seal.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"
 #include "ui/docks/layers_panel.h"
@@ -9,6 +10,7 @@
 #include "ui/explanation/explanation_window.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
+#include "ui/window_place.h"
 
 #include <QAction>
 #include <QScopedValueRollback>
@@ -23,6 +25,8 @@ namespace ui {
 
 namespace {
 
+const QString placeKey = QStringLiteral("geometry");
+constexpr QSize usual(1280, 800);
 constexpr int wide = 1200, high = 780; // below: narrow panels; tabs instead of a stack
 constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396, widePanelWidth = 572;
 constexpr int separator = 4;   // between two panels
@@ -304,21 +308,21 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 void MainWindow::saveLayout()
 {
     QSettings settings;
-    settings.setValue("geometry", saveGeometry());
+    rememberPlace(*this, placeKey);
     settings.setValue("ownLayout", ownLayout_);
     if (ownLayout_)
-        settings.setValue("layout",
-                          layoutBefore_.isEmpty() ? saveState(layoutVersion) : layoutBefore_);
+        settings.setValue("layout", app::sealed(layoutBefore_.isEmpty() ? saveState(layoutVersion)
+                                                                        : layoutBefore_));
 }
 
 void MainWindow::restoreLayout()
 {
     const QScopedValueRollback quiet(arranging_, true);
     const QSettings settings;
-    resize(1280, 800);
-    restoreGeometry(settings.value("geometry").toByteArray());
-    ownLayout_ = settings.value("ownLayout").toBool()
-                 && restoreState(settings.value("layout").toByteArray(), layoutVersion);
+    restorePlace(*this, placeKey, usual, minimumSize());
+    const auto layout = app::unsealed(settings.value("layout").toByteArray());
+    ownLayout_ = settings.value("ownLayout").toBool() && layout
+                 && restoreState(*layout, layoutVersion);
     for (Dock* dock : wide_)
         follow(*dock);
     arrange();

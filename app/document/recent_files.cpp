@@ -12,6 +12,7 @@ namespace app {
 
 namespace {
 
+constexpr qsizetype longestPath = 4096; // characters
 const QString key = QStringLiteral("recent");
 
 /// One text a file, so that the settings stay a file that people can read.
@@ -26,7 +27,10 @@ QString written(const RecentFile& file)
 std::optional<RecentFile> read(const QString& text)
 {
     const QString path = text.section(u' ', 2);
-    if (path.isEmpty())
+    // The settings are a file that anything may have written.
+    const bool garbled =
+        std::ranges::any_of(path, [](QChar c) { return c.category() == QChar::Other_Control; });
+    if (path.size() > longestPath || garbled || !QFileInfo(path).isAbsolute())
         return std::nullopt;
     return RecentFile{path, std::size_t(text.section(u' ', 1, 1).toULongLong()),
                       QDateTime::fromString(text.section(u' ', 0, 0), Qt::ISODate)};

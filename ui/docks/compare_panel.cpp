@@ -2,6 +2,7 @@
 #include "ui/docks/compare_panel.h"
 
 #include "app/comparison/race_text.h"
+#include "app/settings/remembered.h"
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"
 #include "ui/look.h"
@@ -68,7 +69,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
         chooseForms(index);
     });
     connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
-    const int forms = std::clamp(QSettings().value(setting, bothForms).toInt(), 0, bothForms);
+    const int forms = app::rememberedNumber(setting, 0, bothForms, bothForms);
     forms_->choose(forms);
     chooseForms(forms);
 }

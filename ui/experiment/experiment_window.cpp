@@ -2,6 +2,7 @@
 #include "ui/experiment/experiment_window.h"
 
 #include "app/experiment/duration.h"
+#include "app/settings/remembered.h"
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"
 #include "ui/experiment/results.h"
@@ -9,11 +10,11 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
+#include "ui/window_place.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -23,8 +24,10 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1180, 780), smallest(640, 360), frame(8, 40);
+const QString paceKey = QStringLiteral("experimentPace");
+constexpr QSize usual(1180, 780), smallest(640, 360);
 constexpr double leastTelling = 1; // seconds: shorter runs mostly begin and end
+constexpr double leastPace = 0.02, mostPace = 50;
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -90,6 +93,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
       effort_(aside({})), state_(new QLabel), bar_(new QProgressBar), strip_(new MessageStrip),
       stack_(new QStackedWidget), results_(new Results({copy_, export_}))
 {
+    pace_ = app::rememberedNumber(paceKey, leastPace, mostPace, 1.0);
     layOut();
     addTools();
     connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
@@ -106,9 +110,7 @@ void ExperimentWindow::layOut()
 {
     setObjectName(QStringLiteral("experiment"));
     setWindowTitle(tr("Reproduce the paper"));
-    resize(usual);
-    restoreGeometry(QSettings().value("experimentGeometry").toByteArray());
-    fitScreen();
+    restorePlace(*this, QStringLiteral("experimentGeometry"), usual, smallest);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
     middle->addWidget(left());
@@ -254,8 +256,8 @@ void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
 {
     const double taken = double(taken_.elapsed()) / 1000;
     if (thought_ >= leastTelling) {
-        pace_ = std::clamp(taken / thought_, 0.02, 50.0);
-        QSettings().setValue("experimentPace", pace_);
+        pace_ = std::clamp(taken / thought_, leastPace, mostPace);
+        QSettings().setValue(paceKey, pace_);
     }
     results_->show(study);
     stack_->setCurrentWidget(results_);
@@ -301,29 +303,17 @@ void ExperimentWindow::followDrawing()
         choice_->followDrawing(session_.scene.segments().size());
 }
 
-/// Never larger than what is free on the screen, so that the buttons can be reached.
-void ExperimentWindow::fitScreen()
-{
-    const QRect free = screen()->availableGeometry();
-    const QSize room = free.size() - frame;
-    setMinimumSize(smallest.boundedTo(room));
-    resize(size().boundedTo(room));
-    const QPoint last =
-        free.bottomRight() - QPoint(width() + frame.width(), height() + frame.height());
-    move(std::max(free.x(), std::min(x(), last.x())), std::max(free.y(), std::min(y(), last.y())));
-}
-
 void ExperimentWindow::showEvent(QShowEvent* event)
 {
     if (!event->spontaneous())
-        fitScreen();
+        fitToScreens(*this);
     QDialog::showEvent(event);
     choice_->followDrawing(session_.scene.segments().size());
 }
 
 void ExperimentWindow::hideEvent(QHideEvent* event)
 {
-    QSettings().setValue("experimentGeometry", saveGeometry());
+    rememberPlace(*this, QStringLiteral("experimentGeometry"));
     if (measuring_.active() && !event->spontaneous())
         cancel();
     QDialog::hideEvent(event);

@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
 
@@ -47,7 +46,6 @@ private:
     QWidget* right();
     QWidget* below();
     void layOut();
-    void fitScreen();
     void addTools();
     void run(app::Choice choice);
     void cancel();
@@ -70,7 +68,7 @@ private:
     Results* results_;
     QElapsedTimer taken_;
     double thought_ = 0; ///< seconds that the run was expected to take
-    double pace_ = QSettings().value("experimentPace", 1).toDouble(); ///< taken by thought
+    double pace_ = 1; ///< time taken by time thought; from the settings
     Measuring measuring_;
 };
 

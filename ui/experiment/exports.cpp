@@ -3,6 +3,7 @@
 
 #include "app/charts/study_charts.h"
 #include "app/latin.h"
+#include "app/settings/remembered.h"
 #include "ui/dialogs/in_background.h"
 
 #include <QFileInfo>
@@ -36,7 +37,7 @@ QString entryText(const app::StudyFile& row, const app::Study& study)
 QString proposal(const QString& name, const QString& ending)
 {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString folder = QSettings().value("experimentFolder", usual).toString();
+    const QString folder = app::rememberedFolder(QStringLiteral("experimentFolder"), usual);
     return QStringLiteral("%1/%2.%3").arg(folder, name, ending);
 }
 

@@ -13,12 +13,12 @@
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/window_place.h"
 #include "ui/zoo/zoo_window.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -27,7 +27,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1040, 780), smallest(560, 360), frame(8, 40);
+constexpr QSize usual(1040, 780), smallest(560, 360);
 constexpr int listWidth = 252, fieldWidth = 220;
 
 } // namespace
@@ -67,11 +67,7 @@ ExplanationWindow::ExplanationWindow(MainWindow& window)
     connect(page_, &PageView::linkChosen, this, &ExplanationWindow::follow);
     connect(page_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
     connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
-    resize(usual);
-    restoreGeometry(QSettings().value("explanationGeometry").toByteArray());
-    const QSize room = screen()->availableGeometry().size() - frame;
-    setMinimumSize(smallest.boundedTo(room));
-    resize(size().boundedTo(room));
+    restorePlace(*this, QStringLiteral("explanationGeometry"), usual, smallest);
     page_->setZoom(QSettings().value("explanationZoom").toInt());
 }
 
@@ -240,7 +236,7 @@ void ExplanationWindow::savePdf()
 
 void ExplanationWindow::hideEvent(QHideEvent* event)
 {
-    QSettings().setValue("explanationGeometry", saveGeometry());
+    rememberPlace(*this, QStringLiteral("explanationGeometry"));
     QSettings().setValue("explanationZoom", page_->zoom());
     QDialog::hideEvent(event);
 }

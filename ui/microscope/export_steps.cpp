@@ -2,6 +2,7 @@
 #include "ui/microscope/export_steps.h"
 
 #include "app/latin.h"
+#include "app/settings/remembered.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/look.h"
 #include "ui/microscope/export_steps_dialog.h"
@@ -19,7 +20,7 @@ const QString folderKey = QStringLiteral("stepsFolder");
 QString folder()
 {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QSettings().value(folderKey, usual).toString();
+    return app::rememberedFolder(folderKey, usual);
 }
 
 } // namespace

@@ -7,12 +7,12 @@
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 #include "ui/plug_in/verdict_view.h"
+#include "ui/window_place.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QVBoxLayout>
@@ -21,7 +21,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1080, 760), smallest(640, 400), frame(8, 40);
+constexpr QSize usual(1080, 760), smallest(640, 400);
 constexpr int barWidth = 180, settling = 500, textWidth = 520;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -99,10 +99,7 @@ void JudgeWindow::layOut()
 {
     setObjectName(QStringLiteral("judge"));
     setWindowTitle(tr("Judge your own algorithm"));
-    const QSize room = screen()->availableSize() - frame;
-    setMinimumSize(smallest.boundedTo(room));
-    resize(usual.boundedTo(room));
-    restoreGeometry(QSettings().value("judgeGeometry").toByteArray());
+    restorePlace(*this, QStringLiteral("judgeGeometry"), usual, smallest);
     stack_->addWidget(invitation());
     stack_->addWidget(view_);
     auto* column = new QVBoxLayout(this);
@@ -306,7 +303,7 @@ void JudgeWindow::showEvent(QShowEvent* event)
 void JudgeWindow::hideEvent(QHideEvent* event)
 {
     settled_.stop();
-    QSettings().setValue("judgeGeometry", saveGeometry());
+    rememberPlace(*this, QStringLiteral("judgeGeometry"));
     if (judging_.active() && !event->spontaneous())
         cancel();
     QDialog::hideEvent(event);

@@ -5,12 +5,11 @@
 #include "ui/files.h"
 #include "ui/look.h"
 #include "ui/main_window.h"
+#include "ui/window_place.h"
 #include "ui/zoo/case_list.h"
 #include "ui/zoo/case_view.h"
 
 #include <QHBoxLayout>
-#include <QScreen>
-#include <QSettings>
 #include <QShortcut>
 #include <QVBoxLayout>
 
@@ -18,7 +17,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1180, 780), smallest(760, 420), frame(8, 40);
+constexpr QSize usual(1180, 780), smallest(760, 420);
 constexpr int leastLeft = 330;
 
 } // namespace
@@ -45,11 +44,7 @@ ZooWindow::ZooWindow(MainWindow& window)
     connect(view_, &CaseView::drawingWanted, this, &ZooWindow::draw);
     connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_,
             [this] { search_->setFocus(Qt::ShortcutFocusReason); });
-    resize(usual);
-    restoreGeometry(QSettings().value("zooGeometry").toByteArray());
-    const QSize room = screen()->availableGeometry().size() - frame;
-    setMinimumSize(smallest.boundedTo(room));
-    resize(size().boundedTo(room));
+    restorePlace(*this, QStringLiteral("zooGeometry"), usual, smallest);
     filter();
     list_->setFocus();
 }
@@ -125,7 +120,7 @@ void ZooWindow::draw(const app::HardCase& hard, const app::Clipper& clipper)
 
 void ZooWindow::hideEvent(QHideEvent* event)
 {
-    QSettings().setValue("zooGeometry", saveGeometry());
+    rememberPlace(*this, QStringLiteral("zooGeometry"));
     QDialog::hideEvent(event);
 }
 

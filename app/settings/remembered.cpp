@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings/remembered.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr int longestPath = 4096; // characters
+
+} // namespace
+
+int rememberedNumber(const QString& key, int least, int most, int usual)
+{
+    // QVariant makes the whole number 0 of 1e300, and calls it converted.
+    const double number = rememberedNumber(key, double(least), double(most), double(usual));
+    return number == std::floor(number) ? int(number) : usual;
+}
+
+double rememberedNumber(const QString& key, double least, double most, double usual)
+{
+    bool isNumber = false;
+    const double number = QSettings().value(key).toDouble(&isNumber);
+    return isNumber && number >= least && number <= most ? number : usual; // NaN: usual
+}
+
+QString rememberedFolder(const QString& key, const QString& usual)
+{
+    const QString folder = QSettings().value(key).toString();
+    const bool usable =
+        folder.size() <= longestPath && QFileInfo(folder).isAbsolute() && QFileInfo(folder).isDir();
+    return usable ? folder : usual;
+}
+
+} // namespace app

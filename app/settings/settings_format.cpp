@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings/settings_format.h"
+
+#include "app/formats/replace_file.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSettings>
+#include <QTemporaryFile>
+
+#include <optional>
+
+namespace app {
+namespace {
+
+constexpr qint64 mostBytes = 1'000'000;
+const QString bytesKey = QStringLiteral("base64");
+
+QJsonValue jsonOf(const QVariant& value)
+{
+    if (value.typeId() == QMetaType::QByteArray)
+        return QJsonObject{{bytesKey, QString::fromLatin1(value.toByteArray().toBase64())}};
+    return QJsonValue::fromVariant(value);
+}
+
+/// Invalid: nothing that a program of ours wrote.
+QVariant valueOf(const QJsonValue& json)
+{
+    if (json.isObject())
+        return QByteArray::fromBase64(json.toObject().value(bytesKey).toString().toLatin1());
+    if (json.isArray()) {
+        QStringList texts;
+        for (const QJsonValue& each : json.toArray())
+            texts << each.toString();
+        return texts;
+    }
+    return json.isNull() ? QVariant() : json.toVariant();
+}
+
+/// Of an earlier version. Qt reads INI files by their names only.
+bool readIni(const QByteArray& text, QSettings::SettingsMap& map)
+{
+    QTemporaryFile copy;
+    if (text.contains("@Variant") // any type of Qt's: none that we wrote
+        || !copy.open() || copy.write(text) != text.size() || !copy.flush())
+        return false;
+    const QSettings ini(copy.fileName(), QSettings::IniFormat);
+    for (const QString& key : ini.allKeys())
+        map.insert(key, ini.value(key));
+    return ini.status() == QSettings::NoError;
+}
+
+bool read(QIODevice& in, QSettings::SettingsMap& map)
+{
+    const QByteArray text = in.read(mostBytes + 1);
+    if (text.size() > mostBytes)
+        return false;
+    if (!text.trimmed().startsWith('{'))
+        return readIni(text, map);
+    const QJsonObject all = QJsonDocument::fromJson(text).object();
+    for (auto each = all.begin(); each != all.end(); ++each)
+        if (const QVariant value = valueOf(each.value()); value.isValid())
+            map.insert(each.key(), value);
+    return true;
+}
+
+bool write(QIODevice& out, const QSettings::SettingsMap& map)
+{
+    QJsonObject all;
+    for (auto each = map.begin(); each != map.end(); ++each)
+        all.insert(each.key(), jsonOf(each.value()));
+    const auto filling = [text = QJsonDocument(all).toJson()](QIODevice& sink) {
+        sink.write(text);
+        return std::optional<QString>();
+    };
+    auto* const file = qobject_cast<QFileDevice*>(&out);
+    return file && !fillToDisk(*file, filling);
+}
+
+} // namespace
+
+void useSafeSettings()
+{
+    static const QSettings::Format format =
+        QSettings::registerFormat(QStringLiteral("ini"), read, write);
+    QSettings::setDefaultFormat(format);
+}
+
+} // namespace app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings/seal.h"
+#include "ui/experiment/experiment_window.h"
+#include "ui/explanation/explanation_window.h"
+#include "ui/plug_in/judge_window.h"
+#include "ui/saved_theme.h"
+#include "ui/zoo/zoo_window.h"
+
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QScreen>
+
+#include <random>
+
+#include "tests/ui/test_window.h"
+
+// The settings are a file that anything may have written.
+
+namespace ui {
+
+class HostileSettingsTest : public QObject {
+    Q_OBJECT
+
+    // What a session of the program writes; theKeysAreAll holds it against the sources.
+    static QStringList keys()
+    {
+        return {"theme",
+                "geometry",
+                "ownLayout",
+                "layout",
+                "panes",
+                "windowDragged",
+                "recent",
+                "compareForms",
+                "explanationZoom",
+                "explanationGeometry",
+                "experimentGeometry",
+                "experimentPace",
+                "experimentFolder",
+                "stepsFolder",
+                "judgeGeometry",
+                "zooGeometry",
+                "plugInLibrary",
+                "plugInsTrusted",
+                "lessons/done"};
+    }
+
+    static bool fits(const QWidget& window)
+    {
+        const QSize room = window.screen()->availableSize();
+        const QSize least = window.minimumSize();
+        return window.width() <= std::max(room.width(), least.width())
+               && window.height() <= std::max(room.height(), least.height());
+    }
+
+private slots:
+    void theKeysAreAll()
+    {
+        QStringList known = keys();
+        QDirIterator files(SOURCE_DIR, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
+        static const QRegularExpression literal(
+            "(?:Settings\\(\\)|settings)\\.(?:setValue|value)\\(\"([A-Za-z/]+)\"");
+        int found = 0;
+        while (files.hasNext()) {
+            const QString path = files.next();
+            if (!path.startsWith(SOURCE_DIR "/ui/") && !path.startsWith(SOURCE_DIR "/app/"))
+                continue;
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            auto matches = literal.globalMatch(QString::fromUtf8(file.readAll()));
+            for (; matches.hasNext(); ++found) {
+                const QString key = matches.next().captured(1);
+                QVERIFY2(known.contains(key), qPrintable(path + ": " + key));
+            }
+        }
+        QVERIFY(found >= 10);
+    }
+
+    void garbageOfEveryKeyStartsTheProgram_data()
+    {
+        QTest::addColumn<QVariant>("value");
+        QTest::newRow("nothing") << QVariant(QString());
+        QTest::newRow("text") << QVariant("garbage");
+        QTest::newRow("long") << QVariant(QString(300'000, u'9'));
+        QTest::newRow("huge") << QVariant(2147483647);
+        QTest::newRow("negative") << QVariant(-2147483647 - 1);
+        QTest::newRow("nan") << QVariant("nan");
+        QTest::newRow("bytes") << QVariant(QByteArray("\xff\0\0\0\xfd", 5));
+        QTest::newRow("huge place") << QVariant("0,0 30000x20000");
+        QTest::newRow("far place") << QVariant("-99999,99999 30000x20000 maximized");
+        QTest::newRow("list") << QVariant(QStringList(3000, "x"));
+        QTest::newRow("panes") << QVariant("4 99 exact exact exact exact");
+    }
+    void garbageOfEveryKeyStartsTheProgram()
+    {
+        QFETCH(QVariant, value);
+        TestWindow usual; // sets the settings' place
+        usual.window.reset();
+        for (const QString& key : keys())
+            QSettings().setValue(key, value);
+        MainWindow window(Backend::Raster);
+        QVERIFY2(fits(window),
+                 qPrintable(QStringLiteral("%1x%2").arg(window.width()).arg(window.height())));
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(fits(window));
+        QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
+                || savedTheme() == Theme::Dark);
+        showExperiment(window);
+        showZoo(window);
+        showJudge(window);
+        showExplanation(clipping::algorithms().front(), window);
+        QVERIFY(!window.files().recent().size());
+        int dialogs = 0;
+        for (const QDialog* dialog : window.findChildren<QDialog*>())
+            if (dialog->isVisible()) {
+                ++dialogs;
+                QVERIFY2(fits(*dialog), qPrintable(dialog->objectName()));
+            }
+        QCOMPARE(dialogs, 4);
+    }
+
+    // QMainWindow crashes on some of these.
+    void aDamagedLayoutIsNoLayout()
+    {
+        TestWindow test;
+        test.show();
+        const QByteArray whole = test.window->saveState(1);
+        test.window.reset();
+        QSettings().setValue("ownLayout", true);
+        std::mt19937 random(1);
+        for (int i = 0; i < 12; ++i) {
+            QByteArray damaged = i % 2 ? whole : app::sealed(whole);
+            damaged[qsizetype(random() % std::size_t(damaged.size()))] ^= char(1 << random() % 8);
+            QSettings().setValue("layout", damaged);
+            const MainWindow window(Backend::Raster);
+            QVERIFY(fits(window));
+        }
+    }
+
+    void asLargeAsAskedWithinTheScreen()
+    {
+        TestWindow test;
+        test.window->resize(30'000, 20'000);
+        test.window->close();
+        test.window = std::make_unique<MainWindow>(Backend::Raster);
+        QVERIFY(fits(*test.window));
+        test.window->resize(1100, 700);
+        QSettings().setValue("geometry", "5,6 1030x650");
+        MainWindow again(Backend::Raster);
+        QCOMPARE(again.size().height(), 650);
+    }
+};
+
+} // namespace ui
+
+using ui::HostileSettingsTest;
+QTEST_MAIN(HostileSettingsTest)
+#include "hostile_settings_test.moc"
