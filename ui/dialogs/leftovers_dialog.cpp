@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/leftovers_dialog.h"
 
+#include "app/document/recent_files.h"
 #include "ui/look.h"
 #include "ui/widgets/keep_choice.h"
 
@@ -24,6 +25,13 @@ constexpr int mostRows = 6, listWidth = 440;
 
 QString tr(const char* text) { return QCoreApplication::translate("LeftoversDialog", text); }
 
+QString timeText(const QDateTime& time)
+{
+    const QDateTime here = time.toLocalTime();
+    return tr("%1, %2").arg(app::dayText(here.date(), QDate::currentDate()),
+                            QLocale().toString(here.time(), QStringLiteral("HH:mm")));
+}
+
 QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
 {
     auto* list = new QTreeWidget;
@@ -35,9 +43,8 @@ QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     for (const app::Leftover& leftover : leftovers) {
-        auto* row = new QTreeWidgetItem(
-            list, {leftover.origin.name,
-                   QLocale().toString(leftover.ended.toLocalTime(), QLocale::ShortFormat)});
+        auto* row = new QTreeWidgetItem(list, {leftover.origin.name, timeText(leftover.ended)});
+        row->setSizeHint(0, {0, space::rowHeight});
         row->setToolTip(0, leftover.origin.path);
     }
     list->setCurrentItem(list->topLevelItem(0));

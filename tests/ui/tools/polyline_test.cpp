@@ -164,6 +164,8 @@ private:
         /// Rounded: a click hits whole pixels.
         std::vector<app::Point> corners(std::size_t shape) const
         {
+            if (shape >= shapes().size())
+                return {};
             const app::Path& path = shapes()[shape].paths[0];
             std::vector<app::Point> all{nearest(path.start)};
             for (const app::Stretch& stretch : path.stretches)
