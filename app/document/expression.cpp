@@ -55,7 +55,9 @@ private:
     QString next()
     {
         const std::string_view rest = skipBlank();
-        const auto letter = [](char c) { return c < 0 || (c | 32) - 'a' < 26U; };
+        const auto letter = [](char c) { // or a byte of one in UTF-8
+            return c < 0 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        };
         const auto end = std::ranges::find_if_not(rest, letter);
         const auto size = std::max<std::ptrdiff_t>(end - rest.begin(), rest.empty() ? 0 : 1);
         return QString::fromUtf8(rest.data(), size);
