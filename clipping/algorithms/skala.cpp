@@ -109,9 +109,9 @@ struct Skala {
     static constexpr std::optional<BasicSegment<T>>
     clipEndless(const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
     {
-        constexpr unsigned none = ~0U;
+        constexpr unsigned noCode = ~0U;
         if constexpr (reach == Reach::BothWays)
-            return crossedFromA(s, w, none, none, watch);
+            return crossedFromA(s, w, noCode, noCode, watch);
         const unsigned code = outcodeOf(s.a, w);
         watch("outcodes", 1, s, Edge::None, Named{"code1", code});
         if (((code & outcode::left) && s.b.x <= s.a.x)
@@ -121,7 +121,7 @@ struct Skala {
             watch("reject", 3, s, Edge::None);
             return std::nullopt;
         }
-        return crossedFromA(s, w, code, none, watch);
+        return crossedFromA(s, w, code, noCode, watch);
     }
 
     template <class T, class Watch>
