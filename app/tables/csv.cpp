@@ -19,21 +19,26 @@ QString csvLine(const QStringList& fields)
 } // namespace
 
 /// Each table with its names as the first line; what is true of all rows are further columns, the
-/// same in each row. An empty line between tables. Title and notes are for people and left out.
+/// same in each row, and columns that came late follow them. An empty line between tables. Title
+/// and notes are for people and left out.
 QString csvText(std::span<const Table> tables)
 {
     QString text;
     for (const Table& table : tables) {
         if (&table != &tables.front())
             text += u'\n';
-        QStringList names = table.names, values;
+        QStringList names, values;
         for (const auto& [name, value] : table.facts) {
             names << name;
             values << value;
         }
-        text += csvLine(names);
+        const qsizetype early = table.names.size() - table.late;
+        const auto line = [&](const QStringList& row, const QStringList& facts) {
+            return csvLine(row.first(early) + facts + row.sliced(early));
+        };
+        text += line(table.names, names);
         for (const QStringList& row : table.rows)
-            text += csvLine(row + values);
+            text += line(row, values);
     }
     return text;
 }

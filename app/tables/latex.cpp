@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tables/table.h"
 
+#include <algorithm>
 #include <map>
 
 namespace app {
@@ -77,38 +78,115 @@ QString noteOf(const Table& table)
            + lines.join(QStringLiteral("\\par\n")) + QStringLiteral("\n\\end{minipage}\n");
 }
 
-QString floatOf(const Table& table)
+QString columnsOf(const Table& table)
 {
     QString columns;
     for (const bool numeric : numericColumns(table))
         columns += numeric ? u'r' : u'l';
-    QString text = QStringLiteral("\\begin{table}[htbp]\n\\centering\n");
-    if (!table.title.isEmpty())
-        text += QStringLiteral("\\caption{%1}\n").arg(escaped(table.title));
-    if (!table.key.isEmpty())
-        text += QStringLiteral("\\label{tab:%1}\n").arg(table.key);
-    text +=
-        QStringLiteral("\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n"
-                       "\\begin{tabular}{@{}%1@{}}\n\\toprule\n")
-            .arg(columns)
-        + rowOf(table.names) + QStringLiteral("\\midrule\n");
+    return columns;
+}
+
+QString rowsOf(const Table& table)
+{
+    QString text;
     for (const QStringList& row : table.rows)
         text += rowOf(row);
-    return text + QStringLiteral("\\bottomrule\n\\end{tabular}}\n") + noteOf(table)
+    return text;
+}
+
+QString captionOf(const Table& table)
+{
+    QString text;
+    if (!table.title.isEmpty())
+        text += QStringLiteral("\\caption{%1}").arg(escaped(table.title));
+    if (!table.key.isEmpty())
+        text += QStringLiteral("\\label{tab:%1}").arg(table.key);
+    return text;
+}
+
+/// Shrinks to the line.
+QString floatOf(const Table& table)
+{
+    const QString caption = captionOf(table);
+    return QStringLiteral("\\begin{table}[htbp]\n\\centering\n")
+           + (caption.isEmpty() ? caption : caption + u'\n')
+           + QStringLiteral(
+                 "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n"
+                 "\\begin{tabular}{@{}%1@{}}\n\\toprule\n")
+                 .arg(columnsOf(table))
+           + rowOf(table.names) + QStringLiteral("\\midrule\n") + rowsOf(table)
+           + QStringLiteral("\\bottomrule\n\\end{tabular}}\n") + noteOf(table)
            + QStringLiteral("\\end{table}\n");
+}
+
+/// How a table is set whose pages are not made yet, so that it cannot be scaled to them.
+struct Setting {
+    const char* size;     ///< of type
+    qsizetype letters;    ///< that fit a line of an article, measured with digits, and as many gaps
+    const char* turned{}; ///< the environment that turns the page, if it does
+};
+
+const Setting& settingFor(const Table& table)
+{
+    static constexpr Setting all[]{{"\\normalsize", 66},
+                                   {"\\footnotesize", 74},
+                                   {"\\footnotesize", 116, "landscape"},
+                                   {"\\scriptsize", 130, "landscape"},
+                                   {"\\tiny", 145, "landscape"}}; // and wider ones
+    qsizetype letters = 0;
+    for (qsizetype c = 0; c < table.names.size(); ++c) {
+        qsizetype widest = table.names[c].size();
+        for (const QStringList& row : table.rows)
+            widest = std::max(widest, row[c].size());
+        letters += widest + 1;
+    }
+    const auto found = std::ranges::find_if(
+        all, [&](const Setting& setting) { return letters <= setting.letters; });
+    return found == std::end(all) ? *std::rbegin(all) : *found;
+}
+
+/// Goes on from page to page, with its headings on each.
+QString longTableOf(const Table& table)
+{
+    const Setting& setting = settingFor(table);
+    const QString head = QStringLiteral("\\toprule\n") + rowOf(table.names)
+                         + QStringLiteral("\\midrule\n"),
+                  caption = table.title.isEmpty() ? QString()
+                                                  : captionOf(table) + QStringLiteral("\\\\\n");
+    const QString text =
+        QStringLiteral("{%1\\setlength{\\tabcolsep}{3pt}\n\\begin{longtable}{@{}%2@{}}\n")
+            .arg(QLatin1StringView(setting.size), columnsOf(table))
+        + caption + head + QStringLiteral("\\endfirsthead\n") + head
+        + QStringLiteral("\\endhead\n\\midrule\n\\endfoot\n\\bottomrule\n\\endlastfoot\n")
+        + rowsOf(table) + QStringLiteral("\\end{longtable}}\n") + noteOf(table);
+    return setting.turned ? QStringLiteral("\\begin{%1}\n%2\\end{%1}\n")
+                                .arg(QLatin1StringView(setting.turned), text)
+                          : text;
+}
+
+/// So many rows fit a page, with title and notes; longer tables would run off it.
+constexpr std::size_t mostOnAPage = 30;
+
+QString textOf(const Table& table)
+{
+    return table.rows.size() > mostOnAPage ? longTableOf(table) : floatOf(table);
 }
 
 } // namespace
 
-/// A whole document of floating tables with booktabs' rules, so that it compiles as it is; to have
-/// them in another one, take what is between its begin and end. Wide tables shrink to the line.
+/// A whole document of tables with booktabs' rules, so that it compiles as it is; to have them in
+/// another one, take what is between its begin and end. Tables of a page float, and wide ones
+/// shrink to the line; longer ones go on from page to page (longtable), wide ones in smaller type
+/// or turned.
 QString latexText(std::span<const Table> tables)
 {
-    QString text = QStringLiteral("\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n"
-                                  "\\usepackage[T1]{fontenc}\n\\usepackage{booktabs}\n"
-                                  "\\usepackage{graphicx}\n\\begin{document}\n");
+    QString text =
+        QStringLiteral("\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n"
+                       "\\usepackage[T1]{fontenc}\n\\usepackage{booktabs}\n"
+                       "\\usepackage{graphicx}\n\\usepackage{longtable}\n\\usepackage{lscape}\n"
+                       "\\begin{document}\n");
     for (const Table& table : tables)
-        text += floatOf(table);
+        text += textOf(table);
     return text + QStringLiteral("\\end{document}\n");
 }
 

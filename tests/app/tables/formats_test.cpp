@@ -40,7 +40,7 @@ std::vector<app::Table> twoTables()
              .key = "times",
              .facts = {{"seed", "1"}, {"window", "-1,-2,3,4"}, {"flags", "-O3 50% _x"}},
              .notes = {"One 100 % sure <note>."}},
-            {.names = {"x"}, .rows = {{"tie a"}, {"2"}}}};
+            {.names = {"x"}, .rows = {{"a b"}, {"2"}}}};
 }
 
 QString textAs(QStringView key, const std::vector<app::Table>& tables)
@@ -49,6 +49,52 @@ QString textAs(QStringView key, const std::vector<app::Table>& tables)
         if (format.key == key)
             return format.text(tables);
     qFatal("no such format");
+}
+
+/// A table in which every row says which it is.
+app::Table numbered(int rows, int columns)
+{
+    app::Table table{.names = {"which"}, .title = QString("%1 rows").arg(rows), .key = "long"};
+    for (int c = 1; c < columns; ++c)
+        table.names << QString("c%1").arg(c);
+    for (int r = 0; r < rows; ++r) {
+        QStringList row(QString("row-%1-of-%2").arg(r).arg(rows));
+        while (row.size() < columns)
+            row << "1234.56";
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+QString latex()
+{
+    for (const char* name : {"pdflatex", "lualatex", "xelatex", "tectonic"})
+        if (const QString program = QStandardPaths::findExecutable(name); !program.isEmpty())
+            return program;
+    return {};
+}
+
+/// Writes tables.tex into the folder and makes tables.pdf of it, in as many passes as long tables
+/// need to know their widths. What it says where that fails; else nothing.
+QString compile(const QString& program, const QTemporaryDir& folder,
+                const std::vector<app::Table>& tables)
+{
+    QFile file(folder.filePath("tables.tex"));
+    if (!file.open(QIODevice::WriteOnly))
+        return file.errorString();
+    file.write(textAs(u"latex", tables).toUtf8());
+    file.close();
+    QStringList arguments{"tables.tex"};
+    if (!program.endsWith("tectonic"))
+        arguments.prepend("-interaction=nonstopmode");
+    for (int pass = 0; pass < 3; ++pass) {
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        process.start(program, arguments);
+        if (!process.waitForFinished(120'000) || process.exitCode() != 0)
+            return process.errorString() + u'\n' + process.readAllStandardOutput();
+    }
+    return {};
 }
 
 } // namespace
@@ -216,28 +262,55 @@ private slots:
 
     void latexCompiles()
     {
-        QString program;
-        for (const char* name : {"pdflatex", "lualatex", "xelatex", "tectonic"})
-            if (program.isEmpty())
-                program = QStandardPaths::findExecutable(name);
+        const QString program = latex();
         if (program.isEmpty())
             QSKIP("no LaTeX is installed: latexIsWellFormed looks at the structure instead");
-        QTemporaryDir folder;
-        QFile file(folder.filePath("tables.tex"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
         auto tables = twoTables();
         tables.push_back(teasing()[0]);
-        file.write(textAs(u"latex", tables).toUtf8());
-        file.close();
-        QProcess process;
-        process.setWorkingDirectory(folder.path());
-        QStringList arguments{"tables.tex"};
-        if (!program.endsWith("tectonic"))
-            arguments.prepend("-interaction=nonstopmode");
-        process.start(program, arguments);
-        QVERIFY(process.waitForFinished(120'000));
-        QVERIFY2(process.exitCode() == 0, process.readAllStandardOutput().constData());
+        QTemporaryDir folder;
+        const QString error = compile(program, folder, tables);
+        QVERIFY2(error.isEmpty(), qPrintable(error));
         QVERIFY(QFile::exists(folder.filePath("tables.pdf")));
+    }
+
+    void longTablesGoOnFromPageToPage()
+    {
+        QCOMPARE(textAs(u"latex", {numbered(30, 3)}).count("\\begin{longtable}"), 0);
+        const std::vector tables{numbered(31, 3), numbered(200, 7), numbered(90, 12),
+                                 numbered(60, 16)};
+        const QString text = textAs(u"latex", tables);
+        QCOMPARE(text.count("\\begin{longtable}"), 4);
+        QCOMPARE(text.count("\\endhead"), 4);
+        const QString program = latex(),
+                      reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
+        if (program.isEmpty() || reader.isEmpty())
+            QSKIP("no LaTeX or no pdftotext is installed: the pages were not looked at");
+        QTemporaryDir folder;
+        const QString error = compile(program, folder, tables);
+        QVERIFY2(error.isEmpty(), qPrintable(error));
+        QFile log(folder.filePath("tables.log"));
+        if (log.open(QIODevice::ReadOnly)) // tectonic keeps none
+            QVERIFY2(!log.readAll().contains("Overfull"), "something juts out");
+        QProcess process;
+        process.start(reader, {"-layout", folder.filePath("tables.pdf"), "-"});
+        QVERIFY(process.waitForFinished(60'000));
+        const QString pages = QString::fromUtf8(process.readAllStandardOutput());
+        QVERIFY(pages.count('\f') >= 8);
+        for (const app::Table& table : tables)
+            for (const QStringList& row : table.rows)
+                QVERIFY2(pages.contains(row.front()), qPrintable(row.front()));
+        for (const QString& page : pages.split('\f', Qt::SkipEmptyParts))
+            QVERIFY2(page.contains("which"), qPrintable(page)); // headings
+    }
+
+    void lateColumnsStandBehindTheFactsInCsv()
+    {
+        const app::Table table{.names = {"who", "rank", "letters"},
+                               .rows = {{"cs", "1", "a"}},
+                               .facts = {{"seed", "7"}},
+                               .late = 1};
+        QCOMPARE(textAs(u"csv", {table}), "who,rank,seed,letters\ncs,1,7,a\n");
+        QVERIFY(textAs(u"markdown", {table}).contains("| who | rank | letters |"));
     }
 };
 
