@@ -42,12 +42,14 @@ QString textOf(const Chart& chart)
         lines << chart.subtitle;
     for (const ChartRow& row : chart.rows)
         lines << QString(row.detail).replace(u'\n', QStringLiteral("; "));
-    for (const Tie& tie : chart.ties) {
+    for (const RowGroup& group : chart.groups) {
         QStringList names;
-        for (const std::size_t i : tie.rows)
+        for (const std::size_t i : group.rows)
             names << chart.rows[i].name;
-        lines << QCoreApplication::translate("Charts", "%1 tie: too close to call.")
-                     .arg(names.join(QStringLiteral(", ")));
+        lines << QCoreApplication::translate("Charts",
+                                             "Bracket %1: %2 do not differ significantly by 1 % "
+                                             "or more.")
+                     .arg(group.letter, names.join(QStringLiteral(", ")));
     }
     return (lines + chart.notes).join(u'\n');
 }

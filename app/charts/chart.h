@@ -46,9 +46,10 @@ struct ChartRow {
     QString detail{};              ///< all that is known of it, a line a fact: shown on hover
 };
 
-/// Rows that are too close to call, each against each other, from the top down.
-struct Tie {
+/// Rows that do not differ significantly, each from each other, from the top down: a bracket.
+struct RowGroup {
     std::vector<std::size_t> rows; ///< two at least
+    QString letter{};
 };
 
 /// What the legend shows beside a text.
@@ -71,14 +72,14 @@ struct Panel {
 
 struct Chart {
     QString key;        ///< of its file's name: "table1-clip"
-    QString title;      ///< "Clipping only, fastest = 1"
+    QString title;      ///< "Clipping only, lowest median = 1"
     QString subtitle{}; ///< "Scene “Long”, 1,000,000 lines"
     std::vector<LegendEntry> legend{};
     std::vector<Panel> panels{Panel{}}; ///< one at least
     bool oneScale = true;               ///< of all panels
     QStringList columns{};              ///< headings of the numbers at the right
     std::vector<ChartRow> rows;
-    std::vector<Tie> ties{};           ///< a row may be in several; none holds another
+    std::vector<RowGroup> groups{};    ///< a row may be in several; none holds another
     std::optional<double> reference{}; ///< a line through all rows, such as 1
     QStringList notes{};               ///< sentences below
 };

@@ -81,20 +81,20 @@ Widths widthsOf(const Chart& chart, const ChartLook& look, double unit)
         for (std::size_t c = 0; c < widths.columns.size() && qsizetype(c) < row.numbers.size(); ++c)
             widths.columns[c] = widest(caption, row.numbers[qsizetype(c)], widths.columns[c]);
     }
-    for (std::size_t t = 0; t < chart.ties.size(); ++t)
-        widths.lane = widest(caption, tieName(chart, t), widths.lane - 14 * unit) + 14 * unit;
+    for (const RowGroup& group : chart.groups)
+        widths.lane = widest(caption, group.letter, widths.lane - 14 * unit) + 14 * unit;
     return widths;
 }
 
 /// Each bracket in the first lane where none is at its rows.
-std::vector<std::size_t> lanesOf(const std::vector<Tie>& ties)
+std::vector<std::size_t> lanesOf(const std::vector<RowGroup>& groups)
 {
     std::vector<std::size_t> lanes;
-    for (const Tie& tie : ties) {
+    for (const RowGroup& group : groups) {
         const auto taken = [&](std::size_t lane) {
             for (std::size_t t = 0; t < lanes.size(); ++t)
-                if (lanes[t] == lane && ties[t].rows.front() <= tie.rows.back()
-                    && tie.rows.front() <= ties[t].rows.back())
+                if (lanes[t] == lane && groups[t].rows.front() <= group.rows.back()
+                    && group.rows.front() <= groups[t].rows.back())
                     return true;
             return false;
         };
@@ -165,7 +165,7 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
 void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const Widths widths = widthsOf(chart, look, layout.unit);
-    layout.lanes = lanesOf(chart.ties);
+    layout.lanes = lanesOf(chart.groups);
     const qsizetype all = chart.columns.size(), one = std::min(all, qsizetype(1));
     const double enough = (chart.panels.size() == 1 ? 190 : 56) * layout.unit;
     for (const Shown& shown :
@@ -361,11 +361,6 @@ Interval tickLabel(const ChartLayout& layout, std::size_t panel, double tick, co
     if (const double beyond = 5 * layout.unit; panel + 1 < layout.panels.size())
         middle = std::min(middle, layout.panels[panel].right() + beyond - half);
     return {middle - half, middle + half};
-}
-
-QString tieName(const Chart& chart, std::size_t tie)
-{
-    return chart.ties.size() == 1 ? QCoreApplication::translate("Charts", "tie") : tieLetter(tie);
 }
 
 } // namespace app

@@ -26,9 +26,9 @@ struct ChartLayout {
     double thickness;                 ///< of a bar
     std::vector<QRectF> panels;       ///< over all rows, without the text at the ends of bars
     std::vector<double> columnRights; ///< of those that are shown
-    double bracket;                   ///< left of the first lane of the brackets of ties
+    double bracket;                   ///< left of the first lane of the brackets of groups
     double bracketLane;               ///< how far lanes are apart: the next bracket's left
-    std::vector<std::size_t> lanes;   ///< one a tie: those beside each other have their own
+    std::vector<std::size_t> lanes;   ///< one a group: those beside each other have their own
     QRectF ticks;                     ///< a line
     QRectF units;                     ///< a line; empty without units
     QRectF sentences;                 ///< what sentencesOf says
@@ -55,8 +55,5 @@ QFont captionFont(const ChartLook& look);
 /// of the next panel.
 Interval tickLabel(const ChartLayout& layout, std::size_t panel, double tick,
                    const ChartLook& look);
-
-/// What stands at the bracket of a tie: a word, or its letter where there are several.
-QString tieName(const Chart& chart, std::size_t tie);
 
 } // namespace app

@@ -203,24 +203,25 @@ void paintRow(const Canvas& c, std::size_t r)
                    row.numbers[qsizetype(i)]);
 }
 
-/// A line beside all rows of the tie; a tick leads to each of those that are of it.
-void paintTie(const Canvas& c, std::size_t t)
+/// A line beside all rows of the group; a tick leads to each of those that are of it.
+void paintGroup(const Canvas& c, std::size_t g)
 {
-    const Tie& tie = c.chart.ties[t];
+    const RowGroup& group = c.chart.groups[g];
     const double u = c.layout.unit,
-                 left = c.layout.bracket + double(c.layout.lanes[t]) * c.layout.bracketLane,
+                 left = c.layout.bracket + double(c.layout.lanes[g]) * c.layout.bracketLane,
                  right = left + 5 * u, reach = c.layout.thickness / 2;
     const auto middle = [&](std::size_t row) {
         return c.layout.rows[row].top() + c.layout.barMiddle;
     };
-    const double top = middle(tie.rows.front()) - reach, bottom = middle(tie.rows.back()) + reach;
+    const double top = middle(group.rows.front()) - reach,
+                 bottom = middle(group.rows.back()) + reach;
     c.painter.setPen(QPen(c.look.muted, 1.2 * u, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     const QPointF corners[] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
     c.painter.drawPolyline(corners, 4);
-    for (const std::size_t row : std::span(tie.rows).subspan(1, tie.rows.size() - 2))
+    for (const std::size_t row : std::span(group.rows).subspan(1, group.rows.size() - 2))
         c.painter.drawLine(QPointF(left, middle(row)), QPointF(right, middle(row)));
     c.line(around(right + 4 * u, right + 100 * u, (top + bottom) / 2, u), Qt::AlignLeft,
-           captionFont(c.look), c.look.muted, tieName(c.chart, t));
+           captionFont(c.look), c.look.muted, group.letter);
 }
 
 } // namespace
@@ -235,8 +236,8 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Char
     for (std::size_t r = 0; r < chart.rows.size(); ++r)
         paintRow(canvas, r);
     paintReference(canvas);
-    for (std::size_t t = 0; t < chart.ties.size(); ++t)
-        paintTie(canvas, t);
+    for (std::size_t g = 0; g < chart.groups.size(); ++g)
+        paintGroup(canvas, g);
     painter.restore();
 }
 

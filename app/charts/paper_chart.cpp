@@ -9,14 +9,14 @@
 namespace app {
 namespace {
 
-ChartRow rowOf(const PaperColumn& column, const Summary& runs, double fastest)
+ChartRow rowOf(const PaperColumn& column, const Summary& runs, double lowest)
 {
     const double average = column.printedAverage;
     ChartRow row = rowFor({column.algorithm, clipping::Form::Published});
     row.name = column.name;
     row.note.clear(); // all of them are
     row.figures = {Bar{{average}, runs.confidence}};
-    row.numbers = {numberText(average, 3), numberText(average / fastest, 2)};
+    row.numbers = {numberText(average, 3), numberText(average / lowest, 2)};
     row.detail = QStringList{fullName({column.algorithm, clipping::Form::Corrected}),
                              Charts::tr("average %1 s").arg(numberText(average, 3)),
                              Charts::tr("the middle of its runs with 95 % confidence %1 to %2 s")
@@ -33,8 +33,9 @@ Chart chartOf(const PaperTable& paper)
     std::vector<Summary> runs;
     for (const PaperColumn& column : paper.columns)
         runs.push_back(summaryOf(column.runs));
-    const double fastest =
+    const double lowest =
         std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
+    const Ranking ranking = rankingOf(paper);
     std::vector<std::size_t> order(paper.columns.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
@@ -46,11 +47,12 @@ Chart chartOf(const PaperTable& paper)
         .subtitle = Charts::tr("%1 lines generated, clipped and drawn").arg(countText(paper.lines)),
         .legend = {{LegendBar{0, clipping::Form::Published}, Charts::tr("the paper's averages")}},
         .panels = {{{}, Charts::tr("seconds")}},
-        .columns = {Charts::tr("seconds"), Charts::tr("fastest = 1")},
+        .columns = {Charts::tr("seconds"), Charts::tr("lowest = 1")},
         .rows = {},
-        .ties = tiesOf(runs, order)};
+        .groups = groupsOf(ranking, order),
+        .notes = groupNotes(ranking) << paperPairingText()};
     for (const std::size_t i : order)
-        chart.rows.push_back(rowOf(paper.columns[i], runs[i], fastest));
+        chart.rows.push_back(rowOf(paper.columns[i], runs[i], lowest));
     return chart;
 }
 

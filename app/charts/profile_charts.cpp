@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/record_chart.h"
 #include "app/charts/words.h"
+#include "app/experiment/one_by_one.h"
 #include "app/view/numbers.h"
 
 #include <algorithm>
@@ -84,6 +85,8 @@ QStringList notesOf(const ClassProfile& profile)
             notes << Charts::tr("Lines of class “%1” are too rare in the scene: those of the scene "
                                 "“%2” stand in for them.")
                          .arg(words(one.of.lineClass), one.of.standIn);
+    if (const QString batches = batchText(contestantsOf(profile)); !batches.isEmpty())
+        notes << batches;
     return notes;
 }
 

@@ -2,7 +2,9 @@
 #include "app/charts/record_chart.h"
 
 #include "app/charts/words.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
+#include "app/experiment/ranking_text.h"
 #include "app/view/numbers.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ const PaperColumn* columnOf(const PaperTable& paper, const clipping::Algorithm* 
     return found == paper.columns.end() ? nullptr : &*found;
 }
 
-double fastestOf(const PaperTable& paper)
+double lowestOf(const PaperTable& paper)
 {
     return std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
 }
@@ -32,8 +34,8 @@ bool comparable(const Record& record, const Timing& timing, const PaperTable& pa
               });
 }
 
-/// Which of the sorted timings is called 1: the fastest, of those that the paper has where it is
-/// set beside them, or the two scales would have nothing to do with each other.
+/// Which of the sorted timings is called 1: the lowest median, of those that the paper has where it
+/// is set beside them, or the two scales would have nothing to do with each other.
 std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
                    const std::optional<PaperTable>& paper)
 {
@@ -50,29 +52,40 @@ QString detailOf(const Contestant& contestant, const Summary& times)
                       Charts::tr("median %1 a line").arg(nanosecondsText(times.median))};
     if (std::isfinite(times.confidence.low) && std::isfinite(times.confidence.high))
         lines << Charts::tr("with 95 % confidence %1 to %2")
-                     .arg(nanosecondsText(std::max(times.confidence.low, 0.0)),
+                     .arg(nanosecondsText(times.confidence.low),
                           nanosecondsText(times.confidence.high));
     lines << Charts::tr("spread %1, mean %2")
                  .arg(nanosecondsText(times.spread), nanosecondsText(times.mean));
     return lines.join(u'\n');
 }
 
-/// Over the fastest; none where one run says nothing of where the middle lies.
-std::optional<Interval> relative(const Interval& confidence, double fastest)
+/// Over the lowest median; none where too few runs say nothing of where the middle lies.
+std::optional<Interval> relative(const Interval& confidence, double lowest)
 {
     if (!std::isfinite(confidence.low) || !std::isfinite(confidence.high))
         return std::nullopt;
-    return Interval{std::max(confidence.low, 0.0) / fastest, confidence.high / fastest};
+    return Interval{confidence.low / lowest, confidence.high / lowest};
 }
 
 QString ratioText(double ratio) { return numberText(ratio, 2); }
 
-ChartRow rowOf(const Contestant& contestant, const Summary& times, double fastest)
+/// What tests say of a thing against the lowest median; empty of that one itself.
+QString testText(const Ranking& ranking, std::size_t thing)
+{
+    if (thing == ranking.order.front() || !ranking.told)
+        return {};
+    const PairTest& test = ranking.fastest[thing];
+    return u'\n'
+           + Charts::tr("%1 times the lowest median, p = %2")
+                 .arg(numberText(test.ratio, 3), pText(test.p));
+}
+
+ChartRow rowOf(const Contestant& contestant, const Summary& times, double lowest)
 {
     ChartRow row = rowFor(contestant);
     row.value = nanosecondsText(times.median);
-    row.figures = {Bar{{times.median / fastest}, relative(times.confidence, fastest)}};
-    row.numbers = {ratioText(times.median / fastest)};
+    row.figures = {Bar{{times.median / lowest}, relative(times.confidence, lowest)}};
+    row.numbers = {ratioText(times.median / lowest)};
     row.detail = detailOf(contestant, times);
     return row;
 }
@@ -80,10 +93,10 @@ ChartRow rowOf(const Contestant& contestant, const Summary& times, double fastes
 void compare(ChartRow& row, const PaperTable& paper)
 {
     const PaperColumn* column = columnOf(paper, row.algorithm);
-    row.other = column->printedAverage / fastestOf(paper);
+    row.other = column->printedAverage / lowestOf(paper);
     row.numbers << ratioText(*row.other);
     row.detail += u'\n'
-                  + Charts::tr("in the paper %1 s, %2 times its fastest")
+                  + Charts::tr("in the paper %1 s, %2 times its lowest")
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
@@ -111,6 +124,12 @@ std::vector<LegendEntry> legendOf(const Record& record)
     return legend;
 }
 
+void addBatches(Chart& chart, const Record& record)
+{
+    if (const QString batches = batchText(contestantsOf(record)); !batches.isEmpty())
+        chart.notes << batches;
+}
+
 } // namespace
 
 Chart chartOf(const Record& record, const Measure& measure, const std::optional<PaperTable>& paper)
@@ -118,18 +137,21 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
     const std::size_t one = unitOf(record, order, paper);
+    const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
-                .title = (one == order.front() ? Charts::tr("%1, fastest = 1")
-                                               : Charts::tr("%1, fastest of the paper's = 1"))
+                .title = (one == order.front() ? Charts::tr("%1, lowest median = 1")
+                                               : Charts::tr("%1, lowest median of the paper's = 1"))
                              .arg(measure.name),
                 .subtitle = sceneText(record.options),
                 .legend = legendOf(record),
                 .columns = {Charts::tr("here")},
                 .rows = {},
-                .ties = tiesOf(times, order),
-                .reference = 1};
+                .groups = groupsOf(ranking, order),
+                .reference = 1,
+                .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
         chart.rows.push_back(rowOf(record.timings[i].contestant, times[i], times[one].median));
+        chart.rows.back().detail += testText(ranking, i);
         if (paper && comparable(record, record.timings[i], *paper))
             compare(chart.rows.back(), *paper);
     }
@@ -142,6 +164,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         if (const QString other = otherWorkText(*paper, record.options, measure); !other.isEmpty())
             chart.notes << other;
     }
+    addBatches(chart, record);
     return withSharedNote(std::move(chart));
 }
 
@@ -149,6 +172,7 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
 {
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
+    const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2-runs").arg(record.options.scene.key, measure.key),
                 .title = Charts::tr("%1, run by run").arg(measure.name),
                 .subtitle = sceneText(record.options),
@@ -160,7 +184,8 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
                 .oneScale = false,
                 .columns = {Charts::tr("median")},
                 .rows = {},
-                .ties = tiesOf(times, order)};
+                .groups = groupsOf(ranking, order),
+                .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
         const auto runs = measure.times(record.timings[i]);
         ChartRow row = rowFor(record.timings[i].contestant);
@@ -169,6 +194,7 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
         row.detail = detailOf(record.timings[i].contestant, times[i]);
         chart.rows.push_back(std::move(row));
     }
+    addBatches(chart, record);
     return withSharedNote(std::move(chart));
 }
 

@@ -9,10 +9,11 @@
 
 namespace app {
 
-/// What was measured, from the fastest to the slowest by median: bars in times of the fastest, with
-/// their 95 % confidence, ties in brackets. With a table of the paper, its averages in times of its
-/// own fastest, as hollow markers and a second column; bars are in times of the fastest of the
-/// algorithms that it has, then. One that comes in both forms is compared in its corrected one.
+/// What was measured, from the lowest median to the highest: bars in times of the lowest, with
+/// their 95 % confidence; brackets join what does not differ significantly. With a table of the
+/// paper, its averages in times of its lowest, as hollow markers and a second column; bars are in
+/// times of the lowest of the algorithms that it has, then. One that comes in both forms is
+/// compared in its corrected one.
 Chart chartOf(const Record& record, const Measure& measure,
               const std::optional<PaperTable>& paper = {});
 
@@ -20,7 +21,7 @@ Chart chartOf(const Record& record, const Measure& measure,
 Chart boxPlotOf(const Record& record, const Measure& measure);
 
 /// The chart that the paper draws of a table: its own averages in seconds, from low to high, with
-/// the ties of its runs, which the paper does not tell.
+/// brackets of what its runs do not tell apart, which the paper does not say.
 Chart chartOf(const PaperTable& paper);
 
 /// Comparisons, additions, multiplications and divisions a line of the scene (what promisedOf

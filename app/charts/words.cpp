@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/words.h"
 
+#include "app/experiment/ranking_text.h"
 #include "app/latin.h"
 #include "app/view/numbers.h"
 
@@ -50,17 +51,29 @@ QString sceneText(const ExperimentOptions& options)
     return Charts::tr("Scene “%1”, %2 lines").arg(options.scene.name, countText(options.lines));
 }
 
-std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order)
+std::vector<RowGroup> groupsOf(const Ranking& ranking, std::span<const std::size_t> order)
 {
-    std::vector<Tie> ties;
-    for (const auto& group : tieGroups(things)) {
-        Tie tie;
+    std::vector<RowGroup> groups;
+    for (std::size_t g = 0; g < ranking.groups.size(); ++g) {
+        RowGroup group{.rows = {}, .letter = groupLetter(g)};
         for (std::size_t row = 0; row < order.size(); ++row)
-            if (std::ranges::find(group, order[row]) != group.end())
-                tie.rows.push_back(row);
-        ties.push_back(std::move(tie));
+            if (std::ranges::find(ranking.groups[g], order[row]) != ranking.groups[g].end())
+                group.rows.push_back(row);
+        if (group.rows.size() > 1)
+            groups.push_back(std::move(group));
     }
-    return ties;
+    return groups;
+}
+
+QStringList groupNotes(const Ranking& ranking)
+{
+    if (!ranking.told)
+        return {tooFewRunsText(ranking)};
+    const bool brackets =
+        std::ranges::any_of(ranking.groups, [](const auto& group) { return group.size() > 1; });
+    return brackets ? QStringList(Charts::tr("A bracket joins algorithms that do not differ "
+                                             "significantly by 1 % or more."))
+                    : QStringList();
 }
 
 } // namespace app

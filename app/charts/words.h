@@ -4,6 +4,7 @@
 #include "app/charts/chart.h"
 #include "app/experiment/experiment.h"
 #include "app/experiment/paper_runs.h"
+#include "app/experiment/ranking.h"
 
 #include <QCoreApplication>
 
@@ -26,7 +27,10 @@ Chart withSharedNote(Chart chart);
 /// "Scene “Long”, 1,000,000 lines".
 QString sceneText(const ExperimentOptions& options);
 
-/// A tie a group that is too close to call, where row r shows thing order[r].
-std::vector<Tie> tiesOf(std::span<const Summary> things, std::span<const std::size_t> order);
+/// The groups of two things or more, where row r shows thing order[r].
+std::vector<RowGroup> groupsOf(const Ranking& ranking, std::span<const std::size_t> order);
+
+/// Sentences below a chart: what brackets mean, or that there were too few runs to tell.
+QStringList groupNotes(const Ranking& ranking);
 
 } // namespace app

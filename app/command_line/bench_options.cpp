@@ -3,6 +3,7 @@
 
 #include "app/command_line/refusal.h"
 #include "app/experiment/choice.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/threads.h"
 #include "app/formats/format.h"
 #include "app/latin.h"
@@ -117,9 +118,12 @@ std::vector<Option> experimentOptions()
 {
     return {
         {{"n", "lines"}, "N", Commands::tr("Lines in a run (1000000; a drawing's own).")},
-        {{"r", "runs"}, "N", Commands::tr("Runs (10).")},
+        {{"r", "runs"},
+         "N",
+         Commands::tr("Runs (10, or as many as it takes to tell which "
+                      "algorithms differ: 12 for 11 of them).")},
         {{"warmup"}, "N", Commands::tr("Runs before, which do not count (1).")},
-        {{"quick"}, {}, Commands::tr("100000 lines, 3 runs.")},
+        {{"quick"}, {}, Commands::tr("100000 lines.")},
         {{"s", "seed"}, "N", Commands::tr("Which random lines (1).")},
         {{"scene"},
          "SCENE",
@@ -127,8 +131,11 @@ std::vector<Option> experimentOptions()
              .arg(keysOf(testScenes()).join(QStringLiteral(", ")))},
         {{"order"},
          "as-they-come|shuffled|sorted",
-         Commands::tr("Lines as they come, at random, or those inside, rejected, cut and missed "
-                      "together (as-they-come).")},
+         Commands::tr(
+             "as-they-come: in the scene's or the drawing's order; shuffled: the same lines "
+             "in random order, so that neighbours no longer resemble each other; sorted: "
+             "those inside, rejected, cut and missed together, which the processor "
+             "predicts best (as-they-come).")},
         {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("Where the lines are (the paper's).")},
         {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},
         {{"a", "algorithms"},
@@ -159,10 +166,8 @@ ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
     ExperimentOptions options;
     takeScene(given, options);
     takeField(given, options);
-    if (given.has(QStringLiteral("quick"))) {
+    if (given.has(QStringLiteral("quick")))
         options.lines = 100'000;
-        options.runs = 3;
-    }
     const auto take = [&](const char* option, quint64 least, quint64 most, auto& to) {
         if (const auto count = given.count(QLatin1StringView(option), least, most))
             to = *count;
@@ -214,7 +219,7 @@ std::vector<Contestant> contestantsGiven(const Given& given)
     for (const clipping::Form form : formsGiven(given))
         for (const Contestant& contestant : contestants(algorithms, form))
             all.push_back(contestant);
-    return all;
+    return withOneByOne(all);
 }
 
 Wanted wantedGiven(const Given& given, const QString& otherwise)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/live_race.h"
 
+#include "app/experiment/ranking.h"
 #include "app/view/frame_statistics.h"
 
 #include <algorithm>
@@ -10,8 +11,7 @@ namespace {
 
 constexpr int tenthOfASecond = 100;
 constexpr double sliceMilliseconds = 5;
-constexpr std::size_t leastRounds = 8; // of a big drawing, whose rounds take long
-constexpr qint64 longEnough = 10'000;  // milliseconds
+constexpr qint64 longEnough = 10'000; // milliseconds, of a big drawing, whose rounds take long
 
 } // namespace
 
@@ -135,7 +135,8 @@ void LiveRace::roundOver()
 bool LiveRace::enough() const
 {
     const std::size_t rounds = race_->rounds();
-    return rounds >= Race::length || (rounds >= leastRounds && sinceNew_.elapsed() >= longEnough)
+    return rounds >= Race::length
+           || (rounds >= leastRounds(contestants_.size()) && sinceNew_.elapsed() >= longEnough)
            || (rounds >= 2 && lines() < leastLinesToTime);
 }
 

@@ -37,10 +37,10 @@ const auto& usesOf(const Contestant& contestant)
 
 } // namespace
 
-Summary RaceRow::summary() const
+std::span<const double> RaceRow::times() const
 {
     const std::span all(milliseconds);
-    return summaryOf(ofThisFrame < leastTelling ? all : all.last(ofThisFrame));
+    return ofThisFrame < leastTelling ? all : all.last(ofThisFrame);
 }
 
 Race::Race(std::vector<Contestant> contestants, Clock clock)

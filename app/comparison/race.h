@@ -28,8 +28,10 @@ struct RaceRow {
     DifferenceCounts differences{};     ///< A is the contestant, B `exact`
     double operations = 0; ///< a line: comparisons, additions, multiplications, divisions
 
-    /// Of the rounds of this frame, or of all of them as long as those are too few to say anything.
-    Summary summary() const;
+    /// Of the rounds of this frame, or of all of them as long as those are too few to say anything:
+    /// the times, as many for every row of a race, and their summary.
+    std::span<const double> times() const;
+    Summary summary() const { return summaryOf(times()); }
 };
 
 /// All contestants clip the same frame, round by round, each in turn and each into the same buffer;

@@ -2,6 +2,7 @@
 #include "app/comparison/race_text.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/ranking.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
 
@@ -16,21 +17,27 @@ struct Races {
 
 } // namespace
 
-QString tiesText(std::span<const RaceRow> rows)
+QString groupsText(std::span<const RaceRow> rows)
 {
-    std::vector<Summary> summaries;
+    std::vector<std::vector<double>> runs;
     for (const RaceRow& row : rows)
-        summaries.push_back(row.summary());
+        runs.emplace_back(row.times().begin(), row.times().end());
+    const Ranking ranking = rankingOf(runs);
+    if (!ranking.told)
+        return Races::tr("%1 of %2 rounds that it takes to tell which algorithms differ")
+            .arg(ranking.rounds)
+            .arg(leastRounds(rows.size()));
     QStringList texts;
-    for (const auto& group : tieGroups(summaries)) {
+    for (const auto& group : ranking.groups) {
         QStringList names;
         for (const std::size_t i : group)
             names << nameOf(rows[i].contestant);
-        texts << Races::tr("%1 tie").arg(listText(names));
+        if (names.size() > 1)
+            texts << listText(names);
     }
-    return texts.isEmpty()
-               ? QString()
-               : Races::tr("%1: too close to call").arg(texts.join(QStringLiteral(", ")));
+    return texts.isEmpty() ? QString()
+                           : Races::tr("No significant difference of 1 % or more: %1")
+                                 .arg(texts.join(QStringLiteral("; ")));
 }
 
 QString shortTimeText(double milliseconds)

@@ -7,8 +7,9 @@
 
 namespace app {
 
-/// "MD and LB tie: too close to call"; empty if every place is clear.
-QString tiesText(std::span<const RaceRow> rows);
+/// "No significant difference of 1 % or more: MD and LB", by the tests of an experiment; empty if
+/// every row differs from every other; a sentence while there are too few rounds to tell.
+QString groupsText(std::span<const RaceRow> rows);
 
 /// "0.42 ms" as everywhere, but below 0.1 ms "30.1 µs", so that small times tell something.
 QString shortTimeText(double milliseconds);

@@ -3,6 +3,7 @@
 
 #include "app/experiment/accuracy.h"
 #include "app/experiment/class_profile.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/operation_profile.h"
 
 #include <QCoreApplication>
@@ -22,14 +23,14 @@ std::optional<Table> classes(const ExperimentOptions& options, Contestants conte
 std::optional<Table> operations(const ExperimentOptions& options, Contestants contestants,
                                 const Follower& follower)
 {
-    const auto profile = operationProfile(options, contestants, follower);
+    const auto profile = operationProfile(options, withoutOneByOne(contestants), follower);
     return profile ? std::optional(operationTable(*profile)) : std::nullopt;
 }
 
 std::optional<Table> accuracy(const ExperimentOptions& options, Contestants contestants,
                               const Follower& follower)
 {
-    const auto all = accuracies(options, contestants, follower);
+    const auto all = accuracies(options, withoutOneByOne(contestants), follower);
     return all ? std::optional(accuracyTable(*all, options)) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/experiment/contestant_name.h"
 #include "app/experiment/duration.h"
+#include "app/experiment/one_by_one.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -23,7 +24,7 @@ ExperimentOptions optionsOf(const Choice& choice)
 {
     ExperimentOptions options = choice.subject.options;
     options.lines = choice.lines.value_or(options.lines);
-    options.runs = choice.runs;
+    options.runs = choice.runs.value_or(options.runs);
     options.seed = choice.seed;
     options.order = choice.order;
     options.easel = choice.easel;
@@ -38,7 +39,7 @@ std::vector<Contestant> contestantsOf(const Choice& choice)
                                          ? contestants(choice.algorithms, form)
                                          : contestants(choice.subject.papers.front(), form))
             all.push_back(one);
-    return all;
+    return withOneByOne(all); // no table of the paper has `exact`
 }
 
 std::vector<PlannedTrial> trialsOf(const Choice& choice)
@@ -64,8 +65,8 @@ std::optional<QString> missing(const Choice& choice)
     if (choice.forms.empty() || contestantsOf(choice).empty())
         return Experiments::tr("None of these algorithms has a published form. Choose “Corrected”, "
                                "or others.");
-    if (choice.runs < 1 || choice.runs > mostRuns || choice.lines.value_or(1) < 1
-        || choice.lines.value_or(1) > mostLines)
+    const std::uint64_t runs = choice.runs.value_or(1), lines = choice.lines.value_or(1);
+    if (runs < 1 || runs > mostRuns || lines < 1 || lines > mostLines)
         return Experiments::tr("Choose 1 to %1 lines and 1 to %2 runs.")
             .arg(countText(mostLines), countText(mostRuns));
     return std::nullopt;
@@ -137,13 +138,15 @@ Result<Plan> planOf(const Choice& choice)
         auto& lines = plan.explained->options.lines;
         lines = std::min(lines, mostExplained);
     }
+    if (!choice.runs)
+        takeUsualRuns(plan);
     return Result<Plan>::of(std::move(plan));
 }
 
 Choice quick(Choice choice)
 {
     choice.lines = 100'000;
-    choice.runs = 3;
+    choice.runs.reset();
     return choice;
 }
 

@@ -26,7 +26,7 @@ std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, c
 struct Choice {
     Subject subject;
     std::optional<std::uint64_t> lines{}; ///< none: as many as the paper or the drawing has
-    std::size_t runs = 10;
+    std::optional<std::size_t> runs{};    ///< none: usualRounds
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
     std::vector<clipping::Form> forms{clipping::Form::Published};
@@ -43,7 +43,7 @@ Result<Plan> planOf(const Choice& choice);
 /// Which of the algorithms have none of the forms, and so take no part; empty: all take part.
 QString leftOutText(const Choice& choice);
 
-/// A hundred thousand lines, three times: some seconds.
+/// A hundred thousand lines, as often as it takes to tell who differs: some seconds.
 Choice quick(Choice choice);
 
 /// "Run: 23,100,000 lines to clip, about 2 minutes." `pace` is what things took here divided by

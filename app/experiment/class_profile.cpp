@@ -2,6 +2,7 @@
 #include "app/experiment/class_profile.h"
 
 #include "app/experiment/legs.h"
+#include "app/experiment/one_by_one.h"
 
 #include <QCoreApplication>
 
@@ -53,6 +54,11 @@ QStringList notesOf(const ClassProfile& profile)
             notes << Experiments::tr("Lines of class “%1” are too rare in the scene: those of the "
                                      "scene “%2” stand in for them.")
                          .arg(words(one.of.lineClass), one.of.standIn);
+    for (const ClassTimes& one : profile.classes)
+        if (const QString batches = batchText(contestantsOf(one.record)); !batches.isEmpty()) {
+            notes << batches;
+            break;
+        }
     return notes;
 }
 

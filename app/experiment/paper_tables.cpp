@@ -2,6 +2,7 @@
 #include "app/experiment/paper_tables.h"
 
 #include "app/experiment/paper_scene.h"
+#include "app/experiment/ranking_text.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -76,7 +77,7 @@ Table layout(const PaperTable& paper, const Columns& columns)
     for (const Summary& summary : summaries)
         averages << QString::number(summary.mean, 'f', decimals);
     table.rows.push_back(averages);
-    table.notes << rankingText(table.names.sliced(1), summaries);
+    table.notes << rankingText(table.names.sliced(1), rankingOf(columns));
     return table;
 }
 
@@ -106,23 +107,6 @@ QStringList lossesOf(const PaperTable& paper, const Record& record)
                                   countText(found.visible + found.lost - found.shown),
                                   countText(found.shown));
     return sentences;
-}
-
-/// Whether one of a group ties with who is not of it.
-bool isLinked(const std::vector<std::size_t>& group, const std::vector<Standing>& places)
-{
-    return std::ranges::any_of(group, [&](std::size_t i) { return places[i].ties.size() > 1; });
-}
-
-/// "A = B", in brackets where another group has one of them, too.
-QString groupText(const QStringList& names, const std::vector<std::size_t>& group,
-                  const std::vector<Standing>& places)
-{
-    QStringList all;
-    for (const std::size_t i : group)
-        all << names[qsizetype(i)];
-    const QString text = all.join(QStringLiteral(" = "));
-    return isLinked(group, places) ? QStringLiteral("(%1)").arg(text) : text;
 }
 
 QString perCent(double number) { return QString::number(number, 'f', 2); }
@@ -184,34 +168,35 @@ Table paperLayout(const PaperTable& paper)
     table.key = paper.key + QStringLiteral("-paper");
     table.title = Experiments::tr("%1 of the paper itself: seconds for %2 lines")
                       .arg(numberOf(paper), countText(paper.lines));
+    table.notes << paperPairingText();
     return table;
 }
 
 Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure)
 {
-    const auto theirs = summariesOf(secondsOf(paper)),
-               ours = summariesOf(secondsOf(record, measure));
-    const auto theirPlaces = standings(theirs), ourPlaces = standings(ours);
+    const auto ours = summariesOf(secondsOf(record, measure));
+    const Ranking theirRanking = rankingOf(paper), ourRanking = rankingOf(record, measure);
     Table table{
         .names = {"algorithm", "paper_s", "ours_s", "paper_rank", "our_rank", "paper_faster",
-                  "our_faster", "paper_saves", "our_saves"},
+                  "our_faster", "paper_saves", "our_saves", "paper_letters", "our_letters"},
         .title = Experiments::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
         .key = QStringLiteral("%1-%2-%3-against-paper")
                    .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form)),
-        .facts = factsOf(record)};
+        .facts = factsOf(record),
+        .late = 2};
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const PaperColumn& column = paper.columns[i];
         const double average = column.printedAverage;
         QStringList row{column.name, QString::number(average, 'f', 3),
                         QString::number(ours[i].mean, 'f', decimalsFor(ours)),
-                        placeText(theirPlaces[i]), placeText(ourPlaces[i])};
+                        rankText(theirRanking, i), rankText(ourRanking, i)};
         for (const auto faster : {fasterByProposed, fasterByOther}) {
             const bool other = &column != &paper.columns.back();
             const double last = paper.columns.back().printedAverage;
             row << (other ? perCent(faster(average, last)) : QString())
                 << (other ? perCent(faster(ours[i].mean, ours.back().mean)) : QString());
         }
-        table.rows.push_back(row);
+        table.rows.push_back(row << lettersText(theirRanking, i) << lettersText(ourRanking, i));
     }
     if (const QString other = otherWorkText(paper, record.options, measure); !other.isEmpty())
         table.notes << other;
@@ -221,39 +206,17 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
         "they are printed. Negative: Prop. is slower.")
                 << Experiments::tr("The paper timed the making of the lines, clipping and drawing "
                                    "together: Total is what compares with it.")
-                << Experiments::tr("Ties that share a letter are too close to call: their 95 % "
-                                   "confidence intervals overlap. Who shares none with another "
-                                   "differs from it.");
+                << rankingNotes(ourRanking) << paperPairingText();
     return table;
 }
 
-QString rankingText(const QStringList& names, std::span<const Summary> summaries)
+Ranking rankingOf(const PaperTable& paper) { return rankingOf(secondsOf(paper)); }
+
+QString paperPairingText()
 {
-    const auto groups = tieGroups(summaries);
-    const auto places = standings(summaries);
-    QString text;
-    const auto add = [&](const QString& part, bool linked) {
-        text += (text.isEmpty() ? QString() : QString::fromLatin1(linked ? " " : " < ")) + part;
-    };
-    bool chains = false;
-    std::size_t told = 0; // groups
-    for (const std::size_t i : sortedByMedian(summaries)) {
-        if (places[i].rank)
-            add(names[qsizetype(i)], false);
-        else
-            for (; told <= std::size_t(places[i].ties.back()); ++told) {
-                const bool linked = std::ranges::any_of(groups[told], [&](std::size_t one) {
-                    return std::size_t(places[one].ties.front()) < told;
-                });
-                chains = chains || linked;
-                add(groupText(names, groups[told], places), linked);
-            }
-    }
-    return (chains ? Experiments::tr("From the fastest to the slowest by median (=: too close to "
-                                     "call; who are not in the same brackets differ): %1.")
-                   : Experiments::tr(
-                       "From the fastest to the slowest by median (=: too close to call): %1."))
-        .arg(text);
+    return Experiments::tr("The tests pair the paper's own runs row by row, as if those of one row "
+                           "were made in the same round: that is an assumption, the paper does not "
+                           "say it.");
 }
 
 } // namespace app

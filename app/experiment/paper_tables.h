@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/experiment/paper_runs.h"
+#include "app/experiment/ranking.h"
 #include "app/experiment/record.h"
 
 namespace app {
@@ -28,12 +29,14 @@ Table paperLayout(const PaperTable& paper, const Record& record, const Measure& 
 Table paperLayout(const PaperTable& paper);
 
 /// The paper's averages and ours, how much faster the proposed method is by both definitions, and
-/// the ranks, which the paper's runs get by the same rule as ours.
+/// the ranks and letters, which the paper's runs get by the same tests as ours.
 Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure);
 
-/// "From the fastest to the slowest by median (=: too close to call): Skala < CS = LB < CB." Names
-/// and summaries belong together. Where CS ties with LB, and LB with CB, but not CS with CB:
-/// "(CS = LB) (LB = CB)".
-QString rankingText(const QStringList& names, std::span<const Summary> summaries);
+/// What the paper's own runs say of who differs, taken as if run r of every algorithm was made in
+/// the same round.
+Ranking rankingOf(const PaperTable& paper);
+
+/// The sentence that says so.
+QString paperPairingText();
 
 } // namespace app

@@ -2,6 +2,7 @@
 #include "app/experiment/reasons.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/ranking_text.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,23 @@ std::vector<Contestant> contestantsOf(const Rows& rows)
 
 QString shareText(double share) { return numberText(100 * share, share < 0.1 ? 1 : 0); }
 
+/// " LB and MD do not differ significantly from it by 1 % or more.", or why nothing is told;
+/// empty if one alone is the fastest.
+QString unclearText(const std::vector<Contestant>& all, const Ranking& ranking)
+{
+    if (!ranking.told)
+        return u' ' + tooFewRunsText(ranking);
+    QStringList names;
+    for (const std::size_t i : ranking.leaders())
+        names << nameAmong(all, i);
+    if (names.size() < 2)
+        return {};
+    return (names.size() == 2
+                ? Experiments::tr(" %1 does not differ significantly from it by 1 % or more.")
+                : Experiments::tr(" %1 do not differ significantly from it by 1 % or more."))
+        .arg(briefListText(names.sliced(1)));
+}
+
 QString classReason(const ClassProfile& profile)
 {
     const auto most = std::ranges::max_element(profile.classes, {},
@@ -34,14 +52,19 @@ QString classReason(const ClassProfile& profile)
         return {};
     const auto all = contestantsOf(most->record.timings);
     const auto times = summaries(most->record, measures().front());
-    const auto order = sortedByMedian(times);
+    const Ranking ranking = rankingOf(most->record, measures().front());
     const auto of = [&](std::size_t i) {
         return Experiments::tr("%1 with %2").arg(nameAmong(all, i), timeText(times[i].median));
     };
-    return Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the fastest is %3, "
-                           "the slowest %4.")
-        .arg(shareText(most->of.share), words(most->of.lineClass), of(order.front()),
-             of(order.back()));
+    const QString unclear = unclearText(all, ranking);
+    return (unclear.isEmpty()
+                ? Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the fastest "
+                                  "is %3; the highest median is that of %4.")
+                : Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the lowest "
+                                  "median is that of %3, the highest that of %4."))
+               .arg(shareText(most->of.share), words(most->of.lineClass), of(ranking.order.front()),
+                    of(ranking.order.back()))
+           + unclear;
 }
 
 QString operationReason(const OperationProfile& profile)

@@ -2,13 +2,12 @@
 #include "app/experiment/record.h"
 
 #include "app/experiment/circumstances.h"
+#include "app/experiment/one_by_one.h"
+#include "app/experiment/ranking_text.h"
 #include "app/formats/number.h"
 #include "app/latin.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -18,12 +17,6 @@ struct Experiments {
 };
 
 QString inNanoseconds(double time) { return QString::number(time, 'f', 2); }
-
-/// No time is below 0; one run says nothing of where the middle lies.
-QString bound(double time)
-{
-    return std::isfinite(time) ? inNanoseconds(std::max(time, 0.0)) : QString();
-}
 
 QString hexadecimal(std::uint64_t checksum)
 {
@@ -39,25 +32,24 @@ QString easelText(const ExperimentOptions& options, const Easel& easel)
                : easel.name() + QStringLiteral("; clock: ") + clock.name;
 }
 
-bool hasTies(const std::vector<Standing>& all)
-{
-    return std::ranges::any_of(all, [](const Standing& standing) { return !standing.rank; });
-}
-
-QStringList rowOf(const Timing& timing, const Summary& times, const Standing& standing)
+QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ranking,
+                  std::size_t thing)
 {
     return {QString::fromUtf8(timing.contestant.algorithm->key),
             wordOf(timing.contestant.form),
-            placeText(standing),
+            rankText(ranking, thing),
             inNanoseconds(times.median),
             inNanoseconds(times.spread),
             inNanoseconds(times.mean),
-            bound(times.confidence.low),
-            bound(times.confidence.high),
+            boundText(times.confidence.low),
+            boundText(times.confidence.high),
             QString::number(timing.found.visible),
             QString::number(timing.found.lost),
             QString::number(timing.found.shown),
-            hexadecimal(timing.found.checksum)};
+            hexadecimal(timing.found.checksum),
+            lettersText(ranking, thing),
+            ratioToFastestText(ranking, thing),
+            pToFastestText(ranking, thing)};
 }
 
 } // namespace
@@ -88,6 +80,27 @@ std::vector<Summary> summaries(const Record& record, const Measure& measure)
     return all;
 }
 
+std::vector<Contestant> contestantsOf(const Record& record)
+{
+    std::vector<Contestant> all;
+    for (const Timing& timing : record.timings)
+        all.push_back(timing.contestant);
+    return all;
+}
+
+std::vector<std::vector<double>> runsOf(const Record& record, const Measure& measure)
+{
+    std::vector<std::vector<double>> all;
+    for (const Timing& timing : record.timings)
+        all.push_back(measure.times(timing));
+    return all;
+}
+
+Ranking rankingOf(const Record& record, const Measure& measure)
+{
+    return rankingOf(runsOf(record, measure));
+}
+
 QString rectangleText(const clipping::Window& window)
 {
     std::string text;
@@ -97,22 +110,6 @@ QString rectangleText(const clipping::Window& window)
         appendNumber(text, number);
     }
     return QString::fromStdString(text);
-}
-
-QString tieLetter(std::size_t group)
-{
-    const QString last(QChar(u'a' + char16_t(group % 26)));
-    return group < 26 ? last : tieLetter(group / 26 - 1) + last;
-}
-
-QString placeText(const Standing& standing)
-{
-    if (standing.rank)
-        return QString::number(*standing.rank);
-    QStringList letters;
-    for (const int tie : standing.ties)
-        letters << tieLetter(std::size_t(tie));
-    return Experiments::tr("tie %1").arg(letters.join(u' '));
 }
 
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options)
@@ -145,26 +142,27 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
 Table timesTable(const Record& record, const Measure& measure)
 {
     Table table{.names = {"algorithm", "form", "rank", "median_ns", "spread_ns", "mean_ns",
-                          "low_ns", "high_ns", "visible", "lost", "shown", "checksum"},
+                          "low_ns", "high_ns", "visible", "lost", "shown", "checksum", "letters",
+                          "ratio_fastest", "p_fastest"},
                 .title = Experiments::tr("%1: nanoseconds a line").arg(measure.name),
                 .key = measure.key,
                 .facts = factsOf(record),
-                .notes = {measure.meaning}};
+                .notes = {measure.meaning},
+                .late = 3};
     const auto times = summaries(record, measure);
-    const auto places = standings(times);
+    const Ranking ranking = rankingOf(record, measure);
     for (std::size_t i = 0; i < times.size(); ++i)
-        table.rows.push_back(rowOf(record.timings[i], times[i], places[i]));
+        table.rows.push_back(rowOf(record.timings[i], times[i], ranking, i));
     table.notes << Experiments::tr(
         "From low to high: where the middle lies with 95 % confidence. Lost: lines that are "
         "visible and that it drops; shown: lines that are not and that it keeps.");
     if (record.options.precision == Precision::Single)
-        table.notes << Experiments::tr("In single precision ends are some ulps apart, and so who "
-                                       "agrees may still have another "
-                                       "checksum.");
-    if (hasTies(places))
-        table.notes << Experiments::tr("Ties that share a letter are too close to call: their "
-                                       "intervals overlap. Who shares none "
-                                       "with another differs from it.");
+        table.notes << Experiments::tr("In single precision ends are some ulps apart, so that "
+                                       "algorithms that agree may still have different "
+                                       "checksums.");
+    if (const QString batches = batchText(contestantsOf(record)); !batches.isEmpty())
+        table.notes << batches;
+    table.notes << rankingNotes(ranking) << ratioNotes(ranking);
     return table;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/experiment/experiment.h"
+#include "app/experiment/ranking.h"
 #include "app/tables/table.h"
 
 namespace app {
@@ -22,14 +23,14 @@ std::optional<Record> recorded(const ExperimentOptions& options,
 /// One summary a timing, in their order.
 std::vector<Summary> summaries(const Record& record, const Measure& measure);
 
+std::vector<Contestant> contestantsOf(const Record& record);
+
+/// The runs of each timing, which are paired by round, and what they say of who differs.
+std::vector<std::vector<double>> runsOf(const Record& record, const Measure& measure);
+Ranking rankingOf(const Record& record, const Measure& measure);
+
 /// "-100,-75,100,75", as the command line takes it.
 QString rectangleText(const clipping::Window& window);
-
-/// What a group of ties is called: "a" for the first.
-QString tieLetter(std::size_t group);
-
-/// "2", "tie a", "tie a b".
-QString placeText(const Standing& standing);
 
 /// What is true of all lines: scene, how many, seed, space and window.
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);

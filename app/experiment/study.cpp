@@ -3,6 +3,7 @@
 
 #include "app/experiment/class_lines.h"
 #include "app/experiment/legs.h"
+#include "app/experiment/one_by_one.h"
 
 #include <QCoreApplication>
 
@@ -89,10 +90,11 @@ std::optional<Explanation> explanationOf(const PlannedTrial& trial, Legs& legs)
     auto classes = classProfile(trial.options, trial.contestants, legs.next());
     if (!classes)
         return std::nullopt;
-    auto operations = operationProfile(trial.options, trial.contestants, legs.next());
+    const auto once = withoutOneByOne(trial.contestants);
+    auto operations = operationProfile(trial.options, once, legs.next());
     if (!operations)
         return std::nullopt;
-    auto right = accuracies(trial.options, trial.contestants, legs.next());
+    auto right = accuracies(trial.options, once, legs.next());
     if (!right)
         return std::nullopt;
     return Explanation{std::move(*classes), std::move(*operations), std::move(*right)};
@@ -138,6 +140,16 @@ std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
             trials.back().options.lines = lines.value_or(paper.lines);
         }
     return trials;
+}
+
+void takeUsualRuns(Plan& plan)
+{
+    const auto take = [](PlannedTrial& trial) {
+        trial.options.runs = usualRounds(trial.contestants.size());
+    };
+    std::ranges::for_each(plan.trials, take);
+    if (plan.explained)
+        take(*plan.explained);
 }
 
 double roughSeconds(const Plan& plan)

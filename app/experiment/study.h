@@ -36,6 +36,9 @@ struct Plan {
     std::optional<PlannedTrial> explained{}; ///< what is explained after them, if anything
 };
 
+/// Each trial runs as often as its contestants need (usualRounds).
+void takeUsualRuns(Plan& plan);
+
 /// One experiment that was made.
 struct Trial {
     std::optional<PaperTable> paper;

@@ -2,7 +2,9 @@
 #include "app/experiment/verdict.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
+#include "app/experiment/ranking_text.h"
 #include "app/latin.h"
 #include "app/view/numbers.h"
 
@@ -16,14 +18,6 @@ namespace {
 struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
-
-std::vector<Contestant> contestantsOf(const Record& record)
-{
-    std::vector<Contestant> all;
-    for (const Timing& timing : record.timings)
-        all.push_back(timing.contestant);
-    return all;
-}
 
 QString shortName(const Record& record, std::size_t i)
 {
@@ -40,23 +34,15 @@ QString longName(const Record& record, std::size_t i)
 
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
 
-/// By median: the fastest, and those that are too close to call against it. They may differ among
-/// themselves.
-std::vector<std::size_t> leaders(const std::vector<Summary>& times)
-{
-    std::vector<std::size_t> first = sortedByMedian(times);
-    const Interval fastest = times[first.front()].confidence;
-    std::erase_if(first, [&](std::size_t i) { return !times[i].confidence.overlaps(fastest); });
-    return first;
-}
+/// What was measured by one measure, and what tests say of it.
+struct Told {
+    const Record& record;
+    const Measure& measure;
+    std::vector<Summary> times = summaries(record, measure);
+    Ranking ranking = rankingOf(record, measure);
 
-bool allTie(const std::vector<Summary>& times, const std::vector<std::size_t>& some)
-{
-    return std::ranges::all_of(some, [&](std::size_t i) {
-        return std::ranges::all_of(
-            some, [&](std::size_t j) { return times[i].confidence.overlaps(times[j].confidence); });
-    });
-}
+    std::size_t lowest() const { return ranking.order.front(); }
+};
 
 /// Whoever leaves lines out has less to do: that must be said where it wins.
 bool losesLines(const Record& record, std::size_t i) { return record.timings[i].found.lost > 0; }
@@ -70,19 +56,15 @@ QString rangeText(const std::vector<Summary>& times, const std::vector<std::size
 }
 
 /// "; CB, the slowest, takes 2.36 times as long": of who is slower beyond doubt.
-QString slowestText(const Record& record, const std::vector<Summary>& times)
+QString slowestText(const Told& told)
 {
-    const auto order = sortedByMedian(times);
-    const Summary &fastest = times[order.front()], &slowest = times[order.back()];
-    if (slowest.confidence.overlaps(fastest.confidence))
+    const std::size_t last = told.ranking.order.back();
+    if (told.ranking.fastest[last].outcome != Outcome::Different)
         return {};
-    const bool alone =
-        std::ranges::count_if(
-            times, [&](const Summary& one) { return one.confidence.overlaps(slowest.confidence); })
-        == 1;
-    return (alone ? Experiments::tr("; %1, the slowest, takes %2 as long")
-                  : Experiments::tr("; %1, the slowest by median, takes %2 as long"))
-        .arg(shortName(record, order.back()), timesText(slowest.median / fastest.median));
+    return (told.ranking.ranks[last]
+                ? Experiments::tr("; %1, the slowest, takes %2 as long")
+                : Experiments::tr("; %1, the slowest by median, takes %2 as long"))
+        .arg(shortName(told.record, last), timesText(told.ranking.fastest[last].ratio));
 }
 
 QString leaderName(const Record& record, std::size_t i)
@@ -91,84 +73,129 @@ QString leaderName(const Record& record, std::size_t i)
                                  : shortName(record, i);
 }
 
-QString leaderSentence(const Record& record, const Measure& measure)
+/// "LB (1.004 times as long, p = 0.23)"
+QString testedName(const Told& told, std::size_t i)
 {
-    const auto times = summaries(record, measure);
-    const auto first = leaders(times);
+    const PairTest& test = told.ranking.fastest[i];
+    return Experiments::tr("%1 (%2 times as long, p = %3)")
+        .arg(leaderName(told.record, i), numberText(test.ratio, 3), pText(test.p));
+}
+
+/// " LB (…) does not differ significantly from it." of those with one outcome; empty without them.
+QString outcomeText(const Told& told, Outcome outcome)
+{
+    QStringList names;
+    for (const std::size_t i : std::span(told.ranking.order).subspan(1))
+        if (told.ranking.fastest[i].outcome == outcome)
+            names << testedName(told, i);
+    if (names.isEmpty())
+        return {};
+    const bool one = names.size() == 1;
+    const QString text =
+        outcome == Outcome::PracticallyEqual
+            ? one ? Experiments::tr(" %1 is practically equal: less than 1 % apart.")
+                  : Experiments::tr(" %1 are practically equal: less than 1 % apart.")
+        : one ? Experiments::tr(" %1 does not differ significantly from it.")
+              : Experiments::tr(" %1 do not differ significantly from it.");
+    return text.arg(briefListText(names));
+}
+
+/// " The next, LB, takes 1.13 times as long (p = 0.002)."; of two, slowestText has said it.
+QString nextText(const Told& told)
+{
+    if (told.ranking.order.size() < 3)
+        return {};
+    const std::size_t next = told.ranking.order[1];
+    return Experiments::tr(" The next, %1, takes %2 as long (p = %3).")
+        .arg(shortName(told.record, next), timesText(told.ranking.fastest[next].ratio),
+             pText(told.ranking.fastest[next].p));
+}
+
+QString leaderSentence(const Told& told)
+{
+    const auto& [record, measure, times, ranking] = told;
+    const std::size_t lowest = told.lowest();
+    const QString name = longName(record, lowest), time = timeText(times[lowest].median);
     if (times.size() == 1)
-        return Experiments::tr("%1: %2 takes %3.")
-            .arg(measure.name, longName(record, 0), timeText(times[0].median));
-    const QString slowest = slowestText(record, times);
-    if (first.size() == 1)
-        return (losesLines(record, first[0])
+        return Experiments::tr("%1: %2 takes %3.").arg(measure.name, name, time);
+    if (!ranking.told)
+        return Experiments::tr("%1: %2 has the lowest median, %3. %4")
+            .arg(measure.name, name, time, tooFewRunsText(ranking));
+    const auto leaders = ranking.leaders();
+    if (leaders.size() == 1)
+        return (losesLines(record, lowest)
                     ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines%4.")
                     : Experiments::tr("%1: %2 is the fastest with %3%4."))
-            .arg(measure.name, longName(record, first[0]), timeText(times[first[0]].median),
-                 slowest);
-    QStringList names;
-    for (const std::size_t i : first)
-        names << leaderName(record, i);
-    if (!allTie(times, first))
-        return Experiments::tr("%1: %2 has the lowest median, %3, but against it each of %4 is too "
-                               "close to call, with %5%6.")
-            .arg(measure.name, names.front(), timeText(times[first[0]].median),
-                 briefListText(names.sliced(1)), rangeText(times, {first.begin() + 1, first.end()}),
-                 slowest);
-    if (first.size() == times.size())
-        return Experiments::tr("%1: too close to call, all of them take %2.")
-            .arg(measure.name, rangeText(times, first));
-    return Experiments::tr("%1: %2 are the fastest with %3, too close to call%4.")
-        .arg(measure.name, briefListText(names), rangeText(times, first), slowest);
+                   .arg(measure.name, name, time, slowestText(told))
+               + nextText(told);
+    if (ranking.groups.size() == 1)
+        return Experiments::tr("%1: no significant difference of 1 % or more; all of them take %2.")
+            .arg(measure.name, rangeText(times, ranking.order));
+    return (losesLines(record, lowest)
+                ? Experiments::tr("%1: %2 has the lowest median, %3, but it loses lines%4.")
+                : Experiments::tr("%1: %2 has the lowest median, %3%4."))
+               .arg(measure.name, name, time, slowestText(told))
+           + outcomeText(told, Outcome::NotSignificant)
+           + outcomeText(told, Outcome::PracticallyEqual);
 }
 
-QString proposedText(const Record& record, const Measure& measure)
+QString proposedText(const Told& told)
 {
-    const auto times = summaries(record, measure);
-    const auto first = leaders(times);
-    const std::size_t proposed = times.size() - 1;
-    const double fastest = std::ranges::min(times, {}, &Summary::median).median;
-    if (std::ranges::find(first, proposed) == first.end())
+    const std::size_t proposed = told.times.size() - 1;
+    const auto leaders = told.ranking.leaders();
+    const QString name = longName(told.record, proposed);
+    if (std::ranges::find(leaders, proposed) == leaders.end())
         return Experiments::tr("its own method, %1, takes %2 as long as the fastest")
-            .arg(longName(record, proposed), timesText(times[proposed].median / fastest));
-    return first.size() == 1
-               ? Experiments::tr("its own method, %1, is the fastest")
-                     .arg(longName(record, proposed))
-               : Experiments::tr("its own method, %1, is among the fastest, too close to call")
-                     .arg(longName(record, proposed));
+            .arg(name, timesText(told.ranking.fastest[proposed].ratio));
+    return (leaders.size() == 1
+                ? Experiments::tr("its own method, %1, is the fastest")
+                : Experiments::tr("its own method, %1, does not differ significantly by 1 % "
+                                  "or more from the lowest median"))
+        .arg(name);
 }
 
-QString rankingSentence(const Trial& trial, const Measure& measure)
+QString rankingSentence(const Trial& trial, const Told& told)
 {
-    const auto check = rankingCheck(*trial.paper, trial.record, measure);
-    const QString own = proposedText(trial.record, measure);
+    if (!told.ranking.told)
+        return Experiments::tr("So nothing can be said of the paper's ranking.");
+    const auto check = rankingCheck(*trial.paper, trial.record, told.measure);
+    const QString own = proposedText(told);
     const QString pairs = countText(check.same + check.reversed + check.undecided),
                   undecided = countText(check.undecided);
     if (check.same + check.reversed == 0)
-        return Experiments::tr("Nothing can be said of the paper's ranking: all %1 pairs are too "
-                               "close to call.")
+        return Experiments::tr("Nothing can be said of the paper's ranking: none of the %1 pairs "
+                               "differs significantly by 1 % or more.")
             .arg(pairs);
     if (check.reversed > 0)
         return Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come out "
-                               "the other way round (%4 as in the paper, %5 are too close to "
-                               "call).")
+                               "the other way round (%4 as in the paper, %5 do not differ "
+                               "significantly by 1 % or more).")
             .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
     if (check.holds())
         return Experiments::tr("The paper's ranking holds: %1, and all %2 pairs come out as in the "
                                "paper.")
             .arg(own, pairs);
     return Experiments::tr("Nothing contradicts the paper's ranking: %1, %2 of %3 pairs come out "
-                           "as in the paper, and %4 are too close to call.")
+                           "as in the paper, and %4 do not differ significantly by 1 % or "
+                           "more.")
         .arg(own, countText(check.same), pairs, undecided);
 }
 
-/// What the paper's own runs say by our rule, and whether its lines were others.
+/// What the paper's own runs say by our tests, and whether its lines were others.
 QStringList paperSentences(const Trial& trial)
 {
     const ExperimentOptions& options = trial.record.options;
     QStringList sentences;
-    if (rankingCheck(*trial.paper, trial.record, measures().front()).paperTies)
-        sentences << Experiments::tr("By the rule used here, the paper's own runs leave its "
-                                     "fastest too close to call.");
+    const auto leaders = rankingOf(*trial.paper).leaders();
+    const auto& fastest = trial.paper->columns[leaders.front()];
+    sentences << (leaders.size() == 1
+                      ? Experiments::tr("By the same tests, the fastest of the paper's own runs is "
+                                        "%1, if they are paired row by row, which is an "
+                                        "assumption.")
+                            .arg(nameOf({fastest.algorithm, clipping::Form::Corrected}))
+                      : Experiments::tr("By the same tests, the paper's own runs do not tell which "
+                                        "algorithm is its fastest, if they are paired row by row, "
+                                        "which is an assumption."));
     if (!otherLinesText(options).isEmpty())
         sentences << Experiments::tr("The paper clipped other lines: %1 random ones; these are %2.")
                          .arg(countText(trial.paper->lines), otherLinesText(options));
@@ -204,17 +231,15 @@ QStringList lossSentences(const Record& record)
 
 RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const Measure& measure)
 {
-    std::vector<Summary> theirs;
-    for (const PaperColumn& column : paper.columns)
-        theirs.push_back(summaryOf(column.runs));
-    const auto ours = summaries(record, measure);
-    RankingCheck check{.paperTies = leaders(theirs).size() > 1};
-    for (std::size_t i = 0; i < ours.size(); ++i)
+    const Ranking ours = rankingOf(record, measure);
+    const auto times = summaries(record, measure);
+    RankingCheck check;
+    for (std::size_t i = 0; i < times.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (ours[i].confidence.overlaps(ours[j].confidence))
+            if (!ours.told || ours.pairs[i][j].outcome != Outcome::Different)
                 ++check.undecided;
             else if ((paper.columns[i].printedAverage < paper.columns[j].printedAverage)
-                     == (ours[i].median < ours[j].median))
+                     == (times[i].median < times[j].median))
                 ++check.same;
             else
                 ++check.reversed;
@@ -227,11 +252,14 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
     for (const Measure& measure : measures) {
         if (measure.key == u"draw")
             continue; // it draws what all leave alike
-        sentences << leaderSentence(trial.record, measure);
+        const Told told{trial.record, measure};
+        sentences << leaderSentence(told);
         if (trial.paper)
-            sentences.back() += u' ' + rankingSentence(trial, measure);
+            sentences.back() += u' ' + rankingSentence(trial, told);
     }
     QStringList further = lossSentences(trial.record);
+    if (const QString batches = batchText(trial.record); !batches.isEmpty())
+        further.prepend(batches);
     if (trial.paper)
         further << paperSentences(trial);
     return sentences << further.join(u' ');

@@ -7,11 +7,10 @@
 namespace app {
 
 /// What becomes of the paper's ranking, which is that of its averages, in our own times, pair by
-/// pair of its algorithms. A pair whose intervals overlap here is undecided, and a ranking of
-/// which a pair is undecided does not hold: nothing contradicts it.
+/// pair of its algorithms. A pair that does not differ significantly here is undecided, and a
+/// ranking of which a pair is undecided does not hold: nothing contradicts it.
 struct RankingCheck {
     std::size_t same = 0, reversed = 0, undecided = 0;
-    bool paperTies = false; ///< whether the paper's own runs leave its fastest too close to call
     bool holds() const { return reversed + undecided == 0; }
 };
 RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const Measure& measure);

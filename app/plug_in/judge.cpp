@@ -2,6 +2,7 @@
 #include "app/plug_in/judge.h"
 
 #include "app/experiment/legs.h"
+#include "app/experiment/ranking.h"
 #include "app/plug_in/child.h"
 #include "app/plug_in/examination.h"
 #include "app/plug_in/race_check.h"
@@ -19,13 +20,16 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr double runs = 10, mostLines = 100'000, fewestLines = 2000;
+constexpr double mostLines = 100'000, fewestLines = 2000;
 constexpr double raceNanoseconds = 4e9; ///< what the library may take of a race
+
+/// As many runs as it takes to tell the library from every row.
+std::size_t runs() { return usualRounds(clipping::algorithms().size() + 1); }
 
 /// As many lines as there is time for; a line is clipped in some dozen turns.
 std::uint64_t linesFor(double nanoseconds)
 {
-    const double most = raceNanoseconds / (2 * (runs + 1) * std::max(nanoseconds, 1.0));
+    const double most = raceNanoseconds / (2 * (double(runs()) + 1) * std::max(nanoseconds, 1.0));
     return std::uint64_t(std::min(most, mostLines));
 }
 
@@ -76,7 +80,7 @@ QStringList raceArguments(const Case& which, std::uint64_t lines)
             QStringLiteral("race"),
             QFileInfo(which.library).absoluteFilePath(),
             QString::number(lines),
-            QString::number(int(runs)),
+            QString::number(runs()),
             QString::number(which.seed),
             wordOf(which.contract.strictness)};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plug_in/times.h"
 
-#include "app/experiment/record.h"
+#include "app/experiment/ranking_text.h"
 #include "app/latin.h"
 
 #include <QCoreApplication>
@@ -10,7 +10,6 @@
 #include <QJsonObject>
 
 #include <algorithm>
-#include <cmath>
 
 namespace app::plug_in {
 namespace {
@@ -112,12 +111,24 @@ std::optional<Times> timesOf(const QByteArray& json)
     for (const auto& fact : object["facts"].toArray())
         times.facts.emplace_back(fact[0].toString(), fact[1].toString());
     const auto isEmpty = [](const Contender& one) { return one.times.empty(); };
+    const auto isUnpaired = [&](const Contender& one) {
+        return one.times.size() != times.contenders.front().times.size();
+    };
     const bool hasExact =
         std::ranges::count(times.contenders, latin(clipping::exactAlgorithm().key), &Contender::key)
         == 1;
-    if (times.contenders.size() < 2 || !hasExact || std::ranges::any_of(times.contenders, isEmpty))
+    if (times.contenders.size() < 2 || !hasExact || std::ranges::any_of(times.contenders, isEmpty)
+        || std::ranges::any_of(times.contenders, isUnpaired))
         return std::nullopt;
     return times;
+}
+
+Ranking rankingOf(const Times& times)
+{
+    std::vector<std::vector<double>> runs;
+    for (const Contender& one : times.contenders)
+        runs.push_back(one.times);
+    return app::rankingOf(runs);
 }
 
 double ratioOf(const Times& times, std::size_t to)
@@ -131,23 +142,22 @@ Table raceTable(const Times& times, Reader reader)
     Table table = tableOf(times, QStringLiteral("race"),
                           PlugIn::tr("Race on the paper's scene: nanoseconds a line"),
                           {"algorithm", "rank", "median_ns", "low_ns", "high_ns", "ratio",
-                           "visible", "lost", "shown"});
+                           "visible", "lost", "shown", "letters"});
+    table.late = 1;
     const auto summaries = summariesOf(times);
-    const auto places = standings(summaries);
-    for (const std::size_t i : sortedByMedian(summaries)) {
+    const Ranking ranking = rankingOf(times);
+    for (const std::size_t i : ranking.order) {
         const Contender& one = times.contenders[i];
-        const auto bound = [&](double time) {
-            return std::isfinite(time) ? nanoseconds(std::max(time, 0.0)) : QString();
-        };
         const bool isWrong = i == 0 && times.ownWrong > 0;
-        table.rows.push_back({nameFor(reader, one),
-                              isWrong ? QStringLiteral("wrong") : placeText(places[i]),
-                              nanoseconds(summaries[i].median), bound(summaries[i].confidence.low),
-                              bound(summaries[i].confidence.high), nanoseconds(ratioOf(times, i)),
-                              QString::number(one.found.visible), QString::number(one.found.lost),
-                              QString::number(one.found.shown)});
+        table.rows.push_back(
+            {nameFor(reader, one), isWrong ? QStringLiteral("wrong") : rankText(ranking, i),
+             nanoseconds(summaries[i].median), boundText(summaries[i].confidence.low),
+             boundText(summaries[i].confidence.high), nanoseconds(ratioOf(times, i)),
+             QString::number(one.found.visible), QString::number(one.found.lost),
+             QString::number(one.found.shown), lettersText(ranking, i)});
     }
-    table.notes << PlugIn::tr("Ratio: how many times as long as it yours takes.");
+    table.notes << PlugIn::tr("Ratio: your median time ÷ its median time.")
+                << rankingNotes(ranking);
     return table;
 }
 

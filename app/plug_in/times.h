@@ -3,6 +3,7 @@
 
 #include "app/comparison/line_class.h"
 #include "app/experiment/experiment.h"
+#include "app/experiment/ranking.h"
 #include "app/tables/table.h"
 
 #include <QByteArray>
@@ -32,6 +33,9 @@ struct Times {
 /// In one line, and back; nothing if it is not what was written, with `exact` among them.
 QByteArray jsonOf(const Times& times);
 std::optional<Times> timesOf(const QByteArray& json);
+
+/// Who differs from whom, contenders in their order.
+Ranking rankingOf(const Times& times);
 
 /// How many times as long as the other the first one takes, by medians.
 double ratioOf(const Times& times, std::size_t to);

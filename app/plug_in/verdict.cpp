@@ -130,12 +130,13 @@ QString roundingText(const Verdict& v)
 
 QString speedText(const Times& times)
 {
+    const Ranking ranking = rankingOf(times);
     std::size_t slower = 0;
     for (std::size_t i = 1; i < times.contenders.size(); ++i)
-        slower += ratioOf(times, i) < 1;
+        slower += ranking.pairs[i][0].outcome == Outcome::Different && ratioOf(times, i) < 1;
     const std::size_t others = times.contenders.size() - 1;
-    return PlugIn::tr("It takes %1 on the paper's scene: less than %2 of the %3 others, and %4 "
-                      "times as long as exact.")
+    return PlugIn::tr("It takes %1 on the paper's scene: significantly less than %2 of the %3 "
+                      "others, and %4 times as long as exact, called line by line like it.")
         .arg(timeText(summaryOf(times.contenders.front().times).median))
         .arg(slower)
         .arg(others)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/analysis.h"
+#include "app/experiment/one_by_one.h"
 #include "app/latin.h"
 #include "app/report/study_report.h"
 
@@ -77,7 +78,8 @@ void addAlgorithms(Words& words, const Record& record)
 {
     QStringList names;
     for (const Timing& timing : record.timings)
-        names << QString::fromUtf8(timing.contestant.algorithm->key);
+        if (timing.contestant.algorithm != &exactOneByOne()) // comes with `exact`
+            names << QString::fromUtf8(timing.contestant.algorithm->key);
     names.removeDuplicates();
     if (std::size_t(names.size()) < clipping::algorithms().size())
         words.add("algorithms", names.join(u','));
@@ -102,7 +104,7 @@ void addHow(Words& words, const Trial& trial)
 {
     const ExperimentOptions& options = trial.record.options;
     words.add("lines", options.lines, trial.paper ? trial.paper->lines : 0);
-    words.add("runs", options.runs, 10);
+    words.add("runs", options.runs, usualRounds(trial.record.timings.size()));
     words.add("warmup", options.warmUps, 1);
     words.add("seed", QString::number(options.seed));
     if (options.precision != Precision::Double)

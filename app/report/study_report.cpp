@@ -3,6 +3,7 @@
 
 #include "app/charts/study_charts.h"
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/verdict.h"
 #include "app/view/numbers.h"
 
@@ -43,7 +44,8 @@ QString introduction(const Study& study)
     QStringList names;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)
-            names << introducedName(*timing.contestant.algorithm);
+            if (timing.contestant.algorithm != &exactOneByOne())
+                names << introducedName(*timing.contestant.algorithm);
     names.removeDuplicates();
     return Reports::tr(
                "A line clipper keeps the part of each line that lies inside a window. These "
@@ -94,9 +96,12 @@ ReportSection paperSection(const std::vector<PaperTable>& papers)
 {
     ReportSection section{
         .title = Reports::tr("The paper's own numbers"),
-        .sentences = {Reports::tr(
-            "D. Matthes, V. Drakopoulos: Another Simple but Faster Method for 2D Line Clipping, "
-            "2019. Their runs as printed; ties and medians are ours, from their runs.")}};
+        .sentences = {
+            Reports::tr(
+                "D. Matthes, V. Drakopoulos: Another Simple but Faster Method for 2D Line "
+                "Clipping, "
+                "2019. Their runs as printed; letters and medians are ours, from their runs."),
+            paperPairingText()}};
     for (const PaperTable& paper : papers) {
         section.charts.push_back(chartOf(paper));
         section.tables.push_back(paperLayout(paper));
@@ -112,17 +117,34 @@ ReportSection explanationSection(const Explanation& explanation, const Table& ci
             .tables = withoutFacts(tablesOf(explanation), circumstances)};
 }
 
-ReportSection methodSection(const Table& circumstances)
+/// Of the first trial in which `exact` takes part.
+QStringList batchSentences(const Study& study)
+{
+    for (const Trial& trial : study.trials)
+        if (const QString text = batchText(contestantsOf(trial.record)); !text.isEmpty())
+            return {text};
+    return {};
+}
+
+ReportSection methodSection(const Study& study, const Table& circumstances)
 {
     return {.title = Reports::tr("How it was measured"),
-            .sentences = {Reports::tr(
-                              "Every algorithm clips the same lines. They take turns block by "
-                              "block, and who begins changes from block to block and from run to "
-                              "run, so that a slow moment of the machine strikes all of them."),
-                          Reports::tr(
-                              "Ranks are by median. Where the 95 % confidence intervals of two "
-                              "medians overlap, it is too close to call, and there is no rank."),
-                          Reports::tr("Nanoseconds hang on the machine. Compare ratios.")},
+            .sentences =
+                QStringList{
+                    Reports::tr("Every algorithm clips the same lines. They take turns block by "
+                                "block, and who begins changes from block to block and from run to "
+                                "run, so that a slow moment of the machine strikes all of them."),
+                    Reports::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
+                                "Wilcoxon signed-rank test, paired by run, says so at a level of "
+                                "5 %, and by 1 % or more in the median of the ratios run by run; a "
+                                "smaller difference is called practically equal."),
+                    Reports::tr("The lowest median is tested against each other algorithm, and "
+                                "letters come from tests of all pairs, each time with Holm's "
+                                "correction for the number of tests. An algorithm that does not "
+                                "differ from another has no rank. Overlapping confidence intervals "
+                                "say nothing of that."),
+                    Reports::tr("Nanoseconds depend on the machine. Compare ratios.")}
+                + batchSentences(study),
             .tables = {circumstances}};
 }
 
@@ -148,7 +170,7 @@ Report reportOf(const Study& study)
     }
     if (const auto papers = papersOf(study); !papers.empty())
         report.sections.push_back(paperSection(papers));
-    report.sections.push_back(methodSection(circumstances));
+    report.sections.push_back(methodSection(study, circumstances));
     report.sections.push_back(repeatSection(study));
     return report;
 }

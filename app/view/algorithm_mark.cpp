@@ -81,6 +81,7 @@ const Mark& markOf(const clipping::Algorithm& algorithm)
     constexpr double half = std::numbers::pi;
     static const std::array marks{
         Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
+        Mark{"EX one by one", 0x6B6E66, 0xA9ABA4, star(4, 0.42, 0)}, // of experiments
         Mark{"CS", 0x091C86, 0x8194FF, disc()},
         Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
         Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},

@@ -40,7 +40,7 @@ QLabel* caption(const QFont& font)
 ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), race_(session),
       forms_(new Segments(tr("Forms"), {tr("Ours"), tr("As published"), tr("Both")})),
-      table_(new CompareTable(session)), state_(caption(font())), ties_(caption(font())),
+      table_(new CompareTable(session)), state_(caption(font())), groups_(caption(font())),
       field_(caption(font()))
 {
     auto* choice = new QHBoxLayout;
@@ -50,10 +50,10 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     choice->addWidget(state_);
     auto* footer = new QHBoxLayout;
     footer->setContentsMargins(space::dockMargin, 4, space::dockMargin, space::labelToField);
-    footer->addWidget(ties_, 1);
+    footer->addWidget(groups_, 1);
     footer->addSpacing(space::betweenGroups);
     footer->addWidget(field_);
-    ties_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    groups_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -85,21 +85,21 @@ void ComparePanel::showRace()
         return;
     const bool timed = race_.lines() >= app::leastLinesToTime;
     table_->showRows(rows, race_.lines());
-    ties_->setToolTip(timed ? app::tiesText(rows) : QString());
-    fitTies();
+    groups_->setToolTip(timed ? app::groupsText(rows) : QString());
+    fitGroups();
     field_->setText(app::fieldText(race_.lines()));
     state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
 }
 
-void ComparePanel::fitTies()
+void ComparePanel::fitGroups()
 {
-    ties_->setText(ties_->fontMetrics().elidedText(ties(), Qt::ElideRight, ties_->width()));
+    groups_->setText(groups_->fontMetrics().elidedText(groups(), Qt::ElideRight, groups_->width()));
 }
 
 void ComparePanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    fitTies();
+    fitGroups();
 }
 
 /// With room for all rows before they are there.

@@ -21,7 +21,7 @@ public:
 
     const app::LiveRace& race() const { return race_; }
     CompareTable& table() const { return *table_; }
-    QString ties() const { return ties_->toolTip(); }
+    QString groups() const { return groups_->toolTip(); }
     QString field() const { return field_->text(); }
 
     void setWatched(bool watched);
@@ -34,14 +34,14 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void fitTies();
+    void fitGroups();
     void chooseForms(int index);
     void showRace();
 
     app::LiveRace race_;
     Segments* forms_;
     CompareTable* table_;
-    QLabel *state_, *ties_, *field_;
+    QLabel *state_, *groups_, *field_;
 };
 
 } // namespace ui

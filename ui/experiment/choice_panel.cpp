@@ -53,13 +53,16 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
       drawn_(new QCheckBox(tr("Draw what is visible, too"))),
       explained_(new QCheckBox(tr("Explain the times")))
 {
-    runs_->setValue(10);
+    runs_->setToolTip(tr("Ten, as in the paper, or as many as it takes to tell which algorithms "
+                         "differ: 12 for 11 algorithms. With fewer there are no ranks."));
     seed_->setValue(1);
     seed_->setGroupSeparatorShown(false);
     lines_->setSpecialValueText(tr("as in the paper"));
-    order_->setToolTip(tr("As they come: in the drawing's order. By class: lines inside, rejected, "
-                          "cut and missed together, which spares "
-                          "the processor from guessing."));
+    order_->setToolTip(
+        tr("As they come: in the drawing's order. Shuffled: the same lines in random "
+           "order. By class: lines inside, rejected, "
+           "cut and missed together, which spares "
+           "the processor from guessing."));
     forms_->setToolTip(
         tr("Published: as the authors printed it, faults included. Corrected: without them."));
     drawn_->setChecked(true);
@@ -101,6 +104,8 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
     column->addWidget(drawn_);
     column->addWidget(explained_);
 
+    connect(runs_, &QSpinBox::valueChanged, this, [this] { runsTyped_ = true; });
+    connect(this, &ChoicePanel::changed, this, &ChoicePanel::showRuns);
     connect(subject_, &QComboBox::currentIndexChanged, this, &ChoicePanel::showSubject);
     for (QSpinBox* field : {lines_, runs_, seed_})
         connect(field, &QSpinBox::valueChanged, this, &ChoicePanel::changed);
@@ -193,6 +198,16 @@ void ChoicePanel::showAlgorithms()
     }
 }
 
+/// As many as are needed, while nobody has typed another number.
+void ChoicePanel::showRuns()
+{
+    const auto plan = runsTyped_ ? app::Result<app::Plan>{} : app::planOf(choice());
+    if (!plan)
+        return;
+    const QSignalBlocker quiet(runs_);
+    runs_->setValue(int(plan.value->trials.front().options.runs));
+}
+
 const app::Subject& ChoicePanel::subject() const
 {
     if (ofDrawing() && !taken_)
@@ -210,7 +225,8 @@ app::Choice ChoicePanel::choice() const
     choice.subject = subject();
     if (lines_->value() > 0)
         choice.lines = lines_->value();
-    choice.runs = std::size_t(runs_->value());
+    if (runsTyped_)
+        choice.runs = std::size_t(runs_->value());
     choice.seed = std::uint64_t(seed_->value());
     choice.order = app::Order(order_->chosen());
     choice.forms.clear();

@@ -37,6 +37,7 @@ private:
     QWidget* algorithmBoxes();
     void showSubject();
     void showAlgorithms();
+    void showRuns();
     bool ofDrawing() const;
     const app::Subject& subject() const;
 
@@ -46,6 +47,7 @@ private:
     bool ofDrawing_ = false;                    ///< what is shown is that
     int usualLines_ = 0;                        ///< of the subject, before anybody typed
     app::EaselMaker easel_ = app::bestEasel();  ///< asked in this thread, used in another
+    bool runsTyped_ = false;                    ///< else there are as many as are needed
     QComboBox* subject_;
     QLabel* meaning_;
     QSpinBox *lines_, *runs_, *seed_;

@@ -51,7 +51,7 @@ private slots:
     {
         const QImage image(written("chart.png"));
         QCOMPARE(image.size(), (usualSize(sampleChart(), look_) * 2).toSize());
-        QVERIFY(image.text("Title").contains("fastest = 1"));
+        QVERIFY(image.text("Title").contains("lowest median = 1"));
         QCOMPARE(image.pixelColor(0, 0), look_.paper);
     }
     void othersSeeTheSameSvg()

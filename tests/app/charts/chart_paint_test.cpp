@@ -175,12 +175,12 @@ private slots:
             }
         }
     }
-    void bracketsStandWhereTheyTie()
+    void bracketsStandWhereNothingDiffers()
     {
         Chart chart = chartOf(sample::seven(), clip());
-        QCOMPARE(chart.ties.size(), std::size_t(1));
+        QCOMPARE(chart.groups.size(), std::size_t(1));
         QSet<QString> names;
-        for (const std::size_t r : chart.ties[0].rows)
+        for (const std::size_t r : chart.groups[0].rows)
             names << chart.rows[r].name;
         QCOMPARE(names, (QSet<QString>{"LB", "MD"}));
 
@@ -188,7 +188,7 @@ private slots:
         const QRectF area(0, 0, 560, 300);
         const ChartLayout layout = layoutOf(chart, area, look);
         const QImage before = sample::picture(chart, look, {560, 300}, 1);
-        chart.ties = {{{0, 1}}};
+        chart.groups = {{{0, 1}, chart.groups[0].letter}}; // as wide
         const QRect changed = difference(before, sample::picture(chart, look, {560, 300}, 1));
         QVERIFY(changed.left() >= layout.columnRights[0]);
         QVERIFY(changed.top() >= layout.rows[0].top());
@@ -198,7 +198,7 @@ private slots:
     void bracketsThatOverlapStandBesideEachOther()
     {
         Chart chart = chartOf(sample::seven(), clip());
-        chart.ties = {{{0, 1}}, {{1, 3}}, {{4, 5}}};
+        chart.groups = {{{0, 1}, "a"}, {{1, 3}, "b"}, {{4, 5}, "c"}};
         const ChartLook look = chartLook(Ground::Light);
         const ChartLayout layout = layoutOf(chart, {0, 0, 560, 300}, look);
         QCOMPARE(layout.lanes, (std::vector<std::size_t>{0, 1, 0}));
@@ -213,7 +213,7 @@ private slots:
             return darkest < 200;
         };
         QVERIFY(dark(0, 0) && dark(0, 1) && dark(1, 1) && dark(1, 3) && dark(0, 4) && dark(0, 5));
-        QVERIFY(!dark(1, 2)); // it is not of the tie that goes past it
+        QVERIFY(!dark(1, 2)); // it is not of the group that goes past it
         QVERIFY(!dark(1, 0) && !dark(0, 3) && !dark(1, 5));
         QVERIFY(layout.bracket + 2 * layout.bracketLane <= 560.5);
     }
@@ -240,9 +240,9 @@ private slots:
     void separateTimesHaveNoBracket()
     {
         const sample::Times all[]{{"CS", sample::ours, 10}, {"LB", sample::ours, 20}};
-        QVERIFY(chartOf(sample::record(all, 0.01), clip()).ties.empty());
+        QVERIFY(chartOf(sample::record(all, 0.01), clip()).groups.empty());
         const sample::Times twice[]{{"CS", sample::ours, 10}, {"CS", sample::ours, 10}};
-        QCOMPARE(chartOf(sample::record(twice, 0.01), clip()).ties.size(), std::size_t(1));
+        QCOMPARE(chartOf(sample::record(twice, 0.01), clip()).groups.size(), std::size_t(1));
     }
     void everyPatternIsItsOwn()
     {

@@ -44,7 +44,7 @@ inline app::Record record(std::span<const Times> all, double spread)
 
 constexpr auto ours = clipping::Form::Corrected, theirs = clipping::Form::Published;
 
-/// The seven of the paper, in its order; MD and LB are a tie.
+/// The seven of the paper, in its order; MD and LB do not differ.
 inline app::Record seven()
 {
     static constexpr Times all[]{{"CS", ours, 23.9},  {"LB", ours, 30.15},   {"CB", ours, 52.6},

@@ -419,6 +419,7 @@ private slots:
         QVERIFY(
             lines[0].startsWith("algorithm,form,rank,median_ns,spread_ns,mean_ns,low_ns,high_ns,"
                                 "visible,lost,shown,checksum,scene,lines,seed,"));
+        QVERIFY(lines[0].endsWith(",letters,ratio_fastest,p_fastest")); // what came later
         QCOMPARE(lines.size(), 5); // two forms, twice
         const auto columns = lines[0].split(',');
         const auto field = [&](const QByteArray& line, const char* name) {

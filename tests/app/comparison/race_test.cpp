@@ -2,6 +2,7 @@
 #include "app/comparison/agreement.h"
 #include "app/comparison/race.h"
 #include "app/comparison/race_text.h"
+#include "app/experiment/ranking.h"
 
 #include <QTest>
 
@@ -148,19 +149,20 @@ private slots:
             run(t.race, {lines, window});
         QCOMPARE(order, (std::vector<int>{1, 2, 0, 2, 0, 1, 0, 1, 2, 1, 2, 0}));
     }
-    void twoNamesOfOneFunctionTie()
+    void twoNamesOfOneFunctionDoNotDiffer()
     {
         ThreeRows t;
         const auto lines = scattered(1000);
         for (std::size_t i = 0; i < app::Race::length; ++i)
             run(t.race, {lines, window});
-        std::vector<app::Summary> summaries;
+        std::vector<std::vector<double>> runs;
         for (const app::RaceRow& row : t.race.rows())
-            summaries.push_back(row.summary());
-        const auto places = app::standings(summaries);
-        QVERIFY(!places[0].ties.empty() && places[0].ties == places[1].ties);
-        QCOMPARE(places[2].rank, std::optional(3));
-        QVERIFY(std::abs(summaries[0].median - 0.05) < 0.005); // ms: 1000 lines at 50 ns
+            runs.emplace_back(row.times().begin(), row.times().end());
+        const auto ranking = app::rankingOf(runs);
+        QCOMPARE(ranking.groupsOf(0), ranking.groupsOf(1));
+        QCOMPARE(ranking.ranks[2], std::optional(3));
+        const double median = t.race.rows()[0].summary().median;
+        QVERIFY(std::abs(median - 0.05) < 0.005); // ms: 1000 lines at 50 ns
     }
     void withoutLinesThereAreRoundsToo()
     {
@@ -227,7 +229,7 @@ private slots:
         QCOMPARE(app::shortTimeText(0.0004), "0.40 µs");
         QCOMPARE(app::shortTimeText(0), "0.00 µs");
     }
-    void tiesAreNamed()
+    void whatDoesNotDifferIsNamed()
     {
         const auto row = [](const char* name, Form form, double ms) {
             return app::RaceRow{.contestant = {findAlgorithm(name), form},
@@ -235,17 +237,23 @@ private slots:
         };
         std::vector rows{row("cb", Form::Corrected, 9), row("lb", Form::Corrected, 2),
                          row("kwc", Form::Published, 2), row("cs", Form::Corrected, 1)};
-        QCOMPARE(app::tiesText(rows), "LB and KWC as published tie: too close to call");
-        rows.push_back(row("nln", Form::Corrected, 1));
+        QCOMPARE(app::groupsText(rows),
+                 "No significant difference of 1 % or more: LB and KWC as published");
+        rows.push_back(row("nln", Form::Corrected, 1.005)); // slower in every round
         rows.push_back(row("md", Form::Corrected, 2));
-        QCOMPARE(app::tiesText(rows),
-                 "CS and NLN tie, LB, KWC as published and MD tie: too close to call");
-        QCOMPARE(app::tiesText(std::span(rows).first(2)), "");
-        // From 2 to 4: it ties with LB of 2 and MD of 4, which differ.
+        QCOMPARE(app::groupsText(rows), "No significant difference of 1 % or more: CS and NLN; LB, "
+                                        "KWC as published and MD");
+        QCOMPARE(app::groupsText(std::span(rows).first(2)), "");
+        // Half of the rounds as LB, and half as MD: it differs from neither.
         rows = {row("lb", Form::Corrected, 2), row("nln", Form::Corrected, 3),
                 row("md", Form::Corrected, 4)};
-        rows[1].milliseconds = {2, 2, 2, 3, 3, 3, 4, 4, 4, 4};
-        QCOMPARE(app::tiesText(rows), "LB and NLN tie, NLN and MD tie: too close to call");
+        rows[1].milliseconds = {2, 2, 2, 2, 2, 4, 4, 4, 4, 4};
+        QCOMPARE(app::groupsText(rows),
+                 "No significant difference of 1 % or more: LB and NLN; NLN and MD");
+        for (app::RaceRow& one : rows)
+            one.milliseconds.resize(6);
+        QCOMPARE(app::groupsText(rows),
+                 "6 of 7 rounds that it takes to tell which algorithms differ");
     }
     void whatIsDroppedLeavesNothing()
     {

@@ -246,7 +246,7 @@ private slots:
         CompareWindow t(312);
         t.openPanel();
         QCOMPARE(t.panel().field(), "312 lines: too few to time");
-        QCOMPARE(t.panel().ties(), "");
+        QCOMPARE(t.panel().groups(), "");
         QCOMPARE(t.text(0, CompareModel::Median), "–");
         QVERIFY(t.text(0, CompareModel::Visible).toInt() > 0);
         QCOMPARE(t.text(0, CompareModel::Name), "CS"); // in the order of the catalogue

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/one_by_one.h"
+
+#include "app/experiment/contestant_name.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+template <class T>
+std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,
+                     const clipping::BasicWindow<T>& window,
+                     std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out)
+{
+    const auto clip = [] {
+        if constexpr (std::is_same_v<T, float>)
+            return clipping::exactAlgorithm().single->clip;
+        else
+            return clipping::exactAlgorithm().corrected.clip;
+    }();
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < in.size(); ++i)
+        if (const auto piece = clip(in[i], window))
+            out[visible++] = {*piece, std::uint32_t(i), 0};
+    return visible;
+}
+
+bool isExact(const Contestant& one) { return one.algorithm == &clipping::exactAlgorithm(); }
+bool isOneByOne(const Contestant& one) { return one.algorithm == &exactOneByOne(); }
+
+/// The median of clipping, or none.
+std::optional<double> medianOf(const Record& record, bool (*is)(const Contestant&))
+{
+    const auto found = std::ranges::find_if(record.timings, is, &Timing::contestant);
+    return found == record.timings.end() ? std::nullopt
+                                         : std::optional(summaryOf(found->clip).median);
+}
+
+} // namespace
+
+const clipping::Algorithm& exactOneByOne()
+{
+    static const auto single = [] {
+        auto uses = *clipping::exactAlgorithm().single;
+        uses.clipAll = clipEach<float>;
+        return uses;
+    }();
+    static const auto row = [] {
+        clipping::Algorithm all = clipping::exactAlgorithm();
+        all.key = "exact-one-by-one";
+        all.abbreviation = "EX one by one";
+        all.name = "Exact, one by one";
+        all.corrected.clipAll = clipEach<double>;
+        all.single = &single;
+        return all;
+    }();
+    return row;
+}
+
+std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants)
+{
+    std::vector<Contestant> all;
+    for (const Contestant& one : contestants) {
+        all.push_back(one);
+        if (isExact(one))
+            all.push_back({&exactOneByOne(), one.form});
+    }
+    return all;
+}
+
+std::vector<Contestant> withoutOneByOne(std::span<const Contestant> contestants)
+{
+    std::vector<Contestant> all(contestants.begin(), contestants.end());
+    std::erase_if(all, isOneByOne);
+    return all;
+}
+
+QString batchText(std::span<const Contestant> contestants)
+{
+    if (std::ranges::none_of(contestants, isExact))
+        return {};
+    const QString batches = Experiments::tr(
+        "Exact (EX) is timed in batches: it clips many lines at once with the processor's vectors, "
+        "the other algorithms one line after another.");
+    return std::ranges::none_of(contestants, isOneByOne)
+               ? batches
+               : batches
+                     + Experiments::tr(" “EX one by one” is the same algorithm, called line "
+                                       "by line.");
+}
+
+QString batchText(const Record& record)
+{
+    const auto batch = medianOf(record, isExact), each = medianOf(record, isOneByOne);
+    if (!batch || !each)
+        return {};
+    return Experiments::tr("Exact (EX) is timed in batches, many lines at once with the "
+                           "processor's vectors, where it takes %1 to clip; called line by line, "
+                           "as the others work, it takes %2.")
+        .arg(timeText(*batch), timeText(*each));
+}
+
+} // namespace app

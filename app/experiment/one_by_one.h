@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/record.h"
+
+namespace app {
+
+// `exact` clips many lines at once, with the processor's vectors. The other algorithms clip one
+// line after another. To compare like with like, experiments time `exact` in both ways.
+
+/// The row `exact`, called line by line. It is of experiments alone, not of the catalogue.
+const clipping::Algorithm& exactOneByOne();
+
+/// These, with exactOneByOne after `exact` where it takes part.
+std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants);
+
+/// These without exactOneByOne: for what does not depend on how lines are called.
+std::vector<Contestant> withoutOneByOne(std::span<const Contestant> contestants);
+
+/// One sentence for a table or chart with these in it; empty where `exact` takes no part.
+QString batchText(std::span<const Contestant> contestants);
+
+/// The same for a record, with both times where it has them.
+QString batchText(const Record& record);
+
+} // namespace app

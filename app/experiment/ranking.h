@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// Times of things that took part in the same rounds: a vector a thing, all of one length, round by
+/// round. At least one thing and one round.
+using PairedRuns = std::span<const std::vector<double>>;
+
+/// An error of the first kind in so many of all families of tests at most.
+inline constexpr double significance = 0.05;
+
+/// Of a difference below this share nobody takes notice, however significant it is.
+inline constexpr double leastDifference = 0.01;
+
+/// From how many rounds on a test can find a difference among all pairs of so many things: the
+/// smallest r with 2^(1 - r) < significance / pairs.
+std::size_t leastRounds(std::size_t things);
+
+/// How many rounds an experiment takes if nobody says: the paper's ten, or leastRounds.
+std::size_t usualRounds(std::size_t things);
+
+/// What a test says about two things.
+enum class Outcome : std::uint8_t {
+    Different,        ///< significantly, by leastDifference or more, and as the medians say
+    NotSignificant,   ///< no significant difference
+    PracticallyEqual, ///< a significant difference that is smaller than leastDifference
+};
+
+/// One thing against another.
+struct PairTest {
+    double p = 1;     ///< corrected by Holm's method for the tests of its family
+    double ratio = 1; ///< of the one's time to the other's in the same round: the median of rounds
+    Outcome outcome = Outcome::NotSignificant;
+};
+
+/// Things by their times: who differs from whom. By the exact two-sided signed-rank test, paired by
+/// round. The thing with the lowest median is tested against each other one, which is one family of
+/// tests; all pairs are another.
+struct Ranking {
+    std::size_t rounds = 0;
+    bool told = false;              ///< there are leastRounds; else nobody has rank or letters
+    std::vector<std::size_t> order; ///< indices of the things by median, the lowest first
+    std::vector<PairTest> fastest;  ///< each thing against order.front()
+    std::vector<std::vector<PairTest>> pairs; ///< [i][j]: thing i against thing j
+    /// Compact letter display: the largest groups in which no pair is Different. Two things share a
+    /// group if and only if they are not. Sorted by median within and among themselves.
+    std::vector<std::vector<std::size_t>> groups;
+    /// 1 for the fastest. None where another thing is not Different, by one of the two families.
+    std::vector<std::optional<int>> ranks;
+
+    /// The thing with the lowest median, and those that are not Different from it, by median.
+    std::vector<std::size_t> leaders() const;
+    /// Of which groups a thing is, in their order.
+    std::vector<std::size_t> groupsOf(std::size_t thing) const;
+};
+Ranking rankingOf(PairedRuns runs);
+
+} // namespace app

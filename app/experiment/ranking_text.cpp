@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiment/ranking_text.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+QString lettersMeaning()
+{
+    return Experiments::tr("Algorithms that share no letter differ significantly, and by 1 % or "
+                           "more.");
+}
+
+} // namespace
+
+QString groupLetter(std::size_t group)
+{
+    const QString last(QChar(u'a' + char16_t(group % 26)));
+    return group < 26 ? last : groupLetter(group / 26 - 1) + last;
+}
+
+QString rankText(const Ranking& ranking, std::size_t thing)
+{
+    const auto rank = ranking.ranks[thing];
+    return rank ? QString::number(*rank) : QString();
+}
+
+QString lettersText(const Ranking& ranking, std::size_t thing)
+{
+    QStringList letters;
+    for (const std::size_t group : ranking.groupsOf(thing))
+        letters << groupLetter(group);
+    return letters.join(u' ');
+}
+
+QString pText(double p) { return QString::number(p, 'g', 3); }
+
+QString ratioToFastestText(const Ranking& ranking, std::size_t thing)
+{
+    const double ratio = ranking.fastest[thing].ratio;
+    return thing == ranking.order.front() || !std::isfinite(ratio) ? QString()
+                                                                   : QString::number(ratio, 'f', 3);
+}
+
+QString pToFastestText(const Ranking& ranking, std::size_t thing)
+{
+    return thing == ranking.order.front() || !ranking.told ? QString()
+                                                           : pText(ranking.fastest[thing].p);
+}
+
+QString tooFewRunsText(const Ranking& ranking)
+{
+    return ranking.told ? QString()
+                        : Experiments::tr("Too few runs to tell which algorithms differ: %1 of %2 "
+                                          "that it takes to compare %3 algorithms.")
+                              .arg(ranking.rounds)
+                              .arg(leastRounds(ranking.order.size()))
+                              .arg(ranking.order.size());
+}
+
+QStringList rankingNotes(const Ranking& ranking)
+{
+    if (ranking.order.size() < 2)
+        return {};
+    if (!ranking.told)
+        return {tooFewRunsText(ranking)};
+    return {lettersMeaning()
+            + Experiments::tr(" Tested: all pairs, by the exact two-sided Wilcoxon signed-rank "
+                              "test, paired by run, with Holm's correction, at a level of 5 %. The "
+                              "lowest median is also tested on its own against each other "
+                              "algorithm, so that it can have rank 1 and still share a letter.")};
+}
+
+QStringList ratioNotes(const Ranking& ranking)
+{
+    if (ranking.order.size() < 2)
+        return {};
+    const QString ratio =
+        Experiments::tr("Ratio: to the lowest median, the median of the ratios run by run.");
+    return {ranking.told
+                ? ratio
+                      + Experiments::tr(" p: of the same test against the lowest median alone, "
+                                        "with Holm's correction. A significant difference of less "
+                                        "than 1 % counts as practically equal.")
+                : ratio};
+}
+
+QString rankingText(const QStringList& names, const Ranking& ranking)
+{
+    QStringList all;
+    for (const std::size_t i : ranking.order)
+        all << (ranking.told
+                    ? QStringLiteral("%1 (%2)").arg(names[qsizetype(i)], lettersText(ranking, i))
+                    : names[qsizetype(i)]);
+    return Experiments::tr("From the lowest median to the highest: %1. %2")
+        .arg(all.join(QStringLiteral(", ")),
+             ranking.told ? lettersMeaning() : tooFewRunsText(ranking));
+}
+
+QString boundText(double time)
+{
+    if (!std::isfinite(time))
+        return {};
+    return time > 0 && time < 0.005 ? QString::number(time, 'g', 2) : QString::number(time, 'f', 2);
+}
+
+} // namespace app

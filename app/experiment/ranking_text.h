@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/experiment/ranking.h"
+
+#include <QStringList>
+
+namespace app {
+
+/// What a group is called: "a" for the first.
+QString groupLetter(std::size_t group);
+
+/// "2"; empty where another thing does not differ significantly, or there were too few runs.
+QString rankText(const Ranking& ranking, std::size_t thing);
+
+/// The letters of its groups, "a b"; empty if there were too few runs.
+QString lettersText(const Ranking& ranking, std::size_t thing);
+
+/// p to three digits.
+QString pText(double p);
+
+/// How many times as long as the one with the lowest median a thing takes, and p of that; both
+/// empty for that one, and p if there were too few runs.
+QString ratioToFastestText(const Ranking& ranking, std::size_t thing);
+QString pToFastestText(const Ranking& ranking, std::size_t thing);
+
+/// One sentence if there were too few runs to tell who differs; empty if there were enough.
+QString tooFewRunsText(const Ranking& ranking);
+
+/// How to read the letters, and what is tested; or tooFewRunsText. Of one thing nothing.
+QStringList rankingNotes(const Ranking& ranking);
+
+/// What the ratio and p to the lowest median are. Of one thing nothing.
+QStringList ratioNotes(const Ranking& ranking);
+
+/// "From the lowest median to the highest: Skala (a), CS (b), LB (b c), CB (c)." and how to read
+/// the letters, or tooFewRunsText. Names and things belong together.
+QString rankingText(const QStringList& names, const Ranking& ranking);
+
+/// A bound of an interval of times with two decimals, or as many as it takes not to read as 0;
+/// empty where there is none.
+QString boundText(double time);
+
+} // namespace app
