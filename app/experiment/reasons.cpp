@@ -77,8 +77,9 @@ QString operationReason(const OperationProfile& profile)
     const auto of = [&](auto row) {
         return nameAmong(all, std::size_t(row - profile.rows.begin()));
     };
-    return Experiments::tr("%1 does with the fewest operations, %2 a line; %3 takes the most, %4. "
-                           "A guess that goes wrong costs the processor as much as many of them.")
+    return Experiments::tr(
+               "%1 needs the fewest operations, %2 a line; %3 the most, %4. "
+               "A branch that the processor predicts wrongly costs as much as many of them.")
         .arg(of(fewest), numberText(perLine(*fewest), 1), of(most), numberText(perLine(*most), 1));
 }
 
