@@ -2,6 +2,7 @@
 #include "ui/docks/compare_panel.h"
 
 #include "app/comparison/race_text.h"
+#include "app/experiment/one_by_one.h"
 #include "app/settings/remembered.h"
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"
@@ -88,6 +89,7 @@ void ComparePanel::showRace()
     groups_->setToolTip(timed ? app::groupsText(rows) : QString());
     fitGroups();
     field_->setText(app::fieldText(race_.lines()));
+    field_->setToolTip(app::batchText(race_.contestants()));
     state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
 }
 
