@@ -137,10 +137,11 @@ void StatusBar::showStep()
         return showPosition({});
     }
     const auto steps = microscope.walk().moments.size();
-    visible_->setText(steps == 0
-                          ? tr("no steps")
-                          : tr("step %1 of %2")
-                                .arg(app::countText(microscope.step() + 1), app::countText(steps)));
+    const QString now = app::countText(microscope.step() + 1);
+    const QString all = microscope.isCovered() ? QStringLiteral("?") : app::countText(steps);
+    visible_->setText(microscope.isCovered() && steps == 0 ? tr("steps covered")
+                      : steps == 0                         ? tr("no steps")
+                                                           : tr("step %1 of %2").arg(now, all));
     showAlgorithm(microscope.specimen().clipper);
 }
 

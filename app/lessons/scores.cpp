@@ -15,9 +15,9 @@ QString keyOf(const Lesson& lesson) { return QStringLiteral("lessons/points/") +
 
 int mostPoints(const Lesson& lesson)
 {
-    return 2
-           * int(std::ranges::count_if(
-               lesson.pages, [](const LessonPage& page) { return page.question.has_value(); }));
+    return 2 * int(std::ranges::count_if(lesson.pages, [](const LessonPage& page) {
+               return page.question.has_value();
+           }));
 }
 
 bool isUnderstood(int points, const Lesson& lesson) { return 4 * points >= 3 * mostPoints(lesson); }

@@ -56,8 +56,8 @@ QPointF centroid(const QPolygonF& convex)
 std::optional<QRectF> LabelPlaces::first(std::span<const QRectF> wanted)
 {
     const auto hidesAnyOf = [](const QRectF& place, const std::vector<QRectF>& others) {
-        return std::ranges::any_of(
-            others, [&](const QRectF& other) { return other.intersects(place); });
+        return std::ranges::any_of(others,
+                                   [&](const QRectF& other) { return other.intersects(place); });
     };
     std::optional<QRectF> best;
     for (const QRectF& place : wanted) {
@@ -84,9 +84,8 @@ std::vector<QRectF> boxesOfShortLines(std::span<const QLineF> lines, const QRect
             continue;
         if (boxes.size() == most)
             return {};
-        boxes.push_back(QRectF(line.p1(), line.p2())
-                            .normalized()
-                            .adjusted(-margin, -margin, margin, margin));
+        boxes.push_back(
+            QRectF(line.p1(), line.p2()).normalized().adjusted(-margin, -margin, margin, margin));
     }
     return boxes;
 }

@@ -81,8 +81,7 @@ Overlay midpointOverlay(const Seeing& seeing)
              .emphasis = Emphasis::Lit});
     }
     const auto [codeA, codeB] = codesOf(seeing);
-    for (OverlayMark& mark :
-         endMarks(*seeing.line, outcodeText(codeA), outcodeText(codeB)))
+    for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(codeA), outcodeText(codeB)))
         overlay.marks.push_back(std::move(mark));
     overlay.table = codeTable(seeing);
     return overlay;

@@ -39,8 +39,7 @@ Overlay outcodeOverlay(const Seeing& seeing)
         for (OverlayLine& line : moveLines(seeing, moves))
             overlay.lines.push_back(std::move(line));
         overlay.marks = moveMarks(seeing, moves);
-        for (OverlayMark& mark :
-             endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
+        for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
         overlay.table = codeTable(seeing);
     }

@@ -25,8 +25,7 @@ QString regionName(unsigned code)
 OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
 {
     const auto [a, b] = codesOf(seeing);
-    OverlayTable table{
-        {tr("case"), tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
+    OverlayTable table{{tr("case"), tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
@@ -42,8 +41,7 @@ QString caption(const Seeing& seeing)
     if (!seeing.line)
         return tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
     const auto [a, b] = codesOf(seeing);
-    const QString pair =
-        tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
+    const QString pair = tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
     if ((a & b) != 0)
         return tr("%1: the script of this case rejects at once.").arg(pair);
     if ((a | b) == 0)
@@ -57,7 +55,8 @@ QString caption(const Seeing& seeing)
 
 Overlay scriptOverlay(const Seeing& seeing)
 {
-    Overlay overlay{.areas = regionsNamed(seeing, [](unsigned code, YAxis) { return regionName(code); }),
+    Overlay overlay{.areas =
+                        regionsNamed(seeing, [](unsigned code, YAxis) { return regionName(code); }),
                     .lines = regionBorders(seeing),
                     .caption = caption(seeing)};
     if (!seeing.line)
@@ -70,8 +69,7 @@ Overlay scriptOverlay(const Seeing& seeing)
     for (OverlayLine& line : moveLines(seeing, moves))
         overlay.lines.push_back(std::move(line));
     overlay.marks = moveMarks(seeing, moves);
-    for (OverlayMark& mark :
-         endMarks(*seeing.line, regionName(a), regionName(b)))
+    for (OverlayMark& mark : endMarks(*seeing.line, regionName(a), regionName(b)))
         overlay.marks.push_back(std::move(mark));
     overlay.table = table(seeing, moves);
     return overlay;

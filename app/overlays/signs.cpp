@@ -111,8 +111,7 @@ Overlay signOverlay(const Seeing& seeing)
         if (pattern)
             addCorners(overlay, *pattern, seeing.window);
         const auto [a, b] = codesOf(seeing);
-        for (OverlayMark& mark :
-             endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
+        for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
     }
     overlay.table = table(pattern, seeing.y);

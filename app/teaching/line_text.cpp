@@ -41,8 +41,8 @@ std::optional<double> numberFrom(QString text, Comma comma)
 QRegularExpression pattern(const QString& number, const QString& separator)
 {
     const QString end = number + separator + number;
-    return QRegularExpression(QStringLiteral("^\\s*%1(?:\\s*(?:->|\u2192|to)\\s*|%2)%1\\s*$")
-                                  .arg(end, separator));
+    return QRegularExpression(
+        QStringLiteral("^\\s*%1(?:\\s*(?:->|\u2192|to)\\s*|%2)%1\\s*$").arg(end, separator));
 }
 
 std::optional<clipping::Segment> lineFrom(const QString& plain, Comma comma)

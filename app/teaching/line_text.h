@@ -17,8 +17,8 @@ QString lineText(const clipping::Segment& line);
 QString pairText(const QString& x, const QString& y);
 
 /// Four numbers, parted by commas, semicolons or spaces in any mixture, as in "-160,-30 70,130";
-/// between the ends there may be an arrow ("->" or "→") or "to". The decimal mark is a point, or that
-/// of the locale. "nan" and "inf" are numbers too. Nothing: it is no line.
+/// between the ends there may be an arrow ("->" or "→") or "to". The decimal mark is a point, or
+/// that of the locale. "nan" and "inf" are numbers too. Nothing: it is no line.
 std::optional<clipping::Segment> lineFrom(const QString& text);
 
 } // namespace app

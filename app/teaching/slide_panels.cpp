@@ -37,7 +37,8 @@ double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
 QStringList wrapped(const QString& line, const QFontMetricsF& metrics, double width)
 {
     constexpr qsizetype further = 4;
-    const auto indent = std::ranges::find_if(line, [](QChar c) { return c != u' '; }) - line.begin();
+    const auto indent =
+        std::ranges::find_if(line, [](QChar c) { return c != u' '; }) - line.begin();
     QStringList rows;
     QString rest = line;
     while (metrics.horizontalAdvance(rest) > width) {
@@ -157,9 +158,9 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
                          row.height());
     painter.setFont(body);
     painter.setPen(variable.before ? colours.muted : colours.lit);
-    painter.drawText(
-        earlier, Qt::AlignLeft | Qt::AlignVCenter,
-        variable.before ? tr("was %1").arg(fitting(before, earlier.width() - 44, body)) : tr("new"));
+    painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
+                     variable.before ? tr("was %1").arg(fitting(before, earlier.width() - 44, body))
+                                     : tr("new"));
 }
 
 struct Operation {
@@ -268,9 +269,9 @@ double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, 
     for (const auto& [name, count] : operations()) {
         Cell cell{countText(walk.moments[step].cost.*count),
                   tr("of %1").arg(countText(walk.moments.back().cost.*count)), name, 0};
-        cell.width = std::max(
-            words.horizontalAdvance(name),
-            large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));
+        cell.width =
+            std::max(words.horizontalAdvance(name),
+                     large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));
         used += cell.width;
         cells.push_back(cell);
     }

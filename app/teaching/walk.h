@@ -55,7 +55,7 @@ struct Specimen {
 /// A whole trace, as people read it. The steps are the library's own, so they cannot drift from
 /// what it does.
 struct Walk {
-    QStringList code;            ///< the pseudo-code
+    QStringList code;              ///< the pseudo-code
     std::vector<Moment> moments{}; ///< none where there is nothing to trace: see `refusal`
     clipping::Outcome outcome = clipping::Outcome::Invisible;
     std::optional<clipping::Segment> visible{}; ///< what the form's clip returns, bit for bit

@@ -23,7 +23,8 @@ class Painting {
 public:
     Painting(QPainter& painter, const OverlayGround& ground, const QFont& font,
              std::vector<QRectF> taken)
-        : painter_(painter), ground_(ground), font_(font), places_(ground.room, std::move(taken), ground.avoided)
+        : painter_(painter), ground_(ground), font_(font),
+          places_(ground.room, std::move(taken), ground.avoided)
     {
     }
 

@@ -15,8 +15,8 @@ struct OverlayGround {
     QRectF room; ///< logical pixels that it may use
     std::function<QPointF(const app::Point&)> onScreen;
     const Look& look;
-    QColor page;                 ///< behind the art, and behind labels
-    std::vector<QRectF> taken{}; ///< what labels keep off: handles, other labels
+    QColor page;                   ///< behind the art, and behind labels
+    std::vector<QRectF> taken{};   ///< what labels keep off: handles, other labels
     std::vector<QRectF> avoided{}; ///< what they hide only where there is no other place
 };
 

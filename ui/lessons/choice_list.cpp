@@ -33,8 +33,10 @@ ChoiceList::ChoiceList(QWidget* parent)
     prompt_->setFont(semiBold(font()));
     giveUp_->setObjectName(QStringLiteral("show-answer"));
     giveUp_->setFlat(true);
+    giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
     giveUp_->setAutoDefault(true); // Enter presses it
-    giveUp_->setToolTip(tr("Says which answer is right, and why. This question gives no points then."));
+    giveUp_->setToolTip(
+        tr("Says which answer is right, and why. This question gives no points then."));
     connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
     column_->addWidget(verdict_);
@@ -95,7 +97,7 @@ void ChoiceList::addButton(const QString& text)
     button->setAutoDefault(true); // Enter presses it
     connect(button, &QPushButton::clicked, this, [this, index] { emit chosen(index); });
     column_->insertWidget(column_->count() - 2, button); // above what is said of them
-    button->show(); // now, so that it can have the focus
+    button->show();                                      // now, so that it can have the focus
     buttons_ << button;
 }
 

@@ -87,7 +87,9 @@ private:
     QRect summaryRect(int width) const
     {
         const QRect room(margin, margin + fontMetrics().height() + 2, width - 2 * margin, 1000);
-        return QFontMetrics(captionFont(font())).boundingRect(room, Qt::TextWordWrap, words_);
+        QRect area = QFontMetrics(captionFont(font())).boundingRect(room, Qt::TextWordWrap, words_);
+        area.setWidth(room.width()); // in less, the words would be wrapped otherwise
+        return area;
     }
     const app::Lesson& lesson_;
     QString words_;

@@ -49,8 +49,8 @@ QString richText(const QString& markdown)
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
-      place_(new QLabel), text_(new QLabel), told_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList),
-      back_(button(tr("Back"), tr("The page before (Page Up)"))),
+      place_(new QLabel), text_(new QLabel), told_(new QLabel), body_(new QScrollArea),
+      choices_(new ChoiceList), back_(button(tr("Back"), tr("The page before (Page Up)"))),
       again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
       next_(button(tr("Next"), tr("The next page (Page Down)")))
 {
@@ -130,6 +130,7 @@ QWidget* LessonPanel::makeBody()
     column->setContentsMargins(0, 0, space::labelToField, 0); // off the scroll bar
     column->addWidget(text_);
     column->addWidget(choices_);
+    column->addSpacing(space::labelToField);
     column->addWidget(told_);
     column->addStretch();
     body_->setFrameShape(QFrame::NoFrame);

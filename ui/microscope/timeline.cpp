@@ -72,7 +72,8 @@ QRect Timeline::veil() const
 {
     constexpr int high = 22;
     const int count = int(microscope_.walk().moments.size());
-    const int left = int(count == 0 ? side : placeOf(std::size_t(count - 1)).x() + coveredSpacing / 2);
+    const int left =
+        int(count == 0 ? side : placeOf(std::size_t(count - 1)).x() + coveredSpacing / 2);
     return {left, int(railY) - high / 2, width() - int(side) - left, high};
 }
 

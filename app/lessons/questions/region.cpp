@@ -33,15 +33,15 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
     QStringList choices{outcodeText(code)};
     for (const unsigned other : {(code & 3U) << 2 | code >> 2, code ^ (code & 3U ? 3U : 1U),
                                  code ^ (code & 12U ? 12U : 8U), 0U, 1U, 8U, 5U})
-        if (const QString text = outcodeText(other);
-            (other & 3U) != 3 && (other & 12U) != 12 && !choices.contains(text)
-            && choices.size() < 4)
+        if (const QString text = outcodeText(other); (other & 3U) != 3 && (other & 12U) != 12
+                                                     && !choices.contains(text)
+                                                     && choices.size() < 4)
             choices << text;
-    return shuffled({tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
-                     tr("End %1 lies %2: %3.")
-                         .arg(words[0], whereabouts(code, specimen.y), outcodeText(code)),
-                     tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
-                         .arg(outcodeBits())});
+    return shuffled(
+        {tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
+         tr("End %1 lies %2: %3.").arg(words[0], whereabouts(code, specimen.y), outcodeText(code)),
+         tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
+             .arg(outcodeBits())});
 }
 
 } // namespace

@@ -19,15 +19,15 @@ struct Verdict {
     const char* reason; ///< %1: by how many ulps
 };
 constexpr std::array verdicts{
-    Verdict{"Yes, apart from rounding", "It finds what exact arithmetic finds, apart from rounding."},
+    Verdict{"Yes, apart from rounding",
+            "It finds what exact arithmetic finds, apart from rounding."},
     Verdict{"No, it shows too much",
             "It shows a part, although no point of the line is inside the window."},
     Verdict{"No, it shows nothing, and a part is visible",
             "It shows nothing, although part of the line is inside the window."},
     Verdict{"No, an end is in the wrong place",
             "One end that it finds is off by %1 ulps of the largest coordinate."},
-    Verdict{"No, it never ends",
-            "It repeats the same cuts forever. The program had to stop it."}};
+    Verdict{"No, it never ends", "It repeats the same cuts forever. The program had to stop it."}};
 
 /// Which of them.
 int verdictOn(const Walk& walk, const std::vector<Difference>& found)

@@ -23,15 +23,15 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, 
             : tr("What is left runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
-    const int cutEnds =
-        piece ? (piece->a != specimen.line.a) + (piece->b != specimen.line.b) : 3;
-    return Question{tr("How much of this line is visible in the window?"),
-                    {tr("All of it"), tr("A part: one end is cut"),
-                     tr("A part: both ends are cut"), tr("Nothing")},
-                    cutEnds,
-                    reason,
-                    tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
-                       "many of its ends lie outside?")};
+    const int cutEnds = piece ? (piece->a != specimen.line.a) + (piece->b != specimen.line.b) : 3;
+    return Question{
+        tr("How much of this line is visible in the window?"),
+        {tr("All of it"), tr("A part: one end is cut"), tr("A part: both ends are cut"),
+         tr("Nothing")},
+        cutEnds,
+        reason,
+        tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
+           "many of its ends lie outside?")};
 }
 
 } // namespace

@@ -42,7 +42,7 @@ private slots:
         const clipping::Window window{{0, 0}, {10, 10}};
         QCOMPARE(app::regionOf({-1, -1}, window).words(), "above left");
         QCOMPARE(app::regionOf({11, 11}, window).words(), "below right");
-        QCOMPARE(app::regionOf({0, 10}, window).words(), "inside"); // edges belong to the window
+        QCOMPARE(app::regionOf({0, 10}, window).words(), "inside");  // edges belong to the window
         QCOMPARE(app::regionOf({-1, -1}, window).outcode(), "0101"); // y < ymin, x < xmin
         QCOMPARE(app::regionOf({11, 11}, window).outcode(), "1010"); // y > ymax, x > xmax
     }

@@ -83,8 +83,7 @@ private slots:
                         QSet<QString>(question->choices.begin(), question->choices.end()).size(),
                         question->choices.size());
                     QVERIFY(question->right >= 0 && question->right < question->choices.size());
-                    for (const QString& text :
-                         {question->prompt, question->reason, question->hint})
+                    for (const QString& text : {question->prompt, question->reason, question->hint})
                         QVERIFY2(!text.isEmpty() && !text.contains(u'%'), qPrintable(where));
                     course.choose(question->right);
                     QVERIFY(!course.isOpen());
@@ -114,8 +113,10 @@ private slots:
                     const QString right = question->choices[question->right].section(
                         QStringLiteral("At "), -1); // "the left edge"
                     QVERIFY2(microscope.isCovered(), qPrintable(where));
+                    const bool namesBoth = page.question->kind == QStringLiteral("cheaper");
                     for (const QString& text : {course.text(), course.told(), question->hint})
-                        QVERIFY2(!text.contains(right), qPrintable(where + ": " + right));
+                        QVERIFY2(namesBoth || !text.contains(right),
+                                 qPrintable(where + ": " + right));
                     for (const app::Moment& moment : microscope.walk().moments) {
                         QVERIFY2(!moment.sentence.contains(right), qPrintable(where));
                         QVERIFY2(!question->reason.contains(moment.sentence), qPrintable(where));

@@ -37,9 +37,10 @@ private slots:
     }
     void otherTextIsNone()
     {
-        for (const char* text : {"", "1, 2", "1, 2 -> 3", "1, 2 -> 3, 4, 5", "a, 2 -> 3, 4",
-                                 "1 2 3 4 x", "1,, 2 -> 3, 4 ->", "1e999999x, 0 -> 0, 0", "1 -> 2 -> 3 -> 4", "to 1 2 3 4",
-                                 "1 2 3 4 to", "1,2 to to 3,4", ",1,2,3,4"})
+        for (const char* text :
+             {"", "1, 2", "1, 2 -> 3", "1, 2 -> 3, 4, 5", "a, 2 -> 3, 4", "1 2 3 4 x",
+              "1,, 2 -> 3, 4 ->", "1e999999x, 0 -> 0, 0", "1 -> 2 -> 3 -> 4", "to 1 2 3 4",
+              "1 2 3 4 to", "1,2 to to 3,4", ",1,2,3,4"})
             QVERIFY2(!app::lineFrom(QString::fromUtf8(text)), text);
     }
     void whatIsNoNumberIsReadAsSuch()

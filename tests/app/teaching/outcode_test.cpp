@@ -79,8 +79,8 @@ QString variable(const app::Moment& moment, const char* name)
 
 app::Walk walkOf(std::string_view algorithm, clipping::Form form, const Point& a, const Point& b)
 {
-    return app::walkOf({{clipping::findAlgorithm(algorithm), form}, {a, b}, window,
-                        app::YAxis::Down, {}});
+    return app::walkOf(
+        {{clipping::findAlgorithm(algorithm), form}, {a, b}, window, app::YAxis::Down, {}});
 }
 
 } // namespace
@@ -105,10 +105,9 @@ private slots:
     void theMicroscopeShowsThePagesBits()
     {
         int shown = 0;
-        for (const char* key : {"cohen-sutherland", "midpoint-subdivision", "skala",
-                                "sobkow-pospisil-yang"})
-            for (const clipping::Form form :
-                 {clipping::Form::Corrected, clipping::Form::Published})
+        for (const char* key :
+             {"cohen-sutherland", "midpoint-subdivision", "skala", "sobkow-pospisil-yang"})
+            for (const clipping::Form form : {clipping::Form::Corrected, clipping::Form::Published})
                 for (const Point& a : points())
                     for (const Point& b : points()) {
                         const app::Walk walk = walkOf(key, form, a, b);
@@ -156,12 +155,11 @@ private slots:
     {
         for (const char* key : {"cohen-sutherland", "midpoint-subdivision", "skala", "exact"})
             for (const Point& p : points()) {
-                const auto overlay =
-                    app::overlayOf({.clipper = {clipping::findAlgorithm(key)},
-                                    .window = window,
-                                    .pointer = p,
-                                    .seen = {{-20, -20}, {30, 30}},
-                                    .y = app::YAxis::Down});
+                const auto overlay = app::overlayOf({.clipper = {clipping::findAlgorithm(key)},
+                                                     .window = window,
+                                                     .pointer = p,
+                                                     .seen = {{-20, -20}, {30, 30}},
+                                                     .y = app::YAxis::Down});
                 QStringList pointed;
                 for (const app::OverlayArea& area : overlay.areas)
                     if (area.pointed)

@@ -98,9 +98,8 @@ private slots:
                     font.setPixelSize(18);
                     const QString sentence = slideSentence(trace.walk, step);
                     const QRectF area = sentenceArea();
-                    const double height = QFontMetricsF(font)
-                                              .boundingRect(area, Qt::TextWordWrap, sentence)
-                                              .height();
+                    const double height =
+                        QFontMetricsF(font).boundingRect(area, Qt::TextWordWrap, sentence).height();
                     QVERIFY2(height <= area.height(), qPrintable(sentence));
                 }
             }
