@@ -145,7 +145,7 @@ Result<Plan> planOf(const Choice& choice)
 
 Choice quick(Choice choice)
 {
-    choice.lines = 100'000;
+    choice.lines = 30'000;
     choice.runs.reset();
     return choice;
 }

@@ -43,7 +43,7 @@ Result<Plan> planOf(const Choice& choice);
 /// Which of the algorithms have none of the forms, and so take no part; empty: all take part.
 QString leftOutText(const Choice& choice);
 
-/// A hundred thousand lines, as often as it takes to tell who differs: some seconds.
+/// Thirty thousand lines, as often as it takes to tell who differs: some seconds.
 Choice quick(Choice choice);
 
 /// "Run: 23,100,000 lines to clip, about 2 minutes." `pace` is what things took here divided by

@@ -2,6 +2,8 @@
 #include "app/experiment/one_by_one.h"
 
 #include "app/experiment/contestant_name.h"
+#include "app/experiment/paper_runs.h"
+#include "app/latin.h"
 
 #include <QCoreApplication>
 
@@ -62,6 +64,11 @@ const clipping::Algorithm& exactOneByOne()
         return all;
     }();
     return row;
+}
+
+const clipping::Algorithm* timedAlgorithm(const QString& name)
+{
+    return name == latin(exactOneByOne().key) ? &exactOneByOne() : paperAlgorithm(name);
 }
 
 std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants)

@@ -11,6 +11,9 @@ namespace app {
 /// The row `exact`, called line by line. It is of experiments alone, not of the catalogue.
 const clipping::Algorithm& exactOneByOne();
 
+/// The row that a table of an experiment names, by key or as the paper does; null if there is none.
+const clipping::Algorithm* timedAlgorithm(const QString& name);
+
 /// These, with exactOneByOne after `exact` where it takes part.
 std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants);
 

@@ -183,7 +183,7 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
         .key = QStringLiteral("%1-%2-%3-against-paper")
                    .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form)),
         .facts = factsOf(record),
-        .late = 2};
+        .late = {"paper_letters", "our_letters"}};
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const PaperColumn& column = paper.columns[i];
         const double average = column.printedAverage;

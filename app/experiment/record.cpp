@@ -38,7 +38,10 @@ QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ran
     return {QString::fromUtf8(timing.contestant.algorithm->key),
             wordOf(timing.contestant.form),
             rankText(ranking, thing),
+            lettersText(ranking, thing),
             inNanoseconds(times.median),
+            ratioToFastestText(ranking, thing),
+            pToFastestText(ranking, thing),
             inNanoseconds(times.spread),
             inNanoseconds(times.mean),
             boundText(times.confidence.low),
@@ -46,10 +49,7 @@ QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ran
             QString::number(timing.found.visible),
             QString::number(timing.found.lost),
             QString::number(timing.found.shown),
-            hexadecimal(timing.found.checksum),
-            lettersText(ranking, thing),
-            ratioToFastestText(ranking, thing),
-            pToFastestText(ranking, thing)};
+            hexadecimal(timing.found.checksum)};
 }
 
 } // namespace
@@ -141,14 +141,14 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
 
 Table timesTable(const Record& record, const Measure& measure)
 {
-    Table table{.names = {"algorithm", "form", "rank", "median_ns", "spread_ns", "mean_ns",
-                          "low_ns", "high_ns", "visible", "lost", "shown", "checksum", "letters",
-                          "ratio_fastest", "p_fastest"},
+    Table table{.names = {"algorithm", "form", "rank", "letters", "median_ns", "ratio_fastest",
+                          "p_fastest", "spread_ns", "mean_ns", "low_ns", "high_ns", "visible",
+                          "lost", "shown", "checksum"},
                 .title = Experiments::tr("%1: nanoseconds a line").arg(measure.name),
                 .key = measure.key,
                 .facts = factsOf(record),
                 .notes = {measure.meaning},
-                .late = 3};
+                .late = {"letters", "ratio_fastest", "p_fastest"}};
     const auto times = summaries(record, measure);
     const Ranking ranking = rankingOf(record, measure);
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -82,12 +82,18 @@ QString testedName(const Told& told, std::size_t i)
 }
 
 /// " LB (…) does not differ significantly from it." of those with one outcome; empty without them.
+/// Of many only the names: the table has their ratios and p.
 QString outcomeText(const Told& told, Outcome outcome)
 {
+    constexpr std::ptrdiff_t mostDetailed = 3;
+    const auto has = [&](std::size_t i) {
+        return i != told.lowest() && told.ranking.fastest[i].outcome == outcome;
+    };
+    const bool detailed = std::ranges::count_if(told.ranking.order, has) <= mostDetailed;
     QStringList names;
-    for (const std::size_t i : std::span(told.ranking.order).subspan(1))
-        if (told.ranking.fastest[i].outcome == outcome)
-            names << testedName(told, i);
+    for (const std::size_t i : told.ranking.order)
+        if (has(i))
+            names << (detailed ? testedName(told, i) : leaderName(told.record, i));
     if (names.isEmpty())
         return {};
     const bool one = names.size() == 1;

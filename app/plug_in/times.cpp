@@ -143,7 +143,7 @@ Table raceTable(const Times& times, Reader reader)
                           PlugIn::tr("Race on the paper's scene: nanoseconds a line"),
                           {"algorithm", "rank", "median_ns", "low_ns", "high_ns", "ratio",
                            "visible", "lost", "shown", "letters"});
-    table.late = 1;
+    table.late = QStringList{"letters"};
     const auto summaries = summariesOf(times);
     const Ranking ranking = rankingOf(times);
     for (const std::size_t i : ranking.order) {

@@ -32,9 +32,11 @@ QString csvText(std::span<const Table> tables)
             names << name;
             values << value;
         }
-        const qsizetype early = table.names.size() - table.late;
         const auto line = [&](const QStringList& row, const QStringList& facts) {
-            return csvLine(row.first(early) + facts + row.sliced(early));
+            QStringList early, late;
+            for (qsizetype c = 0; c < row.size(); ++c)
+                (table.late.contains(table.names[c]) ? late : early) << row[c];
+            return csvLine(early + facts + late);
         };
         text += line(table.names, names);
         for (const QStringList& row : table.rows)

@@ -20,9 +20,9 @@ struct Table {
     /// What is true of all rows: names (words) and what they stand for.
     std::vector<std::pair<QString, QString>> facts{};
     QStringList notes{}; ///< sentences
-    /// How many of the last columns came after others already read these tables: in CSV they stand
-    /// behind the facts, so that every column stays where it was.
-    qsizetype late = 0;
+    /// Names of columns that came after others already read these tables: in CSV they stand behind
+    /// the facts, so that every other column stays where it was.
+    QStringList late{};
 };
 
 /// One row of the catalogue of what tables can be printed as.

@@ -2,11 +2,10 @@
 #include "ui/widgets/table_model.h"
 
 #include "app/experiment/heading.h"
-#include "app/experiment/paper_runs.h"
+#include "app/experiment/one_by_one.h"
 #include "app/experiment/record.h"
 #include "app/latin.h"
 #include "app/view/numbers.h"
-#include "clipping/algorithm.h"
 
 #include <QStringList>
 
@@ -53,7 +52,7 @@ const QString& TableModel::field(const QModelIndex& index) const
 /// Key and form of the algorithm that a cell names.
 QVariant TableModel::contestant(const QModelIndex& index) const
 {
-    const auto* algorithm = app::paperAlgorithm(field(index));
+    const auto* algorithm = app::timedAlgorithm(field(index));
     if (table_.names[index.column()] != u"algorithm" || !algorithm)
         return {};
     const auto form = table_.names.indexOf(QStringLiteral("form"));
@@ -74,7 +73,7 @@ QString TableModel::shown(const QModelIndex& index) const
 {
     const QString& text = field(index);
     if (table_.names[index.column()] == u"algorithm")
-        if (const auto* algorithm = clipping::findAlgorithm(text.toStdString()))
+        if (const auto* algorithm = text == u"Prop." ? nullptr : app::timedAlgorithm(text))
             return app::latin(algorithm->abbreviation);
     return numeric_[std::size_t(index.column())] && !text.isEmpty() ? numberInWords(text) : text;
 }
@@ -89,7 +88,7 @@ QVariant TableModel::data(const QModelIndex& index, int role) const
         return int(Qt::AlignVCenter | (numeric ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole:
         if (const auto* algorithm =
-                contestant(index).isValid() ? app::paperAlgorithm(field(index)) : nullptr)
+                contestant(index).isValid() ? app::timedAlgorithm(field(index)) : nullptr)
             return app::latin(algorithm->name);
         return {};
     case SortRole:

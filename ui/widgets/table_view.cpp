@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/table_view.h"
 
+#include "app/experiment/one_by_one.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
@@ -64,7 +65,7 @@ private:
     static void paintMarker(QPainter& painter, const QStyleOptionViewItem& option,
                             const QStringList& who)
     {
-        const auto* algorithm = clipping::findAlgorithm(who[0].toStdString());
+        const auto* algorithm = app::timedAlgorithm(who[0]);
         const QRectF box(option.rect.left() + padding, option.rect.center().y() - marker / 2 + 0.5,
                          marker, marker);
         app::paintMarker(painter, box, *algorithm,

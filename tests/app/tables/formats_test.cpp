@@ -305,12 +305,12 @@ private slots:
 
     void lateColumnsStandBehindTheFactsInCsv()
     {
-        const app::Table table{.names = {"who", "rank", "letters"},
-                               .rows = {{"cs", "1", "a"}},
+        const app::Table table{.names = {"who", "letters", "rank"},
+                               .rows = {{"cs", "a", "1"}},
                                .facts = {{"seed", "7"}},
-                               .late = 1};
+                               .late = {"letters"}};
         QCOMPARE(textAs(u"csv", {table}), "who,rank,seed,letters\ncs,1,7,a\n");
-        QVERIFY(textAs(u"markdown", {table}).contains("| who | rank | letters |"));
+        QVERIFY(textAs(u"markdown", {table}).contains("| who | letters | rank |"));
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/verdict.h"
 #include "ui/experiment/experiment_window.h"
+#include "ui/widgets/table_model.h"
 #include "ui/widgets/table_view.h"
 
 #include <QApplication>
@@ -31,6 +32,16 @@ bool aThreadMeasures()
             return true;
     }
     return false;
+}
+
+/// The cells of a row that stand in front of the facts in CSV.
+QByteArray early(const app::Table& table, const QStringList& row)
+{
+    QStringList cells;
+    for (qsizetype c = 0; c < row.size(); ++c)
+        if (!table.late.contains(table.names[c]))
+            cells << row[c];
+    return cells.join(',').toUtf8();
 }
 
 /// The editor with two lines, and the window that its menu opens.
@@ -163,6 +174,26 @@ private slots:
         stage.named<QSpinBox>("Runs")->setValue(4); // typed
         stage.choose("near-miss");
         QCOMPARE(runs(), 4);
+    }
+
+    void exactIsShownBothWaysWithAMarkEach()
+    {
+        const Stage stage;
+        stage.choose("near-miss");
+        for (auto* forms : stage.window->findChildren<QAbstractButton*>())
+            if (forms->text() == "Corrected")
+                forms->click();
+        stage.runFew("near-miss");
+        const auto* model = stage.shownTables().front()->model();
+        QStringList names;
+        for (int row = 0; row < model->rowCount(); ++row) {
+            names << model->index(row, 0).data().toString();
+            QVERIFY2(model->index(row, 0).data(TableModel::ContestantRole).isValid(),
+                     qPrintable(names.back()));
+        }
+        QVERIFY2(names.contains("EX") && names.contains("EX one by one"),
+                 qPrintable(names.join(' ')));
+        QCOMPARE(std::size_t(names.size()), clipping::algorithms().size() + 1);
     }
 
     void aSceneHasTheAlgorithmsThatAreTicked()
@@ -335,10 +366,10 @@ private slots:
             QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
             const auto lines = file.readAll().trimmed().split('\n');
             QCOMPARE(lines.size(), qsizetype(table.rows.size()) + 1);
-            const qsizetype early = table.names.size() - table.late; // the rest is behind the facts
-            QVERIFY(lines[0].startsWith(table.names.first(early).join(',').toUtf8()));
-            QVERIFY(lines[0].endsWith(table.names.sliced(early).join(',').toUtf8()));
-            QVERIFY(lines[1].startsWith(table.rows[0].first(early).join(',').toUtf8()));
+            QCOMPARE(lines[0].startsWith(table.names.join(',').toUtf8()), table.late.isEmpty());
+            QVERIFY(lines[0].startsWith(early(table, table.names)));
+            QVERIFY(lines[0].endsWith(table.late.join(',').toUtf8()));
+            QVERIFY(lines[1].startsWith(early(table, table.rows[0])));
         }
         for (const QString ending : {"json", "md", "tex"}) {
             stage.answers->save = stage.test.folder.filePath("out." + ending);
@@ -401,8 +432,7 @@ private slots:
         QFile file(stage.answers->save);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const app::Table& table = shown->table();
-        const auto early = table.names.first(table.names.size() - table.late);
-        QVERIFY(file.readAll().startsWith(early.join(',').toUtf8()));
+        QVERIFY(file.readAll().startsWith(early(table, table.names)));
         stage.answers->save = stage.test.path("this.svg");
         stage.window->findChild<QAction*>("export-shown-svg")->trigger(); // no chart is in front
         QVERIFY(!QFile::exists(stage.answers->save));
