@@ -108,7 +108,7 @@ private slots:
         const auto layer =
             std::ranges::find(sheet.layers, QStringLiteral("Outcodes"), &app::Layer::name);
         QVERIFY(layer != sheet.layers.end());
-        for (const double zoom : {0.4, 0.55, 0.7}) { // the whole page, clear of the caption
+        for (const double zoom : {0.4, 0.7, 0.8, 0.85, 0.88}) { // the whole page
             show(stage, false);
             stage.canvas->setZoom(zoom);
             const QImage before = stage.picture();
