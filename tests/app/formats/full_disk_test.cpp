@@ -207,7 +207,7 @@ private slots:
         for (const QString& name : plug_in::exampleNames())
             writeText(folder.filePath(name), "old");
         const disk::Failing failing(disk::Step::Write, 3);
-        const auto written = plug_in::writeExample(folder.path());
+        const auto written = plug_in::writeExample(folder.path(), plug_in::Existing::Replace);
         disk::state() = {};
         QVERIFY(!written);
         QVERIFY2(written.error.endsWith(": No space left on device."), qPrintable(written.error));
