@@ -3,6 +3,7 @@
 
 #include "app/latin.h"
 #include "app/view/numbers.h"
+#include "app/view/place.h"
 #include "ui/look.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/status_cell.h"
@@ -108,11 +109,13 @@ void StatusBar::showPosition(std::optional<app::Point> position)
 {
     if (!position)
         return position_->setText({});
-    const double size = session_.sheet().page.millimetresPerUnit();
+    const app::Page& page = session_.sheet().page;
+    const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
-    position_->setText(tr("x %1  y %2")
-                           .arg(app::lengthNumber(position->x, unit, size),
-                                app::lengthText(position->y, unit, size)));
+    const app::Point place = *position - app::originOf(page, unit);
+    position_->setText(
+        tr("x %1  y %2")
+            .arg(app::lengthNumber(place.x, unit, size), app::lengthText(place.y, unit, size)));
 }
 
 void StatusBar::showPoint(std::optional<app::Point> point)

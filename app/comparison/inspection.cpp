@@ -3,6 +3,7 @@
 
 #include "app/comparison/outcode_text.h"
 #include "app/view/numbers.h"
+#include "app/view/place.h"
 #include "clipping/outcode.h"
 
 #include <QCoreApplication>
@@ -48,12 +49,13 @@ struct Measure {
     clipping::Form form;
     Unit unit;
     double millimetresPerUnit;
+    Point origin; ///< from which places are counted
 
     double inUnit(double length) const { return app::inUnit(length, unit, millimetresPerUnit); }
     QString point(const Point& p) const
     {
         const auto number = [&](double v) { return lengthNumber(v, unit, millimetresPerUnit, 1); };
-        return QStringLiteral("(%1; %2)").arg(number(p.x), number(p.y));
+        return QStringLiteral("(%1; %2)").arg(number(p.x - origin.x), number(p.y - origin.y));
     }
 };
 
@@ -206,11 +208,11 @@ QString costText(const clipping::OperationCounts& cost)
     return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
 }
 
-QStringList stepTexts(const Inspection& line, Unit unit, double millimetresPerUnit)
+QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
     if (const Exhibit* exhibit = line.clipper.exhibit)
         return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
-    const Measure measure{line.clipper.form, unit, millimetresPerUnit};
+    const Measure measure{line.clipper.form, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         if (!isAmong(step.what, {"yes", "no"})) // the microscope shows tests

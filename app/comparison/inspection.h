@@ -46,6 +46,6 @@ QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace but its tests: what is done, with which values, what is left;
 /// and one for how it ended. Coordinates and lengths are in `unit`, as everywhere in the window. Of
 /// an exhibit what is wrong with it.
-QStringList stepTexts(const Inspection& inspection, Unit unit, double millimetresPerUnit);
+QStringList stepTexts(const Inspection& inspection, Unit unit, const Page& page);
 
 } // namespace app

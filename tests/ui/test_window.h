@@ -86,14 +86,19 @@ public:
         return proxy ? proxy : &window->canvas();
     }
     /// A drawing of two lines: one across the window (25,25)-(75,75), one far from it.
+    QString file(const QString& name, const QByteArray& content) const
+    {
+        QFile out(folder.filePath(name));
+        [[maybe_unused]] const bool open = out.open(QIODevice::WriteOnly);
+        out.write(content);
+        return out.fileName();
+    }
     QString twoLines() const
     {
-        QFile file(path("two.svg"));
-        [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
-        file.write(
-            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
-            "viewBox='0 0 100 100'><path d='M0 50H100M0 5H10' stroke='#000' fill='none'/></svg>");
-        return file.fileName();
+        return file("two.svg",
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+                    "viewBox='0 0 100 100'><path d='M0 50H100M0 5H10' stroke='#000' "
+                    "fill='none'/></svg>");
     }
 
     QTemporaryDir folder;

@@ -3,6 +3,7 @@
 
 #include "app/latin.h"
 #include "app/view/numbers.h"
+#include "app/view/place.h"
 #include "app/view/ruler.h"
 
 #include <cmath>
@@ -77,10 +78,12 @@ void Ruler::paintTicks(QPainter& painter, double length)
     const app::Page& page = controller_.session().sheet().page;
     const app::View& view = controller_.view();
     const int axis = across() ? 0 : 1;
-    const double perUnit =
-        app::inUnit(1, controller_.session().display().unit, page.millimetresPerUnit());
+    const app::Unit unit = controller_.session().display().unit;
+    const double perUnit = app::inUnit(1, unit, page.millimetresPerUnit());
     const clipping::Window seen = view.visible();
-    const double from = seen.min[axis] * perUnit, to = seen.max[axis] * perUnit;
+    const double origin = app::originOf(page, unit)[axis];
+    const double from = (seen.min[axis] - origin) * perUnit,
+                 to = (seen.max[axis] - origin) * perUnit;
     const double pixels = view.zoom / perUnit, ratio = devicePixelRatioF(), pixel = 1 / ratio;
     painter.setFont(rulerFont(*this));
     const auto all = app::ticks(from, to, pixels);

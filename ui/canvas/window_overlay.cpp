@@ -2,6 +2,7 @@
 #include "ui/canvas/window_overlay.h"
 
 #include "app/view/numbers.h"
+#include "app/view/place.h"
 
 #include <glm/common.hpp>
 
@@ -42,9 +43,10 @@ QString labelText(const Controller& controller)
     const clipping::Window window = controller.window();
     if (controller.tool().windowGesture() != Tool::WindowGesture::Moving)
         return app::sizeText(window.max - window.min, unit, page.millimetresPerUnit());
+    const app::Point place = window.min - app::originOf(page, unit);
     return QStringLiteral("%1, %2").arg(
-        app::lengthNumber(window.min.x, unit, page.millimetresPerUnit()),
-        app::lengthText(window.min.y, unit, page.millimetresPerUnit()));
+        app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
+        app::lengthText(place.y, unit, page.millimetresPerUnit()));
 }
 
 QFont labelFont(QFont font)

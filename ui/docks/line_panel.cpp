@@ -2,6 +2,7 @@
 #include "ui/docks/line_panel.h"
 
 #include "app/view/numbers.h"
+#include "app/view/place.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 
@@ -98,14 +99,16 @@ void LinePanel::show()
 
 void LinePanel::showLine(const app::Inspection& line)
 {
-    const double size = session_.sheet().page.millimetresPerUnit();
+    const app::Page& page = session_.sheet().page;
+    const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
+    const app::Point origin = app::originOf(page, unit);
     const auto number = [&](double length) { return app::lengthNumber(length, unit, size, 1); };
     const auto& layer = session_.sheet().layers[session_.sheet().shapes[line.shape].layer];
 
     const auto point = [&](int row, const app::Point& p) {
-        put(row, XColumn, number(p.x), Qt::AlignRight);
-        put(row, YColumn, number(p.y), Qt::AlignRight);
+        put(row, XColumn, number(p.x - origin.x), Qt::AlignRight);
+        put(row, YColumn, number(p.y - origin.y), Qt::AlignRight);
     };
     const auto end = [&](int row, const QString& name, const app::Point& p,
                          const app::Region& region, const app::Point* after) {
@@ -132,7 +135,7 @@ void LinePanel::showLine(const app::Inspection& line)
     put(VisibleA, RegionColumn, app::words(line.lineClass));
     put(Cost, Name, tr("Cost"));
     cost_->setText(line.clipper.exhibit ? tr("not counted") : app::costText(line.cost));
-    steps_->setPlainText(app::stepTexts(line, unit, size).join(u'\n'));
+    steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
     emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer.name));
 }
 

@@ -2,6 +2,7 @@
 #include "ui/docks/window_panel.h"
 
 #include "app/commands/set_window.h"
+#include "app/view/place.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/length_field.h"
@@ -84,7 +85,9 @@ void WindowPanel::follow()
 {
     const clipping::Window& window = session_.sheet().window;
     const double size = session_.sheet().page.millimetresPerUnit();
-    const std::array values{window.min.x, window.min.y, window.max.x - window.min.x,
+    const app::Point place =
+        window.min - app::originOf(session_.sheet().page, session_.display().unit);
+    const std::array values{place.x, place.y, window.max.x - window.min.x,
                             window.max.y - window.min.y};
     for (std::size_t i = 0; i < fields_.size(); ++i)
         fields_[i]->show(values[i], session_.display().unit, size);
@@ -93,7 +96,9 @@ void WindowPanel::follow()
 void WindowPanel::edit(std::size_t field, double length)
 {
     const clipping::Window& before = session_.sheet().window;
-    const clipping::Window after = edited(before, field, length, chain_->isChecked());
+    const app::Point origin = app::originOf(session_.sheet().page, session_.display().unit);
+    const double place = field == X ? origin.x : field == Y ? origin.y : 0;
+    const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)
         session_.history.push(new app::SetWindow(session_.drawing, after));
 }

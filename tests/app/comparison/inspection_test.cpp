@@ -19,7 +19,7 @@ app::Sheet sheetOf(const std::vector<clipping::Segment>& lines)
 
 QStringList stepTexts(const app::Inspection& line)
 {
-    return app::stepTexts(line, app::Unit::User, 1);
+    return app::stepTexts(line, app::Unit::User, {});
 }
 
 app::Inspection inspected(const char* algorithm, const clipping::Segment& line,
@@ -95,7 +95,12 @@ private slots:
     {
         const auto text = [](const char* algorithm, const clipping::Segment& line,
                              clipping::Form form = clipping::Form::Corrected) {
-            return app::stepTexts(inspected(algorithm, line, form), app::Unit::Mm, 5).join(u'\n');
+            const app::Page page{.min = {0, 0}, // 5 mm a unit
+                                 .size = {100, 100},
+                                 .width = {500, app::Unit::Mm},
+                                 .height = {500, app::Unit::Mm}};
+            return app::stepTexts(inspected(algorithm, line, form), app::Unit::Mm, page)
+                .join(u'\n');
         };
         const auto says = [](const QString& all, std::initializer_list<const char*> parts) {
             for (const char* part : parts)

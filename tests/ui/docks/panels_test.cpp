@@ -52,6 +52,34 @@ private slots:
         QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
     }
+    /// One rule for panels, status bar, ruler and `clip -w`: lengths with a unit count from the
+    /// paper's corner, numbers without one from the drawing's origin.
+    void placesCountFromThePapersCorner()
+    {
+        TestWindow t;
+        t.window->files().open(t.file("centred.svg",
+                                      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                                      "height='100mm' viewBox='-50 -50 100 100'>"
+                                      "<path d='M-40-40 40 40' stroke='black'/></svg>"));
+        t.show();
+        app::Session& session = t.window->session();
+        QCOMPARE(session.sheet().window, (clipping::Window{{-50, -50}, {50, 50}}));
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        QCOMPARE(fields[0]->text(), "0.00");
+        type(fields[0], "10");
+        QCOMPARE(session.sheet().window, (clipping::Window{{-40, -50}, {60, 50}}));
+        QCOMPARE(fields[0]->text(), "10.00");
+        QTest::mouseMove(t.drawingArea(), t.drawingArea()->rect().center()); // about (0, 0)
+        QTRY_VERIFY(t.window->status().position().contains("mm"));
+        const QString place = t.window->status().position();
+        QVERIFY2(place.section(' ', 1, 1).toDouble() > 25, qPrintable(place));
+        app::Display display = session.display();
+        display.unit = app::Unit::User;
+        session.setDisplay(display);
+        QVERIFY2(fields[0]->text().contains("40"), qPrintable(fields[0]->text()));
+        type(fields[0], "-45");
+        QCOMPARE(session.sheet().window, (clipping::Window{{-45, -50}, {55, 50}}));
+    }
     void enterLeadsBackToTheCanvas()
     {
         TestWindow t;
