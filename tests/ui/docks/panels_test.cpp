@@ -183,19 +183,28 @@ private slots:
         QTRY_VERIFY(!panel->steps().isEmpty());
         QVERIFY2(panel->steps().contains("Visible"), qPrintable(panel->steps()));
     }
-    void theRulersHaveTheOriginOfTheFields() // and not the page's corner
+    /// In millimetres that is the page's corner, in user units the drawing's own origin.
+    void theRulersHaveTheOriginOfTheFields()
     {
-        const auto rulerOf = [](const app::Point& corner) {
+        const auto rulerOf = [](const app::Point& corner, const app::Point& window,
+                                app::Unit unit) {
             TestWindow t;
             app::Sheet sheet;
             sheet.page.min = corner;
-            sheet.window = {{25, 25}, {75, 75}};
+            sheet.window = {window, window + 50.0};
             t.window->session().load({sheet, {}});
+            app::Display display = t.window->session().display();
+            display.unit = unit;
+            t.window->session().setDisplay(display);
             t.show();
             t.window->canvas().fitWindow();
             return t.window->findChild<Ruler*>()->grab().toImage();
         };
-        QCOMPARE(rulerOf({-33, -17}), rulerOf({0, 0}));
+        const app::Point corner(-33, -17), at(25, 25);
+        const auto ruler = rulerOf({0, 0}, at, app::Unit::Mm);
+        QCOMPARE(rulerOf(corner, corner + at, app::Unit::Mm), ruler);
+        QVERIFY(rulerOf(corner, at, app::Unit::Mm) != ruler);
+        QCOMPARE(rulerOf(corner, at, app::Unit::User), rulerOf({0, 0}, at, app::Unit::User));
     }
     void theStepsAreInTheUnitOfTheTable()
     {
