@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+//
+// Exact, ours: no wrong decision on any finite input, and every new coordinate is the true one,
+// rounded once. The answer is therefore unique: it does not depend on which end comes first, nor on
+// the instructions that computed it.
+//
+// A segment that is not wholly beyond one edge can enter only through the two edges it reaches
+// first (the near ones, as it travels from a to b) and leave only through the other two (the far
+// ones). It meets the window unless it passes a far edge of one axis before the near edge of the
+// other; and of two edges to enter by, the later counts, of two to leave by, the earlier. Each of
+// these decisions is the order in which the line passes an x and a y, that is, on which side of it
+// a corner of the window lies. exact/bounds.h proves when floating point gives that order and the
+// rounded coordinate; whole numbers settle the rest.
+
+#include "clipping/batch/sets.h"
+#include "clipping/describe.h"
+#include "clipping/exact/line.h"
+
+namespace clipping {
+namespace {
+
+/// The double in which coordinates of type T are computed with, and the way there and back.
+template <class T>
+struct Computing {
+    using Number = double;
+    using Target = T;
+    static constexpr double from(T x) { return x; }
+    static constexpr T to(double x) { return static_cast<T>(x); }
+};
+template <class T>
+struct Computing<Counted<T>> {
+    using Number = Counted<double>;
+    using Target = T;
+    static constexpr Number from(Counted<T> x) { return Number(x.value()); }
+    static constexpr Counted<T> to(Number x) { return Counted<T>(static_cast<T>(x.value())); }
+};
+
+/// The line through a segment's ends.
+template <class T>
+struct LineThrough {
+    using Numbers = Computing<T>;
+    typename Numbers::Number ax, ay, bx, by;
+
+    explicit LineThrough(const BasicSegment<T>& s)
+        : ax(Numbers::from(s.a.x)), ay(Numbers::from(s.a.y)), bx(Numbers::from(s.b.x)),
+          by(Numbers::from(s.b.y))
+    {
+    }
+    std::strong_ordering passes(T x, T y) const
+    {
+        return order(ax, ay, bx, by, Numbers::from(x), Numbers::from(y));
+    }
+    glm::vec<2, T> at(T x) const
+    {
+        return {x,
+                Numbers::to(crossing<typename Numbers::Target>(ax, ay, bx, by, Numbers::from(x)))};
+    }
+    glm::vec<2, T> atHeight(T y) const
+    {
+        return {Numbers::to(crossing<typename Numbers::Target>(ay, ax, by, bx, Numbers::from(y))),
+                y};
+    }
+};
+
+} // namespace
+
+struct Exact {
+    static constexpr About about{
+        .key = "exact",
+        .abbreviation = "EX",
+        .name = "Exact",
+        .year = 2026,
+        .idea =
+            "Let a proved bound say when floating point is right, and ask whole numbers elsewhere.",
+        .ulps = 0.5,
+    };
+
+    static constexpr bool ours = true; // nothing was published but this
+
+    template <class T>
+    static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
+                            std::span<BasicClipped<BasicSegment<T>>> out)
+    {
+        assert(out.size() >= in.size());
+        return clipBatch(Batch<T>{in.data(), 0, in.size(), window, out.data()}).pieces;
+    }
+
+    template <Form, class T, class Watch>
+    static std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s, const BasicWindow<T>& w,
+                                               Watch&& watch)
+    {
+        const auto& [a, b] = s;
+        if ((a.x < w.min.x && b.x < w.min.x) || (a.x > w.max.x && b.x > w.max.x)
+            || (a.y < w.min.y && b.y < w.min.y) || (a.y > w.max.y && b.y > w.max.y)) {
+            watch("reject", 1, s, Edge::None);
+            return std::nullopt;
+        }
+        watch("no", 1, s, Edge::None);
+        const bool right = a.x < b.x, up = a.y < b.y;
+        const T nearX = right ? w.min.x : w.max.x, farX = right ? w.max.x : w.min.x;
+        const T nearY = up ? w.min.y : w.max.y, farY = up ? w.max.y : w.min.y;
+        const bool enterX = right ? a.x < nearX : a.x > nearX;
+        const bool enterY = up ? a.y < nearY : a.y > nearY;
+        const bool leaveX = right ? b.x > farX : b.x < farX;
+        const bool leaveY = up ? b.y > farY : b.y < farY;
+
+        watch("sides", 4, s, Edge::None, Named{"enterX", enterX}, Named{"enterY", enterY},
+              Named{"leaveX", leaveX}, Named{"leaveY", leaveY});
+
+        const LineThrough line(s);
+        BasicSegment<T> visible = s;
+        const auto test = [&](bool holds, int number, Edge edge) {
+            watch(yesOrNo(holds), number, visible, edge);
+            return holds;
+        };
+        const auto isMissed = [&](bool misses, int number, Edge edge) {
+            watch(misses ? "reject" : "no", number, s, edge);
+            return misses;
+        };
+        [[maybe_unused]] const Edge edgeNearX = right ? Edge::Left : Edge::Right;
+        [[maybe_unused]] const Edge edgeFarX = right ? Edge::Right : Edge::Left;
+        [[maybe_unused]] const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
+        [[maybe_unused]] const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
+        if (isMissed(enterX && leaveY && line.passes(nearX, farY) > 0, 5, edgeFarY)
+            || isMissed(enterY && leaveX && line.passes(farX, nearY) < 0, 6, edgeFarX))
+            return std::nullopt;
+        if (test(enterX && (!enterY || line.passes(nearX, nearY) >= 0), 7, edgeNearX)) {
+            visible.a = line.at(nearX);
+            watch("cut", 8, visible, edgeNearX);
+        } else if (test(enterY, 9, edgeNearY)) {
+            visible.a = line.atHeight(nearY);
+            watch("cut", 10, visible, edgeNearY);
+        }
+        if (test(leaveX && (!leaveY || line.passes(farX, farY) <= 0), 11, edgeFarX)) {
+            visible.b = line.at(farX);
+            watch("cut", 12, visible, edgeFarX);
+        } else if (test(leaveY, 13, edgeFarY)) {
+            visible.b = line.atHeight(farY);
+            watch("cut", 14, visible, edgeFarY);
+        }
+        watch("accept", 15, visible, Edge::None);
+        return visible;
+    }
+};
+
+namespace {
+
+/// Remembers by which edges a segment enters and leaves. (Where a new end is rounded onto another
+/// edge as well, its coordinates do not tell.)
+struct CutWatcher {
+    Edge edgeOfA = Edge::None, edgeOfB = Edge::None;
+    void operator()(std::string_view, int line, const auto&, Edge edge, const auto&...)
+    {
+        if (line == 8 || line == 10)
+            edgeOfA = edge;
+        else if (line == 12 || line == 14)
+            edgeOfB = edge;
+    }
+};
+
+} // namespace
+
+template <class T>
+std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
+                         std::size_t count, const BasicWindow<T>& window,
+                         BasicClipped<BasicSegment<T>>* out)
+{
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const BasicSegment<T>& s = segments[indices[i]];
+        CutWatcher watch;
+        if (!withinContract(s, window))
+            continue;
+        if (const auto piece = Exact::clip<Form::Corrected>(s, window, watch))
+            out[visible++] = {*piece, indices[i], cutAt(watch.edgeOfA, watch.edgeOfB)};
+    }
+    return visible;
+}
+template std::size_t clipOneByOne(const Segment*, const std::uint32_t*, std::size_t, const Window&,
+                                  Clipped*);
+template std::size_t clipOneByOne(const BasicSegment<float>*, const std::uint32_t*, std::size_t,
+                                  const BasicWindow<float>&, BasicClipped<BasicSegment<float>>*);
+
+template Algorithm describe<Exact>();
+
+} // namespace clipping

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/batch/crossing.h"
+
+// The algorithm of algorithms/exact.cpp, on a vector of segments at once.
+
+namespace clipping {
+namespace {
+
+/// Segments mirrored so that they run right and up: then the near edges, where they can enter, are
+/// the left and bottom ones, and the far edges the right and top ones.
+template <class V>
+struct Mirrored {
+    V signX, signY;   ///< of the mirror
+    V ax, ay, bx, by; ///< mirrored, as are the edges:
+    V nearX, nearY, farX, farY;
+    V entryX, entryY, exitX, exitY; ///< the edges where they are
+};
+template <class V>
+CLIPPING_INLINE Mirrored<V> mirrored(const Ends<V>& s, const VectorWindow<V>& w)
+{
+    const V signX = signOf(s.bx - s.ax), signY = signOf(s.by - s.ay);
+    const V entryX = select(signX, w.maxX, w.minX), exitX = select(signX, w.minX, w.maxX);
+    const V entryY = select(signY, w.maxY, w.minY), exitY = select(signY, w.minY, w.maxY);
+    return {signX,        signY,          s.ax ^ signX,   s.ay ^ signY,  s.bx ^ signX,
+            s.by ^ signY, entryX ^ signX, entryY ^ signY, exitX ^ signX, exitY ^ signY,
+            entryX,       entryY,         exitX,          exitY};
+}
+
+/// In which order lines pass the edges, by how much of the segment lies before them. That is
+/// between 0 and 1 wherever it matters; where a difference is 0, a quotient may be NaN, and max and
+/// min then give the second.
+template <class V>
+struct Passing {
+    typename V::Mask visible, gone; ///< neither: too close to tell
+    typename V::Mask enterByX, leaveByX;
+    typename V::Mask entryUnsure, exitUnsure;
+};
+template <class V>
+CLIPPING_INLINE Passing<V> passing(const Mirrored<V>& m, V inverseX, V inverseY)
+{
+    const V zero = V::of(0), one = V::of(1), bound = V::of(parameterBound);
+    const V enterX = max((m.nearX - m.ax) * inverseX, zero);
+    const V enterY = max((m.nearY - m.ay) * inverseY, zero);
+    const V leaveX = min((m.farX - m.ax) * inverseX, one);
+    const V leaveY = min((m.farY - m.ay) * inverseY, one);
+    const V shown = min(leaveX, leaveY) - max(enterX, enterY);
+    const V entryOrder = enterX - enterY, exitOrder = leaveY - leaveX;
+    return {shown > bound, shown<V::of(-parameterBound), entryOrder> zero, exitOrder > zero,
+            ~(abs(entryOrder) > bound), ~(abs(exitOrder) > bound)};
+}
+
+/// What `cut` says where an end is on the edge of one axis or the other, shifted into place.
+template <class V>
+CLIPPING_INLINE V edgeBits(typename V::Mask byX, V signX, Edge positiveX, Edge negativeX, V signY,
+                           Edge positiveY, Edge negativeY, int shift)
+{
+    const auto edge = [shift](Edge e) { return V::ofBits(std::uint64_t(e) << (32 + shift)); };
+    return select(byX, select(signX, edge(negativeX), edge(positiveX)),
+                  select(signY, edge(negativeY), edge(positiveY)));
+}
+
+/// A coordinate of an end: the old one, the edge's, or the computed one back from the mirror.
+template <class V>
+CLIPPING_INLINE V placed(typename V::Mask isNew, typename V::Mask onEdge, V edge, V value, V sign,
+                         V old)
+{
+    return select(isNew, select(onEdge, edge, (value ^ sign) + V::of(0)), old); // never -0
+}
+
+template <Care care, class V>
+CLIPPING_INLINE Clip<V> clipLanes(const Ends<V>& original, const VectorWindow<V>& w)
+{
+    const Mirrored<V> m = mirrored(original, w);
+    const auto newA = (m.ax < m.nearX) | (m.ay < m.nearY);
+    const auto newB = (m.bx > m.farX) | (m.by > m.farY);
+    const V zero = V::of(0), dx = m.bx - m.ax, dy = m.by - m.ay;
+    const auto odd = irregular(dx) | irregular(dy);
+    const auto touched = newA | newB | odd;
+    if (!any(touched))
+        return {original, zero, ~touched, touched};
+
+    const V inverseX = V::of(1) / dx, inverseY = V::of(1) / dy;
+    const Passing<V> order = passing(m, inverseX, inverseY);
+    const Extent<V> extent{{dx, lowOfDifference(m.bx, m.ax, dx)},
+                           {dy, lowOfDifference(m.by, m.ay, dy)},
+                           inverseX,
+                           inverseY};
+    const auto byX = order.enterByX, outByX = order.leaveByX;
+    const auto a = crossing<care>(extent, byX, m.ax, m.ay, m.nearX, m.nearY);
+    const auto b = crossing<care>(extent, outByX, m.ax, m.ay, m.farX, m.farY);
+    const Ends<V> piece{placed(newA, byX, m.entryX, a.value, m.signX, original.ax),
+                        placed(newA, ~byX, m.entryY, a.value, m.signY, original.ay),
+                        placed(newB, outByX, m.exitX, b.value, m.signX, original.bx),
+                        placed(newB, ~outByX, m.exitY, b.value, m.signY, original.by)};
+    const V cutA =
+        edgeBits(byX, m.signX, Edge::Left, Edge::Right, m.signY, Edge::Bottom, Edge::Top, 0);
+    const V cutB =
+        edgeBits(outByX, m.signX, Edge::Right, Edge::Left, m.signY, Edge::Top, Edge::Bottom, 8);
+    const auto open =
+        (newA & (order.entryUnsure | ~a.settled)) | (newB & (order.exitUnsure | ~b.settled));
+    return {piece, select(newA, cutA, zero) | select(newB, cutB, zero), order.visible,
+            odd | ~(order.gone | (order.visible & ~open))};
+}
+
+} // namespace
+} // namespace clipping

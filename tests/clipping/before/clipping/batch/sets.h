@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/batch/kernels.h"
+
+#include <limits>
+
+// What the files of this folder know of each other.
+
+namespace clipping {
+
+/// One row for each file of kernels; without functions where the compiler lacks the instructions.
+extern const InstructionSet portableSet, avx2Set, avx512Set;
+
+/// The segments that kernels cannot settle, or that are too few: those at the given indices, one
+/// by one. Writes the visible pieces to `out` and returns how many there are.
+template <class T>
+std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
+                         std::size_t count, const BasicWindow<T>& window,
+                         BasicClipped<BasicSegment<T>>* out);
+
+/// What a whole block of segments is compared with first: the window as centre and half size, the
+/// latter rounded up. A segment whose line misses that box misses the window.
+template <class T>
+struct Box {
+    BasicWindow<T> window;
+    T centreX, centreY, halfWidth, halfHeight;
+};
+template <class T>
+Box<T> boxOf(const BasicWindow<T>& window);
+
+/// Whether anything can be visible in this window: finite, and min <= max.
+template <class T>
+bool canShow(const BasicWindow<T>& window);
+
+/// The line through a and b misses the box if |m x d| > hw |dy| + hh |dx|, where d = b - a and
+/// m = a - centre. Computed, |m x d| is off by less than 5u(|mx dy| + |my dx|) (u, half the
+/// epsilon: three for a product, one for the difference, squares), the right side by less than 4u
+/// of itself, by 2^-1073 (2^-147 in float) more where a product underflows. 8u of all three terms
+/// leaves room for the rounding of the bound. Infinities and NaNs never miss.
+template <class T>
+constexpr T missBound = std::numeric_limits<T>::epsilon() * 4;
+template <class T>
+constexpr T missTiny = std::numeric_limits<T>::min() * 4096;
+
+/// So many segments are rejected at once and then clipped: 16 KiB of doubles, half an L1 cache.
+constexpr std::size_t blockSize = 512;
+
+} // namespace clipping

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/batch/lanes.h"
+#include "clipping/batch/sets.h"
+
+// The first pass of the vector kernel over a block of segments.
+
+namespace clipping {
+namespace {
+
+/// Writes the indices of the segments that may be visible, returns how many; has room for one
+/// vector more than the block.
+template <class V, class T>
+CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::size_t first,
+                                        std::size_t last, const Box<T>& box, std::uint32_t* indices)
+{
+    constexpr std::size_t ahead = 2048, row = V::width * sizeof(BasicSegment<T>); // bytes
+    const auto w = inEveryLane<V>(box.window);
+    const V centreX = V::of(box.centreX), centreY = V::of(box.centreY);
+    const V halfWidth = V::of(box.halfWidth), halfHeight = V::of(box.halfHeight);
+    const V relative = V::of(missBound<T>), absolute = V::of(missTiny<T>);
+    std::size_t count = 0, i = first;
+    for (; i + V::width <= last; i += V::width) {
+        for (std::size_t line = 0; line < row; line += 64) // a number: it may lie behind the array
+            __builtin_prefetch(reinterpret_cast<const void*>(
+                reinterpret_cast<std::uintptr_t>(segments + i) + ahead + line));
+        const Ends<V> s = V::load(segments + i);
+        const auto beyond = (max(s.ax, s.bx) < w.minX) | (min(s.ax, s.bx) > w.maxX)
+                            | (max(s.ay, s.by) < w.minY) | (min(s.ay, s.by) > w.maxY);
+        const V dx = s.bx - s.ax, dy = s.by - s.ay;
+        const V p = (s.ax - centreX) * dy, q = (s.ay - centreY) * dx;
+        const V reach = fma(halfWidth, abs(dy), halfHeight * abs(dx));
+        const V bound = fma(reach + abs(p) + abs(q), relative, absolute);
+        const auto misses = abs(p - q) > reach + bound;
+        count += V::storeIndices(indices + count, i, ~(beyond | misses));
+    }
+    for (; i < last; ++i)
+        indices[count++] = static_cast<std::uint32_t>(i);
+    return count;
+}
+
+/// Whether these are whole vectors of segments, none of which leaves the window. Worth asking
+/// where all have survived: in drawings, neighbours in the array are neighbours on the sheet.
+template <class V, class T>
+CLIPPING_INLINE bool untouched(const BasicSegment<T>* segments, std::size_t first, std::size_t last,
+                               const BasicWindow<T>& window)
+{
+    const auto w = inEveryLane<V>(window);
+    for (std::size_t i = first; i < last; i += V::width) {
+        if (i + V::width > last)
+            return false;
+        const Ends<V> s = V::load(segments + i);
+        // Beside a NaN, min and max give the second: with one, nothing is inside.
+        const auto inside = (min(s.ax, s.bx) >= w.minX) & (max(s.bx, s.ax) <= w.maxX)
+                            & (min(s.ay, s.by) >= w.minY) & (max(s.by, s.ay) <= w.maxY);
+        if (any(~inside))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+} // namespace clipping

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/endless.h"
+#include "clipping/outcode.h"
+
+#include <cassert>
+#include <cmath>
+
+// How one template, `Method::clip<form>`, becomes the uses of an algorithm. Only the files in
+// algorithms/ include this; each ends with `template Algorithm describe<ItsOwnName>();`.
+
+namespace clipping {
+
+/// What a row says of itself, at the top of its file.
+struct About {
+    std::string_view key, abbreviation, name;
+    int year;
+    std::string_view idea;
+    double ulps;
+};
+
+/// What a test's step is called.
+constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
+/// A test on a line of the pseudo-code, told to the watcher; whether it holds.
+template <class S, class Watch, class... T>
+constexpr bool asked(bool holds, int line, const S& segment, Edge edge, Watch& watch,
+                     const Named<T>&... values)
+{
+    watch(yesOrNo(holds), line, segment, edge, values...);
+    return holds;
+}
+
+/// Whether the contract promises anything for this input: all finite, and min <= max.
+template <class T, glm::length_t N>
+constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
+{
+    return legal(s) && legal(w);
+}
+
+/// Whether a form works in a frame where there is no overflow. Published forms take what comes, and
+/// a row that says `ours` copes with any number by itself.
+template <class Method, Form form, class T>
+constexpr bool framed()
+{
+    return form == Form::Corrected && std::is_floating_point_v<T> && !requires { Method::ours; };
+}
+
+/// What an algorithm is given for a segment and a window, and the frame if that is not they.
+template <class T, glm::length_t N>
+struct Given {
+    BasicSegment<T, N> segment;
+    BasicWindow<T, N> window;
+    std::optional<Frame<T, N>> frame;
+};
+template <class Method, Form form, class T, glm::length_t N>
+std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
+{
+    if (form == Form::Corrected && !withinContract(s, w))
+        return std::nullopt;
+    if constexpr (framed<Method, form, T>())
+        if (const Frame<T, N> frame(s); !ordinary(s) || !ordinary(w))
+            return Given<T, N>{frame.into(s), frame.into(w), frame};
+    return Given<T, N>{s, w, std::nullopt};
+}
+
+/// What an algorithm found for what it was given, as the answer about `segment` and `window`.
+template <class Method, Form form, class T, glm::length_t N>
+BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
+                          const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
+{
+    if constexpr (framed<Method, form, T>()) {
+        if (given.frame)
+            found = given.frame->back(found, segment, window);
+        if (meetsInAPoint(segment, window)) // which each end may have rounded in its own way
+            (outcodeOf(segment.b, window) == 0 ? found.a : found.b) =
+                outcodeOf(segment.b, window) == 0 ? found.b : found.a;
+    }
+    return found;
+}
+
+template <class Method, Form form, class T, glm::length_t N>
+[[gnu::noinline]] std::optional<BasicSegment<T, N>> clipGiven(const BasicSegment<T, N>& segment,
+                                                              const BasicWindow<T, N>& window)
+{
+    const auto given = givenFor<Method, form>(segment, window);
+    if (!given)
+        return std::nullopt;
+    auto piece = Method::template clip<form>(given->segment, given->window, Unwatched{});
+    if (piece)
+        piece = answer<Method, form>(*piece, *given, segment, window);
+    return piece;
+}
+
+/// One form of an algorithm at one window: what is asked of the window is asked once.
+template <class Method, Form form, class T, glm::length_t N>
+class At {
+public:
+    explicit At(const BasicWindow<T, N>& window) : window_(window), easy_(easy(window)) {}
+
+    std::optional<BasicSegment<T, N>> clip(const BasicSegment<T, N>& segment) const
+    {
+        if (easy_ && easy(segment)) [[likely]]
+            return Method::template clip<form>(segment, window_, Unwatched{});
+        return clipGiven<Method, form>(segment, window_);
+    }
+
+private:
+    static bool hasExtent(const BasicWindow<T, N>& w)
+    {
+        for (glm::length_t k = 0; k < N; ++k)
+            if (!(w.min[k] < w.max[k]))
+                return false;
+        return true;
+    }
+    static bool easy(const BasicWindow<T, N>& w)
+    {
+        if constexpr (framed<Method, form, T>())
+            return ordinary(w) && hasExtent(w);
+        else
+            return form == Form::Published;
+    }
+    static bool easy(const BasicSegment<T, N>& s)
+    {
+        if constexpr (framed<Method, form, T>())
+            return ordinary(s);
+        else
+            return form == Form::Published;
+    }
+    const BasicWindow<T, N>& window_;
+    bool easy_;
+};
+
+template <class Method, Form form, class T, glm::length_t N>
+std::optional<BasicSegment<T, N>> clipOne(const BasicSegment<T, N>& segment,
+                                          const BasicWindow<T, N>& window)
+{
+    return At<Method, form, T, N>(window).clip(segment);
+}
+
+template <class Method, Form form, class T, glm::length_t N>
+[[gnu::flatten]] // the loop must contain the algorithm, not call it
+std::size_t
+clipMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window,
+         std::span<BasicClipped<BasicSegment<T, N>>> out)
+{
+    assert(out.size() >= in.size());
+    const At<Method, form, T, N> at(window);
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < in.size(); ++i)
+        if (const auto piece = at.clip(in[i]))
+            out[visible++] = {*piece, static_cast<std::uint32_t>(i), cutOf(in[i], *piece, window)};
+    return visible;
+}
+
+template <class Method, Form form, class T, glm::length_t N>
+OperationCounts countMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window)
+{
+    operations = {};
+    for (const BasicSegment<T, N>& segment : in)
+        if (const auto given = givenFor<Method, form>(segment, window))
+            Method::template clip<form>(counted(given->segment), counted(given->window),
+                                        Unwatched{});
+    return operations;
+}
+
+template <class Method, Form form, class T, glm::length_t N>
+BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
+{
+    const auto given = givenFor<Method, form>(segment, window);
+    if (!given)
+        return {};
+    operations = {};
+    BasicRecorder<N> recorder;
+    const auto piece =
+        Method::template clip<form>(counted(given->segment), counted(given->window), recorder);
+    BasicTrace<N> trace = recorder.take();
+    if (piece && trace.outcome != Outcome::DidNotEnd) {
+        trace.outcome = Outcome::Visible;
+        trace.visible = inDouble(answer<Method, form>(plain(*piece), *given, segment, window));
+    }
+    if (given->frame)
+        for (BasicStep<N>& step : trace.steps)
+            step.segment = given->frame->outOf(step.segment);
+    return trace;
+}
+
+/// A row may bring its own way to clip many: `Method::many<T>`.
+template <class Method, Form form, class T, glm::length_t N>
+constexpr auto manyOf()
+{
+    if constexpr (requires { Method::template many<T>; })
+        return Method::template many<T>;
+    else
+        return clipMany<Method, form, T, N>;
+}
+
+template <class Method, Form form, class T = double, glm::length_t N = 2>
+constexpr Uses<BasicSegment<T, N>, BasicWindow<T, N>> uses{
+    clipOne<Method, form, T, N>, manyOf<Method, form, T, N>(), countMany<Method, form, T, N>,
+    traceOne<Method, form, T, N>};
+
+/// The published form; none where the row says `ours`.
+template <class Method>
+constexpr const Uses<Segment, Window>* publishedUses()
+{
+    if constexpr (requires { Method::ours; })
+        return nullptr;
+    else
+        return &uses<Method, Form::Published>;
+}
+
+/// The forms for convex polygons (polygon/uses.h), where the row names them.
+template <class Method>
+constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
+{
+    if constexpr (requires { Method::polygon; })
+        return Method::polygon;
+    else
+        return nullptr;
+}
+template <class Method>
+constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
+{
+    if constexpr (requires { Method::searchedPolygon; })
+        return Method::searchedPolygon;
+    else
+        return nullptr;
+}
+
+/// The form in three dimensions; none unless the row names one (box/).
+template <class Method>
+constexpr const Uses<Segment3, Window3>* boxUses()
+{
+    if constexpr (requires { Method::box; })
+        return Method::box;
+    else
+        return nullptr;
+}
+
+template <class Method>
+Algorithm describe()
+{
+    constexpr About about = Method::about;
+    return {about.key,
+            about.abbreviation,
+            about.name,
+            about.year,
+            about.idea,
+            about.ulps,
+            uses<Method, Form::Corrected>,
+            publishedUses<Method>(),
+            &uses<Method, Form::Corrected, float>,
+            polygonOf<Method>(),
+            searchedPolygonOf<Method>(),
+            boxUses<Method>(),
+            endlessOf<Method, Reach::BothWays>(),
+            endlessOf<Method, Reach::OneWay>()};
+}
+
+} // namespace clipping

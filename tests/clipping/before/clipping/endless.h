@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/algorithm.h"
+#include "clipping/ends.h"
+#include "clipping/frame.h"
+#include "clipping/numbers.h"
+
+#include <cassert>
+#include <limits>
+
+// How `Method::clip<form, reach>` becomes the uses of an algorithm on lines and rays. A row that
+// has them says `endless`, and writes one text for all three reaches.
+
+namespace clipping {
+
+/// How far what is clipped goes on beyond its two points: not at all, beyond b, beyond both.
+enum class Reach : std::uint8_t { Bounded, OneWay, BothWays };
+
+template <Reach reach>
+using Endless = std::conditional_t<reach == Reach::BothWays, Line, Ray>;
+
+/// Where a reach begins, with 0 at a and 1 at b, and where it ends.
+template <Reach reach, class T>
+constexpr T beginning()
+{
+    return T(reach == Reach::BothWays ? -std::numeric_limits<double>::infinity() : 0.0);
+}
+template <Reach reach, class T>
+constexpr T ending()
+{
+    return T(reach == Reach::Bounded ? 1.0 : std::numeric_limits<double>::infinity());
+}
+
+/// Whether the contract promises anything for them.
+inline bool isEndless(const Segment& points, const Window& w)
+{
+    return legal(points) && legal(w) && points.a != points.b;
+}
+
+/// Runs a method on what is legal, with double or, where that would not do, with Wide.
+template <class Method, Reach reach>
+std::optional<Segment> clipEndless(const Segment& points, const Window& w)
+{
+    const auto run = [&]<class T>(T) -> std::optional<Segment> {
+        const auto piece = Method::template clip<Form::Corrected, reach>(
+            segmentIn<T>(points), windowIn<T>(w), Unwatched{});
+        return piece ? std::optional(inDouble(*piece)) : std::nullopt;
+    };
+    return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
+}
+template <class Method, Reach reach>
+std::optional<Segment> clipEndlessCounted(const Segment& points, const Window& w, auto& watch)
+{
+    const auto run = [&]<class T>(T) -> std::optional<Segment> {
+        const auto piece = Method::template clip<Form::Corrected, reach>(
+            segmentIn<Counted<T>>(points), windowIn<Counted<T>>(w), watch);
+        return piece ? std::optional(inDouble(plain(*piece))) : std::nullopt;
+    };
+    return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
+}
+
+/// A window that has no height or no width is met in one point, which each end may have rounded in
+/// its own way.
+inline std::optional<Segment> contacted(std::optional<Segment> piece, const Segment& points,
+                                        const Window& w)
+{
+    if (piece && meetsInAPoint(points, w))
+        piece->b = piece->a;
+    return piece;
+}
+
+template <class Method, Reach reach>
+std::optional<Segment> clipOneEndless(const Endless<reach>& endless, const Window& w)
+{
+    const Segment points{endless.a, endless.b};
+    if (!isEndless(points, w))
+        return std::nullopt;
+    return contacted(clipEndless<Method, reach>(points, w), points, w);
+}
+
+template <class Method, Reach reach>
+std::size_t clipManyEndless(std::span<const Endless<reach>> in, const Window& w,
+                            std::span<Clipped> out)
+{
+    assert(out.size() >= in.size());
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < in.size(); ++i)
+        if (const auto piece = clipOneEndless<Method, reach>(in[i], w)) {
+            const bool cutA = reach == Reach::BothWays || piece->a != in[i].a;
+            out[visible++] = {*piece, static_cast<std::uint32_t>(i),
+                              cutAt(cutA ? edgeAt(piece->a, w) : Edge::None, edgeAt(piece->b, w))};
+        }
+    return visible;
+}
+
+template <class Method, Reach reach>
+OperationCounts countManyEndless(std::span<const Endless<reach>> in, const Window& w)
+{
+    operations = {};
+    Unwatched watch;
+    for (const auto& [a, b] : in)
+        if (isEndless({a, b}, w))
+            clipEndlessCounted<Method, reach>({a, b}, w, watch);
+    return operations;
+}
+
+template <class Method, Reach reach>
+Trace traceOneEndless(const Endless<reach>& endless, const Window& w)
+{
+    const Segment points{endless.a, endless.b};
+    if (!isEndless(points, w))
+        return {};
+    operations = {};
+    Recorder recorder;
+    const auto piece = contacted(clipEndlessCounted<Method, reach>(points, w, recorder), points, w);
+    Trace trace = recorder.take();
+    if (piece) {
+        trace.outcome = Outcome::Visible;
+        trace.visible = *piece;
+    }
+    return trace;
+}
+
+template <class Method, Reach reach>
+constexpr Uses<Endless<reach>, Window, Segment> endlessUses{
+    clipOneEndless<Method, reach>, clipManyEndless<Method, reach>, countManyEndless<Method, reach>,
+    traceOneEndless<Method, reach>};
+
+/// The form for lines, or for rays; none unless the row says `endless`.
+template <class Method, Reach reach>
+constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
+{
+    if constexpr (requires { Method::endless; })
+        return &endlessUses<Method, reach>;
+    else
+        return nullptr;
+}
+
+} // namespace clipping

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/geometry.h"
+
+namespace clipping {
+
+/// The edge of the window on which a new end lies.
+template <class T, glm::length_t N>
+constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
+{
+    for (glm::length_t k = 0; k < N; ++k)
+        if (p[k] == w.min[k])
+            return lowerEdge(k);
+        else if (p[k] == w.max[k])
+            return upperEdge(k);
+    return Edge::None;
+}
+
+/// Which ends of `piece` are not those of `whole`, and on which edges they lie.
+template <class T, glm::length_t N>
+constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegment<T, N>& piece,
+                              const BasicWindow<T, N>& w)
+{
+    return cutAt(piece.a == whole.a ? Edge::None : edgeAt(piece.a, w),
+                 piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
+}
+
+/// Whether a segment, or the line through it, meets a window in one point at most: it runs across
+/// one that has no height, or no width, or no depth.
+template <class T, glm::length_t N>
+constexpr bool meetsInAPoint(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
+{
+    for (glm::length_t k = 0; k < N; ++k)
+        if (w.min[k] == w.max[k] && s.a[k] != s.b[k])
+            return true;
+    return false;
+}
+
+} // namespace clipping

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/outside.h"
+
+#include <cassert>
+
+namespace clipping {
+
+// As Skala's published form returns some of what it finds.
+static bool isTurned(const Segment& part, const Segment& whole)
+{
+    const glm::dvec2 p = part.b - part.a, w = whole.b - whole.a;
+    return p.x * w.x + p.y * w.y < 0;
+}
+
+std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
+                       std::span<Clipped> out)
+{
+    assert(out.size() >= in.size() + inside.size());
+    std::size_t written = 0;
+    auto next = inside.begin();
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const auto source = static_cast<std::uint32_t>(i);
+        const Segment& whole = in[i];
+        const Clipped* part = next != inside.end() && next->source == source ? &*next++ : nullptr;
+        const bool touch = part && part->segment.a == part->segment.b && whole.a != whole.b;
+        if (!part || touch) {
+            out[written++] = {whole, source, 0};
+            continue;
+        }
+        const bool turned = isTurned(part->segment, whole);
+        const Segment inner = turned ? Segment{part->segment.b, part->segment.a} : part->segment;
+        const Edge enter = turned ? cutEdgeOfB(part->cut) : cutEdgeOfA(part->cut);
+        const Edge leave = turned ? cutEdgeOfA(part->cut) : cutEdgeOfB(part->cut);
+        if (inner.a != whole.a)
+            out[written++] = {{whole.a, inner.a}, source, cutAt(Edge::None, enter)};
+        if (inner.b != whole.b)
+            out[written++] = {{inner.b, whole.b}, source, cutAt(leave, Edge::None)};
+    }
+    return written;
+}
+
+} // namespace clipping

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/algorithm.h"
+#include "clipping/frame.h"
+#include "clipping/polygon/meet.h"
+#include "clipping/polygon/uses.h"
+
+#include <cassert>
+
+// How one template, `Method::clip`, becomes the uses of an algorithm against convex polygons. Only
+// the .cpp files beside this include it.
+
+namespace clipping {
+
+/// Runs a method on a polygon that it is made for, with whatever numbers.
+template <class Method, class T, class Watch>
+std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPolygon& polygon,
+                                      Watch&& watch)
+{
+    const PolygonIn<T> in(polygon);
+    return polygon.flat ? clipFlat<Method>(s, in, watch) : Method::clip(s, in, watch);
+}
+
+/// Whether double is enough; else the same algorithm runs with Wide.
+inline bool easy(const Segment& s, const PreparedPolygon& polygon)
+{
+    return polygon.ordinary && ordinary(s);
+}
+
+/// A new end that is the old one is none.
+inline PolygonPiece<double> named(PolygonPiece<double> piece, const Segment& whole)
+{
+    if (piece.segment.a == whole.a)
+        piece.numberOfA = 0;
+    if (piece.segment.b == whole.b)
+        piece.numberOfB = 0;
+    return piece;
+}
+
+template <class Method>
+std::optional<PolygonPiece<double>> clipPrepared(const Segment& s, const PreparedPolygon& polygon)
+{
+    if (!legal(s))
+        return std::nullopt;
+    if (easy(s, polygon)) [[likely]] {
+        const auto piece = clipIn<Method>(s, polygon, Unwatched{});
+        return piece ? std::optional(named(*piece, s)) : std::nullopt;
+    }
+    const auto piece = clipIn<Method>(segmentIn<Wide>(s), polygon, Unwatched{});
+    if (!piece)
+        return std::nullopt;
+    return named({inDouble(piece->segment), piece->numberOfA, piece->numberOfB}, s);
+}
+
+template <class Method>
+std::optional<Segment> clipOneInPolygon(const Segment& segment, const ConvexPolygon& polygon)
+{
+    const auto window = prepared(polygon);
+    if (!window)
+        return std::nullopt;
+    const auto piece = clipPrepared<Method>(segment, *window);
+    return piece ? std::optional(piece->segment) : std::nullopt;
+}
+
+template <class Method>
+std::size_t clipManyInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
+                              std::span<Clipped> out)
+{
+    assert(out.size() >= in.size());
+    const auto window = prepared(polygon);
+    std::size_t visible = 0;
+    for (std::size_t i = 0; window && i < in.size(); ++i)
+        if (const auto piece = clipPrepared<Method>(in[i], *window))
+            out[visible++] = {piece->segment, static_cast<std::uint32_t>(i),
+                              polygonCutAt(piece->numberOfA, piece->numberOfB)};
+    return visible;
+}
+
+/// One segment with numbers that count, before a watcher; what is seen comes in double.
+template <class Method, class Watch>
+std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& polygon, Watch& watch)
+{
+    const auto run = [&]<class T>(T) -> std::optional<Segment> {
+        const auto piece = clipIn<Method>(segmentIn<Counted<T>>(s), polygon, watch);
+        return piece ? std::optional(inDouble(plain(piece->segment))) : std::nullopt;
+    };
+    return easy(s, polygon) ? run(double{}) : run(Wide{});
+}
+
+template <class Method>
+OperationCounts countManyInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon)
+{
+    const auto window = prepared(polygon);
+    operations = {};
+    Unwatched watch;
+    for (const Segment& s : in)
+        if (window && legal(s))
+            clipCounted<Method>(s, *window, watch);
+    return operations;
+}
+
+template <class Method>
+Trace traceOneInPolygon(const Segment& segment, const ConvexPolygon& polygon)
+{
+    const auto window = prepared(polygon);
+    if (!window || !legal(segment))
+        return {};
+    operations = {};
+    Recorder recorder;
+    const auto piece = clipCounted<Method>(segment, *window, recorder);
+    Trace trace = recorder.take();
+    if (piece) {
+        trace.outcome = Outcome::Visible;
+        trace.visible = *piece;
+    }
+    return trace;
+}
+
+template <class Method>
+constexpr Uses<Segment, ConvexPolygon> polygonUses{
+    clipOneInPolygon<Method>, clipManyInPolygon<Method>, countManyInPolygon<Method>,
+    traceOneInPolygon<Method>};
+
+} // namespace clipping

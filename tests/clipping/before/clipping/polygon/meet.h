@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/clamped.h"
+#include "clipping/exact/turn.h"
+#include "clipping/polygon/prepared.h"
+
+#include <algorithm>
+
+namespace clipping {
+
+/// What a polygon leaves of a segment; the numbers (geometry.h) of the edges that cut it, 0 for
+/// none.
+template <class T>
+struct PolygonPiece {
+    BasicSegment<T> segment;
+    std::uint32_t numberOfA = 0, numberOfB = 0;
+};
+
+/// What has the coordinates of both.
+template <class T>
+BasicWindow<T> commonBox(const BasicSegment<T>& s, const BasicSegment<T>& t)
+{
+    const auto low = [](T p, T q, T r, T u) { return std::max(std::min(p, q), std::min(r, u)); };
+    const auto high = [](T p, T q, T r, T u) { return std::min(std::max(p, q), std::max(r, u)); };
+    return {{low(s.a.x, s.b.x, t.a.x, t.b.x), low(s.a.y, s.b.y, t.a.y, t.b.y)},
+            {high(s.a.x, s.b.x, t.a.x, t.b.x), high(s.a.y, s.b.y, t.a.y, t.b.y)}};
+}
+
+/// Where `edge` crosses s, which it does; the products are those of its ends about the line of s.
+/// Reckoned from the nearer end, so that a contact with a corner is that corner; held where both
+/// reach, which keeps it near both even where they are all but parallel.
+template <class T>
+glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, const Cross<T>& ofB,
+                          const BasicSegment<T>& s)
+{
+    const bool fromA = !(magnitude(ofB.value) < magnitude(ofA.value));
+    const auto &near = fromA ? edge.a : edge.b, &far = fromA ? edge.b : edge.a;
+    const T share = fromA ? shareBefore(ofA, ofB) : shareBefore(ofB, ofA);
+    const glm::vec<2, T> met{near.x + share * (far.x - near.x), near.y + share * (far.y - near.y)};
+    return clamped(met, commonBox(edge, s));
+}
+
+/// Clips against a polygon without area, which has no inside whose normals and sides an algorithm
+/// could ask: the crossing of two segments. All decisions are exact, and so is what two segments on
+/// one line have in common. Lines are those of the method's pseudo-code.
+template <class Method, class T, class Watch>
+std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonIn<T>& polygon,
+                                        Watch&& watch)
+{
+    const std::size_t last = polygon.size() - 1;
+    const BasicSegment<T> edge{polygon.corner(0), polygon.corner(last)};
+    const auto edgeA = leftOf(s.a, s.b, edge.a), edgeB = leftOf(s.a, s.b, edge.b);
+    const auto a = leftOf(edge.a, edge.b, s.a), b = leftOf(edge.a, edge.b, s.b);
+    PolygonPiece<T> piece{s};
+    if (edgeA.sign * edgeB.sign > 0 || a.sign * b.sign > 0) {
+        watch("reject", Method::rejectLine, s, Edge::None);
+        return std::nullopt;
+    }
+    if (edgeA.sign == 0 && edgeB.sign == 0 && a.sign == 0 && b.sign == 0) { // all on one line
+        const auto before = [](const glm::vec<2, T>& p, const glm::vec<2, T>& q) {
+            return p.x < q.x || (p.x == q.x && p.y < q.y);
+        };
+        const bool along = !before(s.b, s.a), edgeAlong = !before(edge.b, edge.a);
+        const bool swapped = along != edgeAlong;
+        const auto &in = swapped ? edge.b : edge.a, &out = swapped ? edge.a : edge.b;
+        const auto later = [&](const auto& p, const auto& q) {
+            return along ? before(q, p) : before(p, q);
+        };
+        if (later(in, s.a))
+            piece.segment.a = in, piece.numberOfA = polygon.number(swapped ? last : 0);
+        if (later(s.b, out))
+            piece.segment.b = out, piece.numberOfB = polygon.number(swapped ? 0 : last);
+        if (later(piece.segment.a, piece.segment.b)) {
+            watch("reject", Method::rejectLine, s, Edge::None);
+            return std::nullopt;
+        }
+    } else {
+        const auto met = a.sign == 0 ? s.a : b.sign == 0 ? s.b : meetOnEdge(edge, edgeA, edgeB, s);
+        piece = {
+            {met, met}, a.sign == 0 ? 0 : polygon.number(0), b.sign == 0 ? 0 : polygon.number(0)};
+    }
+    watch("accept", Method::acceptLine, piece.segment, Edge::None);
+    return piece;
+}
+
+} // namespace clipping

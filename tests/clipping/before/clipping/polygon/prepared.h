@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/numbers.h"
+
+#include <optional>
+
+namespace clipping {
+
+/// A convex polygon as the algorithms want it: what is asked of a polygon is asked here, once.
+/// Strictly convex and counter-clockwise: no corner twice, none between two others on a line. The
+/// edges start with the one that turns upwards, so that their directions are in order from 0 to
+/// 360 degrees.
+struct PreparedPolygon {
+    std::vector<glm::dvec2> corners;
+    std::vector<glm::dvec2>
+        edges; ///< edge i: from corner i to the next (not exact; for `ordinary`)
+    std::vector<std::uint32_t> numbers; ///< 1 + the index that edge i has in the input
+    Window box;                         ///< the smallest that contains it
+    bool flat;                          ///< one or two corners: a point, or a segment
+    bool ordinary;                      ///< in the sense of frame.h
+};
+
+/// Nothing for a polygon that contains nothing: without corners, with a number that is not finite,
+/// clockwise, not convex, or going round more than once. The decision is exact.
+std::optional<PreparedPolygon> prepared(const ConvexPolygon& polygon);
+
+/// A prepared polygon in the numbers of T.
+template <class T>
+class PolygonIn {
+public:
+    explicit PolygonIn(const PreparedPolygon& polygon) : polygon_(&polygon) {}
+
+    std::size_t size() const { return polygon_->corners.size(); }
+    std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+    glm::vec<2, T> corner(std::size_t i) const { return pointIn<T>(polygon_->corners[i]); }
+    glm::vec<2, T> edge(std::size_t i) const
+    {
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Counted<double>>)
+            return pointIn<T>(polygon_->edges[i]);
+        else {
+            const auto from = corner(i), to = corner(after(i));
+            return {to.x - from.x, to.y - from.y};
+        }
+    }
+    std::uint32_t number(std::size_t i) const { return polygon_->numbers[i]; }
+    BasicWindow<T> box() const
+    {
+        return windowIn<T>(polygon_->box);
+    }
+
+private:
+    const PreparedPolygon* polygon_;
+};
+
+} // namespace clipping

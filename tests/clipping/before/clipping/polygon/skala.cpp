@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// Skala (2005) against convex polygons: the sign of every corner about the segment's line names the
+// two edges that the line crosses. Two ways to find them, which give the same bits:
+//
+//   one by one   O(N): the signs of all corners, as the paper does with a window's four.
+//   searched     O(log N), in the spirit of V. Skala: O(lg N) Line Clipping Algorithm in E2.
+//   Computers
+//                & Graphics 18(4), 1994, 517-524. The corners furthest to the line's left and right
+//                are where the directions of the edges, which are in order, pass that of the line;
+//                between the two the sign changes once on either way round.
+//
+// All signs are exact, so that nothing is ever wrongly seen or lost. As with windows, a line that
+// has no corner strictly on its left is asked again with "on it" for "left".
+
+#include "clipping/polygon/describe.h"
+
+namespace clipping {
+namespace {
+
+/// The edges where a line enters a polygon and leaves it.
+struct Crossed {
+    std::size_t enter, leave;
+};
+
+/// The line of a segment; through a single point, the one that runs to the right.
+template <class T>
+struct DirectedLine {
+    BasicSegment<T> s;
+    glm::vec<2, T> along;
+    bool isPoint;
+
+    explicit DirectedLine(const BasicSegment<T>& segment)
+        : s(segment), along{s.b.x - s.a.x, s.b.y - s.a.y}, isPoint(s.a == s.b)
+    {
+    }
+    static int signOf(T here, T there) { return here < there ? 1 : there < here ? -1 : 0; }
+
+    /// Of p to the left of the line.
+    Cross<T> leftOf(const glm::vec<2, T>& p) const
+    {
+        return isPoint ? Cross<T>{T(0), signOf(s.a.y, p.y)} : cross(along, s.a, s.b, s.a, p);
+    }
+    /// Whether the way from p to q turns left of the line: 1, 0 or -1.
+    int turnOf(const glm::vec<2, T>& p, const glm::vec<2, T>& q) const
+    {
+        return isPoint ? signOf(p.y, q.y) : cross(along, s.a, s.b, p, q).sign;
+    }
+    /// Whether it points to 0 to 180 degrees, 180 left out.
+    bool isUpwards() const { return isPoint || upwards(s.a, s.b); }
+    static bool upwards(const glm::vec<2, T>& p, const glm::vec<2, T>& q)
+    {
+        return p.y < q.y || (p.y == q.y && p.x < q.x);
+    }
+};
+
+struct OneByOne {
+    template <class T>
+    static std::optional<Crossed> crossed(const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    {
+        std::optional<std::size_t> enter, leave, enterClosed, leaveClosed;
+        const std::size_t last = polygon.size() - 1;
+        int before = line.leftOf(polygon.corner(last)).sign;
+        for (std::size_t i = 0, edge = last; i <= last; edge = i++) {
+            const int sign = line.leftOf(polygon.corner(i)).sign;
+            if (before > 0 && sign <= 0)
+                enter = edge;
+            if (before <= 0 && sign > 0)
+                leave = edge;
+            if (before >= 0 && sign < 0)
+                enterClosed = edge;
+            if (before < 0 && sign >= 0)
+                leaveClosed = edge;
+            before = sign;
+        }
+        if (enter)
+            return Crossed{*enter, *leave};
+        if (before > 0 || !enterClosed) // wholly on one side
+            return std::nullopt;
+        return Crossed{*enterClosed, *leaveClosed};
+    }
+};
+
+struct Searched {
+    /// The first of `count` for which `is` holds, which does for all that follow it.
+    static std::size_t first(std::size_t count, auto is)
+    {
+        std::size_t low = 0, high = count;
+        while (low < high) {
+            const std::size_t middle = (low + high) / 2;
+            if (is(middle))
+                high = middle;
+            else
+                low = middle + 1;
+        }
+        return low;
+    }
+
+    /// The corner furthest to the right of the line (side 1), or to its left (-1): where the first
+    /// edge starts that has turned as far as the line, or as its opposite.
+    template <class T>
+    static std::size_t furthest(int side, const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    {
+        const bool up = (side > 0) == line.isUpwards();
+        const std::size_t edge = first(polygon.size(), [&](std::size_t i) {
+            const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
+            const bool edgeUp = DirectedLine<T>::upwards(from, to);
+            return edgeUp != up ? up : side * line.turnOf(from, to) >= 0;
+        });
+        return edge == polygon.size() ? 0 : edge;
+    }
+
+    template <class T>
+    static std::optional<Crossed> crossed(const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    {
+        const std::size_t n = polygon.size();
+        const std::size_t right = furthest(1, line, polygon), left = furthest(-1, line, polygon);
+        const int most = line.leftOf(polygon.corner(left)).sign;
+        const int least = line.leftOf(polygon.corner(right)).sign;
+        if (most < 0 || least > 0)
+            return std::nullopt;
+        const auto isLeft = [&](std::size_t i) {
+            const int sign = line.leftOf(polygon.corner(i % n)).sign;
+            return most > 0 ? sign > 0 : sign >= 0;
+        };
+        const std::size_t falling = (right + n - left) % n, rising = n - falling;
+        return Crossed{
+            (left + first(falling, [&](std::size_t i) { return !isLeft(left + i); }) + n - 1) % n,
+            (right + first(rising, [&](std::size_t i) { return isLeft(right + i); }) + n - 1) % n};
+    }
+};
+
+template <class Search>
+struct SkalaPolygon {
+    static constexpr int rejectLine = 6, acceptLine = 11;
+
+    /// 1 if p is on the inner side of edge i, 0 if it is on it, -1 if it is outside.
+    template <class T>
+    static int sideOf(const glm::vec<2, T>& p, std::size_t i, const PolygonIn<T>& polygon)
+    {
+        const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
+        return cross(polygon.edge(i), from, to, from, p).sign;
+    }
+
+    template <class T>
+    static glm::vec<2, T> meet(const DirectedLine<T>& line, std::size_t i,
+                               const PolygonIn<T>& polygon)
+    {
+        const BasicSegment<T> edge{polygon.corner(i), polygon.corner(polygon.after(i))};
+        return meetOnEdge(edge, line.leftOf(edge.a), line.leftOf(edge.b), line.s);
+    }
+
+    template <class T, class Watch>
+    static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
+                                               const PolygonIn<T>& polygon, Watch&& watch)
+    {
+        const DirectedLine<T> line(s);
+        const auto crossed = Search::crossed(line, polygon);
+        if (!crossed) {
+            watch("reject", 6, s, Edge::None);
+            return std::nullopt;
+        }
+        const auto [enter, leave] = *crossed;
+        watch("line", 7, s, Edge::None, Named{"i", unsigned(polygon.number(enter))},
+              Named{"j", unsigned(polygon.number(leave))});
+        const int bEnters = sideOf(s.b, enter, polygon);
+        const int aLeaves = bEnters < 0 ? -1 : sideOf(s.a, leave, polygon);
+        if (bEnters < 0 || aLeaves < 0) {
+            watch("reject", 3, s, Edge::None);
+            return std::nullopt;
+        }
+        PolygonPiece<T> piece{s};
+        // Where a segment only reaches an edge, both ends are the one that does.
+        if (sideOf(s.a, enter, polygon) < 0) {
+            piece.segment.a = bEnters == 0 ? s.b : meet(line, enter, polygon);
+            piece.numberOfA = polygon.number(enter);
+        }
+        if (sideOf(s.b, leave, polygon) < 0) {
+            piece.segment.b = aLeaves == 0 ? s.a : meet(line, leave, polygon);
+            piece.numberOfB = polygon.number(leave);
+        }
+        watch("cut", 8, piece.segment, Edge::None);
+        watch("accept", 11, piece.segment, Edge::None);
+        return piece;
+    }
+};
+
+} // namespace
+
+const Uses<Segment, ConvexPolygon> skalaPolygon = polygonUses<SkalaPolygon<OneByOne>>;
+const Uses<Segment, ConvexPolygon> skalaSearchedPolygon = polygonUses<SkalaPolygon<Searched>>;
+
+} // namespace clipping

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library returns what it has always returned, bit for bit: each row, form and use is asked
+// about every hard block, and its answers have the fingerprint that fingerprints.txt keeps.
+// CLEARCUT_FINGERPRINTS=FILE writes the fingerprints of now into a file.
+#include <QFile>
+#include <QMap>
+#include <QTest>
+
+#include "tests/clipping/answers.h"
+#include "tests/clipping/blocks.h"
+#include "tests/clipping/fingerprint.h"
+
+namespace {
+
+constexpr std::size_t segmentsInABlock = 3000;
+
+QMap<QString, QString> kept()
+{
+    QMap<QString, QString> all;
+    QFile file(SOURCE_DIR "/tests/clipping/fingerprints.txt");
+    if (file.open(QIODevice::ReadOnly))
+        for (const QString& line :
+             QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts))
+            all[line.section(": ", 0, 0)] = line.section(": ", 1);
+    return all;
+}
+
+} // namespace
+
+class FingerprintsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        for (const auto numbers :
+             {Numbers::Plane, Numbers::PlaneInFloat, Numbers::Space, Numbers::Polygon})
+            blocks[numbers] = hardBlocks(numbers, segmentsInABlock);
+    }
+
+    void answersAreAsEver_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const Question& question : clipping::questions())
+            QTest::newRow(question.name.c_str()) << QString::fromStdString(question.name);
+    }
+    void answersAreAsEver()
+    {
+        QFETCH(QString, name);
+        for (const Question& question : clipping::questions())
+            if (question.name == name.toStdString()) {
+                auto now = fingerprint({});
+                for (const Block& block : blocks[question.numbers])
+                    now = fingerprint(clipping::answers(question, block), now);
+                found[name] = QString::number(now, 16).rightJustified(16, '0');
+            }
+        QVERIFY2(was.contains(name), qPrintable(name + " has no fingerprint"));
+        QCOMPARE(found[name], was[name]);
+    }
+
+    /// Only instructions that this processor lacks may be missing.
+    void nothingIsLeftOut()
+    {
+        QVERIFY(was.size() >= 54);
+        for (const QString& name : was.keys())
+            if (!found.contains(name)) {
+                QVERIFY2(name.startsWith("kernel "), qPrintable(name));
+                qInfo("%s: not on this processor", qPrintable(name));
+            }
+    }
+
+    void cleanupTestCase()
+    {
+        QFile file(qEnvironmentVariable("CLEARCUT_FINGERPRINTS"));
+        if (!file.fileName().isEmpty() && file.open(QIODevice::WriteOnly))
+            for (auto line = found.cbegin(); line != found.cend(); ++line)
+                file.write((line.key() + ": " + line.value() + '\n').toUtf8());
+    }
+
+private:
+    std::map<Numbers, std::vector<Block>> blocks;
+    const QMap<QString, QString> was = kept();
+    QMap<QString, QString> found;
+};
+
+QTEST_GUILESS_MAIN(FingerprintsTest)
+#include "fingerprints_test.moc"

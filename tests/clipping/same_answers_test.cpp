@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library as it is and the library as it was before its algorithms were written anew
+// (tests/clipping/before, compiled under another namespace) give the same bytes.
+// CLEARCUT_SEGMENTS=10000000 asks about as many random segments a question.
+#include <QTest>
+
+#include <algorithm>
+
+#include "tests/clipping/answers.h"
+#include "tests/clipping/blocks.h"
+
+namespace before {
+std::vector<Question> questions();
+Answers answers(const Question& question, const Block& block);
+} // namespace before
+
+namespace {
+
+/// Numbers of a window or of a segment, which read back as they are.
+QString text(const double* begin, std::size_t count)
+{
+    QStringList words;
+    for (std::size_t i = 0; i < count; ++i)
+        words += QString::number(begin[i], 'g', 17);
+    return words.join(", ");
+}
+
+/// The first segment that alone gets another answer.
+QString firstDifference(const Question& question, const Block& block)
+{
+    const std::size_t n = question.numbers == Numbers::Space ? 6 : 4;
+    for (std::size_t i = 0; i < block.segments.size(); i += n) {
+        const Block one{block.name,
+                        block.window,
+                        {block.segments.begin() + long(i), block.segments.begin() + long(i + n)}};
+        if (before::answers(question, one) != clipping::answers(question, one))
+            return QString("%1, %2, window %3, segment %4")
+                .arg(question.name.c_str(), block.name.c_str(),
+                     text(block.window.data(), block.window.size()), text(&block.segments[i], n));
+    }
+    return QString("%1, %2: together only").arg(question.name.c_str(), block.name.c_str());
+}
+
+} // namespace
+
+class SameAnswersTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theSameQuestions()
+    {
+        const auto old = before::questions(), now = clipping::questions();
+        QVERIFY(old.size() > 48);
+        for (const Question& question : old)
+            QVERIFY2(std::ranges::any_of(now,
+                                         [&](const Question& q) {
+                                             return q.name == question.name
+                                                    && q.numbers == question.numbers;
+                                         }),
+                     question.name.c_str());
+    }
+
+    void sameBytes_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const Question& question : before::questions())
+            QTest::newRow(question.name.c_str()) << QString::fromStdString(question.name);
+    }
+    void sameBytes()
+    {
+        QFETCH(QString, name);
+        const auto all = before::questions();
+        const Question question = *std::ranges::find(all, name.toStdString(), &Question::name);
+        for (const Block& block : hardBlocks(question.numbers, 2000))
+            compare(question, block);
+        const std::size_t wanted = qEnvironmentVariable("CLEARCUT_SEGMENTS", "20000").toULongLong();
+        for (unsigned seed = 0; asked < wanted; ++seed, asked += inABlock)
+            compare(question, randomBlock(question.numbers, inABlock, seed));
+        asked = 0;
+    }
+
+private:
+    static constexpr std::size_t inABlock = 10'000;
+    std::size_t asked = 0;
+
+    static void compare(const Question& question, const Block& block)
+    {
+        if (before::answers(question, block) != clipping::answers(question, block))
+            QFAIL(qPrintable(firstDifference(question, block)));
+    }
+};
+
+QTEST_GUILESS_MAIN(SameAnswersTest)
+#include "same_answers_test.moc"
