@@ -90,6 +90,22 @@ struct Exact {
     static std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s, const BasicWindow<T>& w,
                                                Watch&& watch)
     {
+        const auto piece = pieceOf(s, w, watch);
+        return piece ? std::optional(piece->visible) : std::nullopt;
+    }
+
+    /// What is visible, and the edges by which it enters and leaves; None where it keeps an end.
+    /// (Where a new end is rounded onto another edge as well, its coordinates do not tell.)
+    template <class T>
+    struct Piece {
+        BasicSegment<T> visible;
+        Edge enter = Edge::None, leave = Edge::None;
+    };
+
+    template <class T, class Watch>
+    static std::optional<Piece<T>> pieceOf(const BasicSegment<T>& s, const BasicWindow<T>& w,
+                                           Watch& watch)
+    {
         const auto& [a, b] = s;
         if ((a.x < w.min.x && b.x < w.min.x) || (a.x > w.max.x && b.x > w.max.x)
             || (a.y < w.min.y && b.y < w.min.y) || (a.y > w.max.y && b.y > w.max.y)) {
@@ -109,7 +125,8 @@ struct Exact {
               Named{"leaveX", leaveX}, Named{"leaveY", leaveY});
 
         const LineThrough line(s);
-        BasicSegment<T> visible = s;
+        Piece<T> piece{s};
+        BasicSegment<T>& visible = piece.visible;
         const auto test = [&](bool holds, int number, Edge edge) {
             watch(yesOrNo(holds), number, visible, edge);
             return holds;
@@ -118,48 +135,31 @@ struct Exact {
             watch(misses ? "reject" : "no", number, s, edge);
             return misses;
         };
-        [[maybe_unused]] const Edge edgeNearX = right ? Edge::Left : Edge::Right;
-        [[maybe_unused]] const Edge edgeFarX = right ? Edge::Right : Edge::Left;
-        [[maybe_unused]] const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
-        [[maybe_unused]] const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
+        const Edge edgeNearX = right ? Edge::Left : Edge::Right;
+        const Edge edgeFarX = right ? Edge::Right : Edge::Left;
+        const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
+        const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
         if (isMissed(enterX && leaveY && line.passes(nearX, farY) > 0, 5, edgeFarY)
             || isMissed(enterY && leaveX && line.passes(farX, nearY) < 0, 6, edgeFarX))
             return std::nullopt;
         if (test(enterX && (!enterY || line.passes(nearX, nearY) >= 0), 7, edgeNearX)) {
-            visible.a = line.at(nearX);
+            visible.a = line.at(nearX), piece.enter = edgeNearX;
             watch("cut", 8, visible, edgeNearX);
         } else if (test(enterY, 9, edgeNearY)) {
-            visible.a = line.atHeight(nearY);
+            visible.a = line.atHeight(nearY), piece.enter = edgeNearY;
             watch("cut", 10, visible, edgeNearY);
         }
         if (test(leaveX && (!leaveY || line.passes(farX, farY) <= 0), 11, edgeFarX)) {
-            visible.b = line.at(farX);
+            visible.b = line.at(farX), piece.leave = edgeFarX;
             watch("cut", 12, visible, edgeFarX);
         } else if (test(leaveY, 13, edgeFarY)) {
-            visible.b = line.atHeight(farY);
+            visible.b = line.atHeight(farY), piece.leave = edgeFarY;
             watch("cut", 14, visible, edgeFarY);
         }
         watch("accept", 15, visible, Edge::None);
-        return visible;
+        return piece;
     }
 };
-
-namespace {
-
-/// Remembers by which edges a segment enters and leaves. (Where a new end is rounded onto another
-/// edge as well, its coordinates do not tell.)
-struct CutWatcher {
-    Edge edgeOfA = Edge::None, edgeOfB = Edge::None;
-    void operator()(std::string_view, int line, const auto&, Edge edge, const auto&...)
-    {
-        if (line == 8 || line == 10)
-            edgeOfA = edge;
-        else if (line == 12 || line == 14)
-            edgeOfB = edge;
-    }
-};
-
-} // namespace
 
 template <class T>
 std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
@@ -169,11 +169,11 @@ std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* i
     std::size_t visible = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const BasicSegment<T>& s = segments[indices[i]];
-        CutWatcher watch;
+        Unwatched watch;
         if (!withinContract(s, window))
             continue;
-        if (const auto piece = Exact::clip<Form::Corrected>(s, window, watch))
-            out[visible++] = {*piece, indices[i], cutAt(watch.edgeOfA, watch.edgeOfB)};
+        if (const auto piece = Exact::pieceOf(s, window, watch))
+            out[visible++] = {piece->visible, indices[i], cutAt(piece->enter, piece->leave)};
     }
     return visible;
 }
