@@ -23,4 +23,4 @@ cmake --build --preset "$preset"
 runtime=$(mktemp -d)
 trap 'rm -rf "$runtime"' EXIT
 chmod 700 "$runtime"
-XDG_RUNTIME_DIR=$runtime XDG_CONFIG_HOME=$runtime/config ctest --preset "$preset" -j "$(nproc)" "$@"
+XDG_RUNTIME_DIR=$runtime XDG_CONFIG_HOME=$runtime/config XDG_STATE_HOME=$runtime/state ctest --preset "$preset" -j "$(nproc)" "$@"
