@@ -241,9 +241,10 @@ void Files::crop()
     options.reach = app::Reach::Editable;
     auto command = std::make_unique<app::CropToWindow>(session_.drawing, options);
     const app::CutCounts counts = command->counts();
-    if (!command->changes())
-        return emit told({Message::Kind::Done,
-                          tr("Nothing to crop: all of it is kept.") + app::leftAloneText(counts)});
+    if (const QString leftAlone = app::leftAloneText(counts); !command->changes())
+        return emit told({Message::Kind::Done, leftAlone.isEmpty()
+                                                   ? tr("Nothing to crop: all of it is kept.")
+                                                   : tr("Nothing was cropped.") + leftAlone});
     session_.history.push(command.release());
     emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
 }

@@ -139,7 +139,7 @@ Command benchCommand()
         0,
         bench,
         true,
-        {Commands::tr("At most %1 lines and %2 runs; %3 threads on this computer.")
+        {Commands::tr("At most %1 lines and %2 runs; threads: at most %3 here.")
              .arg(countText(mostLines), countText(mostRuns), countText(mostThreads()))}};
 }
 

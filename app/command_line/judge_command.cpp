@@ -18,6 +18,8 @@ void writeExample(const QString& folder)
     const auto result = plug_in::writeExample(folder, plug_in::Existing::Keep);
     if (!result)
         throw Failure{result.error};
+    for (const QString& path : result.value->written)
+        say(Commands::tr("%1 was written.").arg(path));
     for (const QString& path : result.value->kept)
         say(Commands::tr("%1 was kept: it differs from the file that would replace it.").arg(path));
 }

@@ -248,7 +248,7 @@ private slots:
         QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
         QCOMPARE(t.window->session().history.count(), before);
         QCOMPARE(t.window->message(),
-                 "Nothing to crop: all of it is kept. Left alone on locked layers: 1.");
+                 "Nothing was cropped. Left alone on locked layers: 1.");
     }
     void croppingWhatIsInsideIsNoStep()
     {
