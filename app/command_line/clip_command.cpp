@@ -45,8 +45,8 @@ void sayNothingIsLeft(const Imported& imported, const CutOptions& options)
     const auto bounds = measureOf(imported.sheet).bounds;
     if (!bounds)
         return say(Commands::tr("The drawing is empty: there is nothing to cut."));
-    const QString window = rectangleText(options.window, imported),
-                  drawn = rectangleText(*bounds, imported);
+    const QString window = placeText(options.window, imported),
+                  drawn = placeText(*bounds, imported);
     say((options.keep == Keep::Inside
              ? Commands::tr("Nothing is left: all of the drawing is outside the window. The window "
                             "is %1; the drawing is in %2.")
@@ -150,7 +150,7 @@ void clip(const Given& given)
         if (result.sheet.shapes.empty())
             sayNothingIsLeft(imported, options);
         else if (windowHasUnits(given))
-            say(Commands::tr("Window: %1.").arg(rectangleText(options.window, imported)));
+            say(Commands::tr("Window: %1.").arg(placeText(options.window, imported)));
     }
     if (given.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")

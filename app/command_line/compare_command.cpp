@@ -6,6 +6,7 @@
 #include "app/command_line/window_options.h"
 #include "app/comparison/live_differences.h"
 #include "app/formats/number.h"
+#include "app/formats/rectangle_text.h"
 
 #include <array>
 #include <cmath>
@@ -59,12 +60,6 @@ QStringList rowOf(const Difference& difference, const Comparison& comparison, co
     return row;
 }
 
-QString text(const clipping::Window& w)
-{
-    return QStringList{number(w.min.x), number(w.min.y), number(w.max.x), number(w.max.y)}.join(
-        u',');
-}
-
 Table tableOf(const Comparison& comparison, const Scene& scene, const Differences& found,
               const QString& title)
 {
@@ -75,7 +70,7 @@ Table tableOf(const Comparison& comparison, const Scene& scene, const Difference
                 .facts = {{"a", keyOf(comparison.a)},
                           {"b", keyOf(comparison.b)},
                           {"ulps_allowed", QString::number(comparison.allowed())},
-                          {"window", text(found.window)},
+                          {"window", rectangleText(found.window)},
                           {"lines", QString::number(found.lines)},
                           {"differing", QString::number(found.list.size())}}};
     for (const Difference& difference : found.list)

@@ -6,6 +6,7 @@
 #include "app/document/flatten.h"
 #include "app/document/measure.h"
 #include "app/formats/number.h"
+#include "app/formats/rectangle_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -33,12 +34,6 @@ QString rounded(double value)
 QString text(const Length& length)
 {
     return text(length.value) + QLatin1StringView(infoOf(length.unit).suffix);
-}
-
-QString text(const clipping::Window& w)
-{
-    return QStringLiteral("%1,%2,%3,%4")
-        .arg(text(w.min.x), text(w.min.y), text(w.max.x), text(w.max.y));
 }
 
 std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
@@ -79,13 +74,13 @@ std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
                                     .arg(all.paths)
                                     .arg(all.closedPaths)
                                     .arg(all.curves)},
-        {Commands::tr("bounds"), all.bounds ? text(*all.bounds) : Commands::tr("none")},
+        {Commands::tr("bounds"), all.bounds ? rectangleText(*all.bounds) : Commands::tr("none")},
         {Commands::tr("in mm"),
          all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
-        {Commands::tr("window"), text(sheet.window)},
+        {Commands::tr("window"), rectangleText(sheet.window)},
         {Commands::tr("page"),
          Commands::tr("%1, on paper %2 × %3")
-             .arg(text(sheet.page.rectangle()), text(sheet.page.width), text(sheet.page.height))},
+             .arg(rectangleText(sheet.page.rectangle()), text(sheet.page.width), text(sheet.page.height))},
         {Commands::tr("unit"), text(sheet.page.millimetresPerUnit()) + QStringLiteral("mm")},
     };
     for (auto& row : layerRows(sheet, layers))

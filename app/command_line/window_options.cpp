@@ -3,6 +3,7 @@
 
 #include "app/command_line/refusal.h"
 #include "app/formats/number.h"
+#include "app/formats/rectangle_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,17 +15,6 @@ namespace {
 Point cornerOf(const Imported& imported)
 {
     return imported.paged ? imported.sheet.page.min : Point{};
-}
-
-QString text(const clipping::Window& w)
-{
-    std::string numbers;
-    for (const double number : {w.min.x, w.min.y, w.max.x, w.max.y}) {
-        appendNumber(numbers, number);
-        numbers += ',';
-    }
-    numbers.pop_back();
-    return QString::fromStdString(numbers);
 }
 
 // A length counts from the paper's corner, a bare number is the drawing's own.
@@ -82,10 +72,10 @@ bool windowHasUnits(const Given& given)
            });
 }
 
-QString rectangleText(const clipping::Window& rectangle, const Imported& imported)
+QString placeText(const clipping::Window& rectangle, const Imported& imported)
 {
     return Commands::tr("%1 in the drawing's coordinates, %2")
-        .arg(text(rectangle), millimetreText(rectangle, imported));
+        .arg(rectangleText(rectangle), millimetreText(rectangle, imported));
 }
 
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported)

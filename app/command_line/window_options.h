@@ -21,6 +21,6 @@ bool windowHasUnits(const Given& given);
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported);
 
 /// "-40,-40,40,40 in the drawing's coordinates, 10mm,…" as `millimetreText`.
-QString rectangleText(const clipping::Window& rectangle, const Imported& imported);
+QString placeText(const clipping::Window& rectangle, const Imported& imported);
 
 } // namespace app

@@ -3,6 +3,7 @@
 
 #include "app/experiment/paper_scene.h"
 #include "app/experiment/ranking_text.h"
+#include "app/formats/rectangle_text.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>

@@ -4,7 +4,7 @@
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
-#include "app/formats/number.h"
+#include "app/formats/rectangle_text.h"
 #include "app/latin.h"
 
 #include <QCoreApplication>
@@ -99,17 +99,6 @@ std::vector<std::vector<double>> runsOf(const Record& record, const Measure& mea
 Ranking rankingOf(const Record& record, const Measure& measure)
 {
     return rankingOf(runsOf(record, measure));
-}
-
-QString rectangleText(const clipping::Window& window)
-{
-    std::string text;
-    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y}) {
-        if (!text.empty())
-            text += ',';
-        appendNumber(text, number);
-    }
-    return QString::fromStdString(text);
 }
 
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options)

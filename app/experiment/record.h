@@ -29,9 +29,6 @@ std::vector<Contestant> contestantsOf(const Record& record);
 std::vector<std::vector<double>> runsOf(const Record& record, const Measure& measure);
 Ranking rankingOf(const Record& record, const Measure& measure);
 
-/// "-100,-75,100,75", as the command line takes it.
-QString rectangleText(const clipping::Window& window);
-
 /// What is true of all lines: scene, how many, seed, space and window.
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);
 

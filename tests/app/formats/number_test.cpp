@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/number.h"
 
+#include "app/formats/rectangle_text.h"
+
 #include <QTest>
 
 #include <bit>
@@ -34,6 +36,14 @@ class NumberTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aRectangleIsItsFourNumbers()
+    {
+        const auto rectangle = [](double xmin, double ymin, double xmax, double ymax) {
+            return app::rectangleText({{xmin, ymin}, {xmax, ymax}});
+        };
+        QCOMPARE(rectangle(-100, -75, 100, 75), "-100,-75,100,75");
+        QCOMPARE(rectangle(-0.0, 0.1, 1e21, 2.5), "0,0.1,1000000000000000000000,2.5");
+    }
     void wholeTextOfANumber()
     {
         QCOMPARE(text(0.1), "0.1");
