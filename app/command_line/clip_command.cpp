@@ -39,24 +39,29 @@ CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Outp
     return options;
 }
 
-// A cut of which nothing is left is rarely what was wanted: says why.
-void sayNothingIsLeft(const Imported& imported, const CutOptions& options)
+// A cut that leaves nothing, or nothing visible, is rarely what was wanted: says why.
+void sayNothingIsLeft(const Imported& imported, const CutOptions& options, const Cut& result)
 {
-    const auto bounds = measureOf(imported.sheet).bounds;
+    const bool allGone = result.sheet.shapes.empty(), inside = options.keep == Keep::Inside;
+    const auto bounds = measureOf(allGone ? imported.sheet : withoutHidden(imported.sheet)).bounds;
     if (!bounds)
-        return say(Commands::tr("The drawing is empty: there is nothing to cut."));
-    const QString window = placeText(options.window, imported),
-                  drawn = placeText(*bounds, imported);
-    say((options.keep == Keep::Inside
-             ? Commands::tr("Nothing is left: all of the drawing is outside the window. The window "
-                            "is %1; the drawing is in %2.")
-             : Commands::tr("Nothing is left: all of the drawing is inside the window. The window "
-                            "is %1; the drawing is in %2."))
-            .arg(window, drawn));
+        return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
+                           : Commands::tr("Nothing visible is left: every shape is hidden."));
+    const QString why =
+        allGone ? (inside ? Commands::tr("Nothing is left: all of the drawing is outside the "
+                                         "window. The window is %1; the drawing is in %2.")
+                          : Commands::tr("Nothing is left: all of the drawing is inside the "
+                                         "window. The window is %1; the drawing is in %2."))
+                : (inside ? Commands::tr("Nothing visible is left: every visible shape is outside "
+                                         "the window. The window is %1; these shapes are in %2.")
+                          : Commands::tr("Nothing visible is left: every visible shape is inside "
+                                         "the window. The window is %1; these shapes are in %2."));
+    say(why.arg(placeText(options.window, imported), placeText(*bounds, imported)));
 }
 
 void report(const Imported& imported, const CutCounts& counts)
 {
+    const std::size_t hidden = hiddenIn(imported.sheet); // the cut reached all of them
     sayLosses(imported);
     QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
@@ -67,10 +72,11 @@ void report(const Imported& imported, const CutCounts& counts)
     if (counts.unfilled > 0)
         text += Commands::tr("; fills lost, only the outline is cut: %1").arg(counts.unfilled);
     say(text + u'.');
-    if (counts.hidden > 0)
-        say(Commands::tr("Hidden shapes: %1 cut like the others, and still hidden; --drop-hidden "
-                         "leaves them out.")
-                .arg(counts.hidden));
+    if (hidden > 0)
+        say(Commands::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "
+                         "gone; --drop-hidden leaves out all of them.")
+                .arg(counts.hidden)
+                .arg(hidden - counts.hidden));
 }
 
 /// Leaves out what is hidden where that is asked for, or the file could not hide it; gives how many
@@ -147,8 +153,8 @@ void clip(const Given& given)
     if (!given.has(QStringLiteral("quiet"))) {
         report(imported, result.counts);
         sayDropped(given, output, dropped);
-        if (result.sheet.shapes.empty())
-            sayNothingIsLeft(imported, options);
+        if (hiddenIn(result.sheet) == result.sheet.shapes.size())
+            sayNothingIsLeft(imported, options, result);
         else if (windowHasUnits(given))
             say(Commands::tr("Window: %1.").arg(placeText(options.window, imported)));
     }

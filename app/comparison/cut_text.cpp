@@ -34,7 +34,7 @@ QString cutText(const CutCounts& counts)
                                    : tr("shapes %1.").arg(parts.join(tr(", ")));
     addCount(text, counts.opened, "Opened: %1.");
     addCount(text, counts.unfilled, "Fill lost: %1.");
-    addCount(text, counts.hidden, "Cut as well, and still hidden: %1.");
+    addCount(text, counts.hidden, "Still hidden: %1.");
     return text + leftAloneText(counts);
 }
 

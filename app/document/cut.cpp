@@ -119,7 +119,7 @@ private:
 
     void cutShape(const Shape& shape)
     {
-        result_.counts.hidden += !sheet_.shown(shape);
+        const bool hidden = !sheet_.shown(shape);
         const OverStart overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
         std::vector<Run> runs;
         bool whole = true;
@@ -136,11 +136,13 @@ private:
         CutCounts& counts = result_.counts;
         if (whole) {
             ++counts.whole;
+            counts.hidden += hidden;
             result_.sheet.shapes.push_back(shape);
         } else if (runs.empty()) {
             ++counts.gone;
         } else {
             ++counts.cut;
+            counts.hidden += hidden;
             counts.opened += opened;
             counts.unfilled += shape.style.fill && hasArea(shape);
             addCutShape(shape, runs);

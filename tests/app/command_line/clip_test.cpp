@@ -254,8 +254,9 @@ private slots:
             return clearcut(QStringList{"clip", path("hidden.svg"), "-w", "0,0,10,10"} + more);
         };
         const auto run = cut({"-o", path("cut.svg")});
-        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 5 cut, 0 gone.\nHidden shapes: 3 cut like "
-                                  "the others, and still hidden; --drop-hidden leaves them out."),
+        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 5 cut, 0 gone.\nHidden shapes are cut "
+                                  "like the others: 3 left and still hidden, 0 gone; "
+                                  "--drop-hidden leaves out all of them."),
                  run.err.constData());
         const app::Sheet before = sheetOf(drawing), sheet = sheetOf(contentOf(path("cut.svg")));
         QCOMPARE(sheet.layers, before.layers);
@@ -278,6 +279,50 @@ private slots:
 
         QCOMPARE(cut({"--in-place"}).code, 0);
         QCOMPARE(sheetOf(contentOf(path("hidden.svg"))), sheet);
+    }
+
+    // A hidden line on the left, a visible one on the right, and windows that meet either.
+    void hiddenShapesThatAreGoneAreNotCountedAsHidden_data()
+    {
+        QTest::addColumn<QString>("window");
+        QTest::addColumn<QByteArray>("hidden"); // what is said of the hidden shape
+        QTest::addColumn<QByteArray>("why");    // that nothing (visible) is left
+        const QByteArray left = "1 left and still hidden, 0 gone;",
+                         gone = "0 left and still hidden, 1 gone;";
+        QTest::newRow("all whole") << "0,0,100,10" << left << QByteArray();
+        QTest::newRow("both cut") << "20,0,80,10" << left << QByteArray();
+        QTest::newRow("hidden gone") << "50,0,100,10" << gone << QByteArray();
+        QTest::newRow("visible gone") << "0,0,50,10" << left
+                                      << QByteArray("Nothing visible is left: every visible shape "
+                                                    "is outside the window. The window is "
+                                                    "0,0,50,10 in the drawing's coordinates, ");
+        QTest::newRow("both gone")
+            << "0,0,100,1" << gone << QByteArray("Nothing is left: all of the drawing is outside");
+    }
+    void hiddenShapesThatAreGoneAreNotCountedAsHidden()
+    {
+        QFETCH(QString, window);
+        QFETCH(QByteArray, hidden);
+        QFETCH(QByteArray, why);
+        const QStringList clip{"clip", "-", "--from", "svg", "--to", "svg", "-o", "-", "-w"};
+        const auto drawing = [](const QByteArray& more) {
+            return "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='10'>"
+                   "<path d='M10 5H30' stroke='red' display='none'/>"
+                   + more + "</svg>";
+        };
+        const auto run =
+            clearcut(clip + QStringList{window}, drawing("<path d='M70 5H90' stroke='red'/>"));
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.err.contains("Hidden shapes are cut like the others: " + hidden),
+                 run.err.constData());
+        QCOMPARE(run.err.contains("is left: "), !why.isEmpty());
+        QVERIFY2(run.err.contains(why), run.err.constData());
+        if (why.contains("visible"))
+            QVERIFY2(run.err.contains("these shapes are in 70,5,90,5 "), run.err.constData());
+        const bool kept = hidden.startsWith('1');
+        QCOMPARE(clearcut(clip + QStringList{window}, drawing({}))
+                     .err.contains("Nothing visible is left: every shape is hidden."),
+                 kept);
     }
 
     void whatCannotHideSaysThatHiddenShapesAreLeftOut()
