@@ -97,7 +97,7 @@ struct About {
     QString comments;    ///< <!-- … --> before and after the root, where licences often stand
     QString title;       ///< the root's <title> elements
     QString description; ///< its <desc> elements
-    QString metadata;    ///< what its <metadata> holds, apart from Clearcut's own
+    QString metadata;    ///< its <metadata> elements, apart from Clearcut's own
     friend bool operator==(const About&, const About&) = default;
 };
 

@@ -65,7 +65,7 @@ void AboutReader::take(const QXmlStreamReader& xml)
     else if (section_ && skipped_ == 0)
         write(xml);
     else if (noteDepth_ > 0 && xml.isCharacters())
-        hasText_ = hasText_ || !xml.isWhitespace();
+        saysAnything_ = saysAnything_ || !xml.isWhitespace();
     const auto size = comments_.size() + title_.size() + description_.size() + metadata_.size();
     tooLarge_ = tooLarge_ || size > mostMetadata;
     if (tooLarge_ && size > 0)
@@ -90,14 +90,10 @@ void AboutReader::open(const QXmlStreamReader& xml)
     }
     if (!section_)
         return noteElement(xml);
-    if (skipped_ > 0 || (depth_ > 2 && xml.namespaceUri() == ownUri)) {
+    if (skipped_ > 0 || (depth_ > 2 && xml.namespaceUri() == ownUri))
         ++skipped_;
-    } else if (depth_ > 2 || section_ != &metadata_) {
+    else
         writeStart(xml);
-    } else {
-        for (const auto& declared : xml.namespaceDeclarations())
-            outer_.emplace_back(declared.prefix().toString(), declared.namespaceUri().toString());
-    }
 }
 
 void AboutReader::noteElement(const QXmlStreamReader& xml)
@@ -105,7 +101,7 @@ void AboutReader::noteElement(const QXmlStreamReader& xml)
     if (depth_ == 2 || noteDepth_ > 0 || !sectionOf(xml))
         return;
     noteDepth_ = depth_;
-    hasText_ = false;
+    saysAnything_ = false;
 }
 
 void AboutReader::openRoot(const QXmlStreamReader& xml)
@@ -119,7 +115,7 @@ void AboutReader::openRoot(const QXmlStreamReader& xml)
 void AboutReader::begin()
 {
     begin_ = section_->size();
-    hasText_ = false;
+    saysAnything_ = false;
     scope_ = writersScope();
 }
 
@@ -142,7 +138,7 @@ void AboutReader::close(const QXmlStreamReader& xml)
     const int depth = depth_--;
     if (depth == noteDepth_) {
         noteDepth_ = 0;
-        ofElements_ += hasText_;
+        ofElements_ += saysAnything_;
     }
     if (!section_)
         return;
@@ -159,8 +155,8 @@ void AboutReader::close(const QXmlStreamReader& xml)
     }
     if (depth > 2)
         return;
-    if (section_ != &metadata_ && !hasText_ && !tooLarge_)
-        section_->resize(begin_); // an empty title says nothing
+    if (!saysAnything_ && !tooLarge_)
+        section_->resize(begin_); // an empty title, or metadata that held the clip window alone
     *section_ += '\n';
     section_ = nullptr;
 }
@@ -175,8 +171,9 @@ void AboutReader::write(const QXmlStreamReader& xml)
                      + xml.processingInstructionData().toString().toStdString() + "?>";
     } else if (xml.isCharacters()) {
         *section_ += escapedContent(xml.text().toString());
-        hasText_ = hasText_ || !xml.isWhitespace();
     }
+    const bool text = xml.isCharacters() && !xml.isWhitespace();
+    saysAnything_ = saysAnything_ || text || (section_ == &metadata_ && !xml.isCharacters());
 }
 
 void AboutReader::writeStart(const QXmlStreamReader& xml)
@@ -201,6 +198,8 @@ void AboutReader::writeStart(const QXmlStreamReader& xml)
     for (const auto& attribute : xml.attributes())
         appendAttribute(*section_, attribute.qualifiedName().toString().toStdString(),
                         escaped(attribute.value().toString()));
+    if (section_ == &metadata_) // in which elements and attributes say something, too
+        saysAnything_ = saysAnything_ || depth_ > 2 || !xml.attributes().isEmpty();
     marks_.push_back(outside);
     inStart_ = true;
 }

@@ -43,16 +43,16 @@ private:
     int depth_ = 0;     ///< elements that are open
     int noteDepth_ = 0; ///< of a title or the like of a single element; 0: none is open
     int ofElements_ = 0;
-    int skipped_ = 0;      ///< of them, Clearcut's own and what is in them
-    bool inStart_ = false; ///< the last start tag still lacks its ">"
-    bool hasText_ = false; ///< the title or description says anything
+    int skipped_ = 0;           ///< of them, Clearcut's own and what is in them
+    bool inStart_ = false;      ///< the last start tag still lacks its ">"
+    bool saysAnything_ = false; ///< the title, description or metadata
     bool tooLarge_ = false;
     bool bare_ = false;     ///< the root has no namespace: what has none is SVG's
-    std::size_t begin_ = 0; ///< of the title or description in its section
+    std::size_t begin_ = 0; ///< of the title, description or metadata in its section
     QString id_;
     std::string comments_, title_, description_, metadata_;
     std::string* section_ = nullptr; ///< what is being gathered
-    std::vector<Prefix> outer_;      ///< that the root and <metadata> of the file declare
+    std::vector<Prefix> outer_;      ///< that the root of the file declares
     std::vector<Prefix> scope_;      ///< that are declared where the text goes on
     std::vector<std::size_t> marks_; ///< the scope's size outside of each written element
 };

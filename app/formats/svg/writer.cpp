@@ -73,10 +73,8 @@ private:
         text_ += ">\n";
         appendLine(sheet.about.title);
         appendLine(sheet.about.description);
-        text_ += "<metadata>";
-        if (!sheet.about.metadata.isEmpty())
-            ((text_ += '\n') += sheet.about.metadata.toStdString()) += '\n';
-        text_ += "<clearcut:window";
+        appendLine(sheet.about.metadata);
+        text_ += "<metadata><clearcut:window";
         appendAttribute(text_, "xmin", window.min.x);
         appendAttribute(text_, "ymin", window.min.y);
         appendAttribute(text_, "xmax", window.max.x);

@@ -369,11 +369,25 @@ private slots:
              "<title>A &amp; B</title>\n<title xml:lang=\"de\">C</title>",
              "<desc id=\"d\">D<b>E</b></desc>",
              {}});
-        row("plain text", "<metadata>Created by P</metadata>", {{}, {}, {}, {}, "Created by P"});
+        row("plain text", "<metadata>Created by P</metadata>",
+            {{}, {}, {}, {}, "<metadata>Created by P</metadata>"});
+        row("attributes of the metadata",
+            "<metadata id='m' class='a &lt; b' x:y='z' xmlns:x='urn:x'/><metadata id='n'>B"
+            "</metadata>",
+            {{},
+             {},
+             {},
+             {},
+             "<metadata xmlns:x=\"urn:x\" id=\"m\" class=\"a &lt; b\" x:y=\"z\"/>\n"
+             "<metadata id=\"n\">B</metadata>"});
+        row("an id around the clip window",
+            "<metadata id='m'><window xmlns='urn:clearcut:1' xmin='0' ymin='0' xmax='9' ymax='9'/>"
+            "</metadata>",
+            {{}, {}, {}, {}, "<metadata id=\"m\"/>"});
         row("text around the clip window",
             "<metadata>A<window xmlns='urn:clearcut:1' xmin='0' ymin='0' xmax='9' ymax='9'>"
             "<x/></window><?p q?><!--c--></metadata><metadata>B</metadata>",
-            {{}, {}, {}, {}, "A<?p q?><!--c-->\nB"});
+            {{}, {}, {}, {}, "<metadata>A<?p q?><!--c--></metadata>\n<metadata>B</metadata>"});
         row("Dublin Core",
             "<metadata xmlns:dc='http://purl.org/dc/elements/1.1/'>"
             "<r:RDF xmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#'><cc:Work r:about='' "
@@ -383,14 +397,15 @@ private slots:
              {},
              {},
              {},
-             "<r:RDF xmlns:r=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
-             "xmlns:dc=\"http://purl.org/dc/elements/1.1/\"><cc:Work "
+             "<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\">"
+             "<r:RDF xmlns:r=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\"><cc:Work "
              "xmlns:cc=\"http://creativecommons.org/ns#\" r:about=\"\">"
              "<dc:creator>&lt;A&gt;</dc:creator>"
-             "<cc:license r:resource=\"http://cc.example/by-sa/4.0/\"/></cc:Work></r:RDF>"});
+             "<cc:license "
+             "r:resource=\"http://cc.example/by-sa/4.0/\"/></cc:Work></r:RDF></metadata>"});
         row("other default namespaces",
             "<metadata><a xmlns='urn:a'><b xmlns=''/><c/></a></metadata>",
-            {{}, {}, {}, {}, "<a xmlns=\"urn:a\"><b xmlns=\"\"/><c/></a>"});
+            {{}, {}, {}, {}, "<metadata><a xmlns=\"urn:a\"><b xmlns=\"\"/><c/></a></metadata>"});
     }
     void whatAFileSaysAboutItselfIsKept()
     {
@@ -413,7 +428,7 @@ private slots:
         const app::Sheet sheet =
             sheetOf("<svg width='9' height='9'><title>T</title><metadata><a/></metadata></svg>");
         QCOMPARE(sheet.about.title, "<title>T</title>");
-        QCOMPARE(sheet.about.metadata, "<a/>");
+        QCOMPARE(sheet.about.metadata, "<metadata><a/></metadata>");
         QCOMPARE(sheetOf(textOf(sheet)), sheet);
     }
 
