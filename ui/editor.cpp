@@ -199,7 +199,7 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
         window.showStart();
     else if (first)
         open();
-    std::optional<Recovery> recovery; // a picture of the program touches nobody's work
+    std::optional<Recovery> recovery; // none for a screenshot: it must not touch unsaved work
     if (options.screenshot.isEmpty())
         recovery.emplace(window);
     const auto begin = [&] {
@@ -251,10 +251,10 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
         return int(app::Exit::Failed);
     }
     nameProgram();
-    const QTemporaryDir nobody; // a picture of the program shows nobody's settings, and leaves none
+    const QTemporaryDir own; // a screenshot neither shows the user's settings nor changes them
     if (!options.screenshot.isEmpty()) {
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, nobody.path());
-        qputenv("XDG_RUNTIME_DIR", nobody.path().toLocal8Bit());
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, own.path());
+        qputenv("XDG_RUNTIME_DIR", own.path().toLocal8Bit());
     }
     QSurfaceFormat format;
     format.setVersion(3, 3);

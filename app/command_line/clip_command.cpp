@@ -178,7 +178,7 @@ Command clipCommand()
              .arg(QLatin1StringView(usualAlgorithm().key))},
         {{"form"},
          "corrected|published",
-         Commands::tr("With its defects mended, or as its authors printed it (corrected).")},
+         Commands::tr("The corrected form, or the published one (corrected).")},
         toleranceOption(),
         {{"drop-hidden"},
          {},

@@ -103,7 +103,7 @@ private:
     Quantity quotient(const Quantity& a, const Quantity& b)
     {
         if (b.number == 0)
-            refuse(tr("it divides by zero"));
+            refuse(tr("division by zero"));
         if (a.unit && b.unit)
             return {a.length() / b.length()};
         return {a.number / b.number, a.unit ? a.unit : b.unit}; // 1/2in: so many of that unit
@@ -129,7 +129,7 @@ private:
     {
         const std::string_view rest = skipBlank();
         if (rest.empty()) {
-            refuse(tr("a number is missing at its end"));
+            refuse(tr("the sum ends without a number"));
             return {};
         }
         Quantity value;

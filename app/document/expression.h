@@ -17,7 +17,7 @@ struct Scale {
 /// A length as people type it: numbers with or without a unit ("10mm", "1in"), + - * /, brackets
 /// and spaces, in the C locale. "10+5", "3*25mm", "(1in+5)/2"; "1/2in" is half an inch. The result
 /// is in `scale.unit`, finite; or the error says what is wrong with the text, as the end of a
-/// sentence: "it divides by zero".
+/// sentence: "division by zero".
 Result<double> evaluated(std::string_view text, const Scale& scale);
 
 } // namespace app

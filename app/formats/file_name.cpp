@@ -8,7 +8,7 @@ namespace app {
 
 std::optional<QString> faultOfName(const QString& path)
 {
-    // In the place of each byte that is not UTF-8; a file may still be named so in earnest.
+    // Qt puts U+FFFD for each byte that is not UTF-8; a file may really have that name.
     if (!path.contains(QChar::ReplacementCharacter) || QFileInfo::exists(path))
         return std::nullopt;
     return QCoreApplication::translate("formats", "its name is not UTF-8. Give it another name.");

@@ -142,7 +142,7 @@ private:
             pool().start([job, i] { job->paint(i); });
     }
 
-    // Its threads notice soon; nobody waits for them.
+    // Its threads stop soon after; there is no need to wait for them.
     void cancel()
     {
         if (job_)

@@ -198,7 +198,7 @@ void ChoicePanel::showAlgorithms()
     }
 }
 
-/// As many as are needed, while nobody has typed another number.
+/// Shows how many runs are needed, unless another number has been typed.
 void ChoicePanel::showRuns()
 {
     const auto plan = runsTyped_ ? app::Result<app::Plan>{} : app::planOf(choice());

@@ -22,7 +22,7 @@ constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
                             Event{Mark::Reject, "It rejects the line"},
                             Event{Mark::Divide, "It divides, to find where the line may be cut"}};
 
-/// "ask next": what the algorithm does next, comparisons aside.
+/// "ask next": which step follows, not counting comparisons.
 std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step, const QStringList&)
 {
     for (std::size_t i = step + 1; i < walk.moments.size(); ++i) {
@@ -33,7 +33,7 @@ std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step,
         QStringList choices;
         for (const Event& other : events)
             choices << tr(other.words);
-        return Question{tr("What does the algorithm do next, comparisons apart?"), choices,
+        return Question{tr("Which step follows, not counting comparisons?"), choices,
                         int(event - events.begin()),
                         tr("Step %1: %2").arg(i + 1).arg(moment.sentence),
                         tr("Read the pseudo-code on from line %1, with the values of the table.")

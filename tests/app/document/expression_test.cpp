@@ -76,8 +76,8 @@ private slots:
         const auto row = [](const char* text, const char* why) {
             QTest::addRow("%s", text) << QString::fromUtf8(text) << QString::fromUtf8(why);
         };
-        row("", "a number is missing at its end");
-        row("10+", "a number is missing at its end");
+        row("", "the sum ends without a number");
+        row("10+", "the sum ends without a number");
         row("(10+5", "a “)” is missing");
         row("10+5)", "“)” is not expected there");
         row("10 5", "“5” is not a unit of length here");
@@ -86,14 +86,14 @@ private slots:
         row("5parsec", "“parsec” is not a unit of length here");
         row("50%", "“%” is not a unit of length here");
         row("2mm*3mm", "a length times a length is an area");
-        row("1/0", "it divides by zero");
-        row("1/(2-2)", "it divides by zero");
+        row("1/0", "division by zero");
+        row("1/(2-2)", "division by zero");
         row("1e999", "a number is too large");
         row("1e300*1e300", "its result is too large");
         row("1ü", "“ü” is not a unit of length here");
         row("nan", "“nan” is not a number");
         row("inf", "“inf” is not a number");
-        row("-", "a number is missing at its end");
+        row("-", "the sum ends without a number");
     }
     void whatIsWrongIsSaid()
     {

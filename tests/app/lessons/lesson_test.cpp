@@ -3,6 +3,7 @@
 #include "app/lessons/scores.h"
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -271,6 +272,32 @@ private slots:
         QVERIFY(!error("# T\ntext, but nothing to look at").isEmpty());
         QVERIFY(!error("").isEmpty());
     }
+    void askingWhatFollowsLeavesComparisonsOut()
+    {
+        const auto question = asked(crossing, {"next"});
+        QVERIFY(question);
+        QCOMPARE(question->prompt, "Which step follows, not counting comparisons?");
+    }
+
+    // Readers take a person in place of an algorithm for a riddle.
+    void noTeachingTextNamesAPersonForAThing()
+    {
+        const QRegularExpression person(QStringLiteral("\\b(some|no)body\\b"),
+                                        QRegularExpression::CaseInsensitiveOption);
+        int files = 0;
+        for (const char* folder : {"lessons", "algorithms", "zoo"}) {
+            const QDir texts(SOURCE_DIR "/resources/" + QString(folder));
+            for (const QFileInfo& info : texts.entryInfoList({"*.md", "*.json"}, QDir::Files)) {
+                QFile file(info.filePath());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const auto found = person.match(QString::fromUtf8(file.readAll()));
+                QVERIFY2(!found.hasMatch(), qPrintable(info.fileName() + ": " + found.captured()));
+                ++files;
+            }
+        }
+        QVERIFY(files > 10);
+    }
+
     void stepsAreFoundByTheirMark()
     {
         app::LessonPage page = pageAbout(crossing, {"visible"});

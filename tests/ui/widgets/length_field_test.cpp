@@ -44,13 +44,13 @@ private slots:
                                       << QString::fromUtf8("Width: “%1” is no length: %2.")
                                              .arg(QString(text), QString::fromUtf8(why));
         };
-        row("10+", "a number is missing at its end");
+        row("10+", "the sum ends without a number");
         row("ten", "“ten” is not a number");
         row("50%", "“%” is not a unit of length here");
         row("2mm*3mm", "a length times a length is an area");
-        row("1/0", "it divides by zero");
+        row("1/0", "division by zero");
         row("5e10", "it is too large");
-        row("", "a number is missing at its end");
+        row("", "the sum ends without a number");
     }
     void whatIsNoLengthIsRefusedInWords()
     {
