@@ -6,6 +6,7 @@
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace app {
@@ -58,6 +59,10 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
         const double less = margin ? toUserUnits(*margin, unit) : 0;
         window = {sheet.page.min + less, sheet.page.min + sheet.page.size - less};
     }
+    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y})
+        if (!std::isfinite(number))
+            throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
+                                          "smaller lengths.")};
     if (window.min.x > window.max.x || window.min.y > window.max.y)
         throw WrongUsage{Commands::tr("The window is empty: its XMIN,YMIN must not be greater than "
                                       "its XMAX,YMAX.")};
