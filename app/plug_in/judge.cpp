@@ -62,16 +62,25 @@ void addFindings(Verdict& verdict, const RaceFindings& found)
 void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child,
             std::uint64_t lines)
 {
-    const bool stuck = news == ChildProcess::News::Stuck;
+    const bool stuck = news != ChildProcess::News::Ended;
     const Fault fault = stuck             ? Fault::DidNotEnd
                         : child.crashed() ? Fault::Crashed
                                           : Fault::LeftProgram;
-    verdict.categories.push_back({.lines = std::size_t(lines), .judged = 1, .wrong = 1});
+    if (!verdict.hasRace())
+        verdict.categories.push_back({.lines = std::size_t(lines), .judged = 1});
+    ++verdict.categories.back().wrong;
     ++verdict.byFault[std::size_t(fault)];
     verdict.raceEnd = stuck             ? PlugIn::tr("it did not go on")
                       : child.crashed() ? signalText(child.exitCode())
                                         : PlugIn::tr("exit code %1").arg(child.exitCode());
     verdict.noTimes = PlugIn::tr("It was not timed: it did not come to the end of the race.");
+}
+
+/// Sleeping is no fault, but nothing is known of these lines.
+void addSleep(Verdict& verdict, std::uint64_t lines)
+{
+    verdict.categories.push_back({.lines = std::size_t(lines)});
+    verdict.noTimes = PlugIn::tr("It was not timed, because it slept in the race.");
 }
 
 QStringList raceArguments(const Case& which, std::uint64_t lines)
@@ -85,22 +94,26 @@ QStringList raceArguments(const Case& which, std::uint64_t lines)
             wordOf(which.contract.strictness)};
 }
 
-/// Reads what the child tells until the race is over, or it tells no more.
-ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Follower& follower)
+/// Reads what the child tells until the race is over, or it tells no more. Times count only after
+/// the findings, which count once.
+ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Case& which,
+                          const Follower& follower)
 {
-    const Patience patience{10, 20};
-    auto news = child.waitForStart(patience, follower.stop);
+    const Patience start{10, 20}, patience{10, which.raceSleep};
+    auto news = child.waitForStart(start, follower.stop);
     if (news == ChildProcess::News::Came)
-        news = child.waitForLine(patience, follower.stop);
+        news = child.waitForLine(start, follower.stop);
     child.readLine(); // what it is called is known
     while (news == ChildProcess::News::Came && !verdict.times) {
         news = child.waitForLine(patience, follower.stop);
         if (news != ChildProcess::News::Came)
             break;
         const QByteArray line = child.readLine();
-        if (const auto found = raceFindingsOf(line))
+        if (verdict.hasRace())
+            verdict.times = timesOf(line);
+        else if (const auto found = raceFindingsOf(line))
             addFindings(verdict, *found);
-        else if (!(verdict.times = timesOf(line)) && follower.progress)
+        else if (follower.progress)
             follower.progress({line.toDouble(), 0});
     }
     return news;
@@ -121,14 +134,14 @@ bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
         return true;
     }
     ChildProcess child(programOf(which), raceArguments(which, lines));
-    const auto news = follow(child, verdict, follower);
+    const auto news = follow(child, verdict, which, follower);
     if (news == ChildProcess::News::Stopped)
         return false;
     if (verdict.times)
         verdict.times->ownWrong = verdict.categories.back().wrong;
-    else if (news == ChildProcess::News::Asleep)
-        verdict.noTimes = PlugIn::tr("It was not timed: it sleeps, and a race takes too long.");
-    else if (verdict.categories.size() < categories().size())
+    else if (news == ChildProcess::News::Asleep && !verdict.hasRace())
+        addSleep(verdict, lines);
+    else if (!verdict.hasRace())
         addEnd(verdict, news, child, lines);
     return true;
 }

@@ -115,6 +115,14 @@ QString tooSlowText(const Verdict& v)
              durationText(v.seconds * wallFactor), untested);
 }
 
+/// Of a library that is right when asked, and slept in the race.
+QString asleepText(const Verdict& v)
+{
+    return PlugIn::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "
+                      "the race, whose %3 lines were not tested.")
+        .arg(v.name, countText(v.judged()), countText(v.lines() - v.judged()));
+}
+
 QString roundingText(const Verdict& v)
 {
     const QString ulps = QString::number(v.mostOff, 'g', 3);
@@ -150,8 +158,7 @@ QString speedText(const Times& times)
 
 bool isWrongOnlyInRace(const Verdict& v)
 {
-    return v.categories.size() == categories().size() && v.categories.back().wrong > 0
-           && v.wrong() == v.categories.back().wrong;
+    return v.hasRace() && v.categories.back().wrong > 0 && v.wrong() == v.categories.back().wrong;
 }
 
 } // namespace
@@ -177,7 +184,7 @@ QString sentence(const Verdict& v)
     if (v.wrong() > 0)
         return wrongText(v);
     if (!v.passed())
-        return tooSlowText(v);
+        return v.hasRace() ? asleepText(v) : tooSlowText(v);
     return PlugIn::tr("Passed: %1 is right on all %2 lines.").arg(v.name, countText(v.lines()));
 }
 

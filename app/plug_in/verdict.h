@@ -61,6 +61,7 @@ struct Verdict {
     QString noTimes{}; ///< why there are none
 
     bool passed() const { return !unusable && wrong() == 0 && judged() == lines(); }
+    bool hasRace() const { return categories.size() == app::plug_in::categories().size(); }
     std::size_t lines() const;
     std::size_t judged() const;
     std::size_t wrong() const;

@@ -405,6 +405,24 @@ private slots:
             QCOMPARE(row[1] == "wrong", row[0] == ownKey);
     }
 
+    /// Nothing is known of lines that it sleeps on, so that it does not pass.
+    void whoSleepsInTheRaceDoesNotPass()
+    {
+        auto which = caseOf("race_sleep");
+        QVERIFY(verdictOn(which).passed()); // when asked
+        which.race = Case::Race::Yes;
+        which.raceSleep = 1; // it sleeps for an hour
+        const auto verdict = verdictOn(which);
+        QVERIFY2(!verdict.passed() && verdict.wrong() == 0, qPrintable(sentence(verdict)));
+        QVERIFY(verdict.hasRace() && !verdict.times);
+        QCOMPARE(verdict.categories.back().judged, 0u);
+        QCOMPARE(degreeOf(verdict.categories.back()).key, "untested");
+        QVERIFY2(sentence(verdict).startsWith("Not finished: ")
+                     && remarks(verdict).contains("It was not timed, because it slept in the "
+                                                  "race."),
+                 qPrintable(sentence(verdict) + remarks(verdict).join(' ')));
+    }
+
     void racesFindingsGoThroughThePipeUnchanged()
     {
         RaceFindings found;
