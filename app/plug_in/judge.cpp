@@ -141,7 +141,7 @@ bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
         verdict.times->ownWrong = verdict.categories.back().wrong;
     else if (news == ChildProcess::News::Asleep && !verdict.hasRace())
         addSleep(verdict, lines);
-    else if (!verdict.hasRace())
+    else
         addEnd(verdict, news, child, lines);
     return true;
 }

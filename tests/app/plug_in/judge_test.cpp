@@ -423,6 +423,23 @@ private slots:
                  qPrintable(sentence(verdict) + remarks(verdict).join(' ')));
     }
 
+    void anEndAfterTheFindingsIsAFault()
+    {
+        auto which = caseOf("race_leaving");
+        QVERIFY(verdictOn(which).passed()); // when asked
+        which.race = Case::Race::Yes;
+        which.raceSleep = 300; // it waits for another process
+        const auto verdict = verdictOn(which);
+        const QString told = sentence(verdict) + remarks(verdict).join(' ');
+        QVERIFY2(!verdict.passed() && verdict.fault() == Fault::LeftProgram, qPrintable(told));
+        QVERIFY(verdict.hasRace() && !verdict.times);
+        QVERIFY2(verdict.categories.back().judged > 1, qPrintable(told)); // its findings came
+        QCOMPARE(verdict.wrong(), 1u);
+        QVERIFY2(told.contains("In the race") && told.contains("exit code 7")
+                     && told.contains("It was not timed: "),
+                 qPrintable(told));
+    }
+
     void racesFindingsGoThroughThePipeUnchanged()
     {
         RaceFindings found;
