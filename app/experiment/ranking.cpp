@@ -132,21 +132,13 @@ std::vector<Places> groupsOf(const Ranking& ranking)
     return groups;
 }
 
-/// By either family: both keep to their level.
-bool areTold(const Ranking& ranking, std::size_t i, std::size_t j)
-{
-    const std::size_t first = ranking.order.front();
-    return ranking.pairs[i][j].outcome == Outcome::Different
-           || (i == first && ranking.fastest[j].outcome == Outcome::Different)
-           || (j == first && ranking.fastest[i].outcome == Outcome::Different);
-}
-
 void rank(Ranking& ranking)
 {
     for (std::size_t place = 0; place < ranking.order.size(); ++place) {
         const std::size_t i = ranking.order[place];
-        if (std::ranges::all_of(ranking.order,
-                                [&](std::size_t j) { return i == j || areTold(ranking, i, j); }))
+        if (std::ranges::all_of(ranking.order, [&](std::size_t j) {
+                return i == j || ranking.pairs[i][j].outcome == Outcome::Different;
+            }))
             ranking.ranks[i] = int(place) + 1;
     }
 }
@@ -198,10 +190,23 @@ Ranking rankingOf(PairedRuns runs)
     return ranking;
 }
 
+bool Ranking::hasFastest() const
+{
+    return std::ranges::all_of(order, [&](std::size_t i) {
+        return i == order.front() || fastest[i].outcome == Outcome::Different;
+    });
+}
+
+const PairTest& Ranking::againstLowest(std::size_t thing) const
+{
+    return hasFastest() ? fastest[thing] : pairs[thing][order.front()];
+}
+
 std::vector<std::size_t> Ranking::leaders() const
 {
     std::vector<std::size_t> first = order;
-    std::erase_if(first, [&](std::size_t i) { return fastest[i].outcome == Outcome::Different; });
+    std::erase_if(first,
+                  [&](std::size_t i) { return againstLowest(i).outcome == Outcome::Different; });
     return first;
 }
 

@@ -13,7 +13,10 @@ namespace app {
 /// round. At least one thing and one round.
 using PairedRuns = std::span<const std::vector<double>>;
 
-/// An error of the first kind in so many of all families of tests at most.
+/// Among equal things, so many of all families of tests at most find any difference, if what is
+/// tested does not depend on the runs: so with all pairs, and with the claim that one thing is the
+/// fastest. The tests against the lowest median, which is chosen by these runs, do not keep to it
+/// one by one: with eleven equal things some p is below it in about one of ten experiments.
 inline constexpr double significance = 0.05;
 
 /// Of a difference below this share nobody takes notice, however significant it is.
@@ -40,9 +43,10 @@ struct PairTest {
     Outcome outcome = Outcome::NotSignificant;
 };
 
-/// Things by their times: who differs from whom. By the exact two-sided signed-rank test, paired by
-/// round. The thing with the lowest median is tested against each other one, which is one family of
-/// tests; all pairs are another.
+/// Things by their times: which differ from which. By the exact two-sided signed-rank test, paired
+/// by round. All pairs are one family of tests, on which ranks and letters are based. The thing
+/// with the lowest median against each other one is another family, which decides whether it is the
+/// fastest: it is if all of these tests are Different.
 struct Ranking {
     std::size_t rounds = 0;
     bool told = false;              ///< there are leastRounds; else nobody has rank or letters
@@ -52,10 +56,16 @@ struct Ranking {
     /// Compact letter display: the largest groups in which no pair is Different. Two things share a
     /// group if and only if they are not. Sorted by median within and among themselves.
     std::vector<std::vector<std::size_t>> groups;
-    /// 1 for the fastest. None where another thing is not Different, by one of the two families.
+    /// 1 for the lowest median. None where a pair with another thing is not Different.
     std::vector<std::optional<int>> ranks;
 
-    /// The thing with the lowest median, and those that are not Different from it, by median.
+    /// Whether the thing with the lowest median is the fastest: all others are Different from it.
+    bool hasFastest() const;
+    /// The test that counts for a thing and the one with the lowest median: of `fastest` if that is
+    /// the fastest, otherwise of all pairs.
+    const PairTest& againstLowest(std::size_t thing) const;
+    /// The thing with the lowest median, and those that are not Different from it, by median; by
+    /// againstLowest. One alone is the fastest.
     std::vector<std::size_t> leaders() const;
     /// Of which groups a thing is, in their order.
     std::vector<std::size_t> groupsOf(std::size_t thing) const;

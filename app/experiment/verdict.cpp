@@ -59,7 +59,7 @@ QString rangeText(const std::vector<Summary>& times, const std::vector<std::size
 QString slowestText(const Told& told)
 {
     const std::size_t last = told.ranking.order.back();
-    if (told.ranking.fastest[last].outcome != Outcome::Different)
+    if (told.ranking.againstLowest(last).outcome != Outcome::Different)
         return {};
     return (told.ranking.ranks[last]
                 ? Experiments::tr("; %1, the slowest, takes %2 as long")
@@ -76,7 +76,7 @@ QString leaderName(const Record& record, std::size_t i)
 /// "LB (1.004 times as long, p = 0.23)"
 QString testedName(const Told& told, std::size_t i)
 {
-    const PairTest& test = told.ranking.fastest[i];
+    const PairTest& test = told.ranking.againstLowest(i);
     return Experiments::tr("%1 (%2 times as long, p = %3)")
         .arg(leaderName(told.record, i), numberText(test.ratio, 3), pText(test.p));
 }
@@ -87,7 +87,7 @@ QString outcomeText(const Told& told, Outcome outcome)
 {
     constexpr std::ptrdiff_t mostDetailed = 3;
     const auto has = [&](std::size_t i) {
-        return i != told.lowest() && told.ranking.fastest[i].outcome == outcome;
+        return i != told.lowest() && told.ranking.againstLowest(i).outcome == outcome;
     };
     const bool detailed = std::ranges::count_if(told.ranking.order, has) <= mostDetailed;
     QStringList names;

@@ -209,7 +209,6 @@ private slots:
             QVERIFY2(found == expected, qPrintable(QString::number(seed)));
             QVERIFY(ranking.groups.front().front() == ranking.order.front());
             several += ranking.groups.size() > 2;
-            // A rank is told of what differs from all others, by letters or as the fastest.
             for (std::size_t place = 0; place < 7; ++place)
                 if (const auto rank = ranking.ranks[ranking.order[place]])
                     QCOMPARE(*rank, int(place) + 1);
@@ -217,18 +216,58 @@ private slots:
         QVERIFY(several > 50);
     }
 
-    /// One function under many names: whoever has the lowest median is hardly ever "the fastest".
+    /// One function under many names: whichever has the lowest median is hardly ever "the fastest".
     void ofManyNamesOfOneFunctionNoneIsTheFastest()
     {
-        int fastest = 0, differences = 0;
-        for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-            const Ranking ranking =
-                app::rankingOf(inRounds(std::vector<double>(11, 20), 12, 0.05, seed));
-            fastest += ranking.leaders().size() == 1;
+        int fastest = 0, differences = 0, fewerLeaders = 0, anyP = 0;
+        for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+            std::mt19937_64 random(seed);
+            std::normal_distribution<double> time(20, 1);
+            Runs runs(11, std::vector<double>(12));
+            for (auto& times : runs)
+                std::ranges::generate(times, [&] { return time(random); });
+            const Ranking ranking = app::rankingOf(runs);
+            fastest += ranking.hasFastest();
+            fewerLeaders += ranking.leaders().size() < 11;
             differences += ranking.groups.size() > 1;
+            anyP += std::ranges::any_of(ranking.fastest, [](const app::PairTest& test) {
+                return test.p < app::significance;
+            });
         }
         QCOMPARE(fastest, 0);
-        QVERIFY2(differences <= 15, qPrintable(QString::number(differences))); // 5 %
+        QVERIFY2(differences <= 50, qPrintable(QString::number(differences))); // 5 %
+        QVERIFY2(fewerLeaders <= 50, qPrintable(QString::number(fewerLeaders)));
+        // The tests against the lowest median do not keep to 5 %: "about one of ten".
+        QVERIFY2(anyP > 70 && anyP < 140, qPrintable(QString::number(anyP)));
+    }
+
+    /// Two equal things far ahead of the others: one of them is called the fastest by mistake in
+    /// 5 % of all experiments at most.
+    void theClaimOfAFastestKeepsToItsLevel()
+    {
+        int claims = 0;
+        for (std::uint64_t seed = 1; seed <= 1000; ++seed)
+            claims += app::rankingOf(inRounds({10, 10, 20, 30, 40}, 12, 0.05, seed)).hasFastest();
+        QVERIFY2(claims <= 50, qPrintable(QString::number(claims)));
+    }
+
+    /// Ranks say what letters say: one alone in its group and in no other one.
+    void ranksAreBasedOnPairs()
+    {
+        int withoutRank = 0;
+        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+            const Ranking ranking =
+                app::rankingOf(inRounds({10, 10.4, 10.8, 11.2, 11.6, 12, 12.4}, 12, 0.03, seed));
+            for (std::size_t i = 0; i < 7; ++i) {
+                const auto groups = ranking.groupsOf(i);
+                const bool alone = groups.size() == 1 && ranking.groups[groups[0]].size() == 1;
+                QVERIFY2(ranking.ranks[i].has_value() == alone,
+                         qPrintable(QStringLiteral("seed %1, thing %2").arg(seed).arg(i)));
+            }
+            QCOMPARE(ranking.hasFastest(), ranking.leaders().size() == 1);
+            withoutRank += ranking.hasFastest() && !ranking.ranks[ranking.order.front()];
+        }
+        QVERIFY(withoutRank > 0); // the fastest by the tests of it alone
     }
 
     void theWords()
