@@ -45,8 +45,10 @@ void addFindings(Verdict& verdict, const RaceFindings& found)
     verdict.categories.push_back({.lines = found.lines,
                                   .judged = found.lines,
                                   .wrong = found.wrong(),
+                                  .outside = found.outside,
                                   .visible = found.visible,
                                   .wrongVisible = found.wrongVisible});
+    verdict.mostOff = std::max(verdict.mostOff, found.mostOff);
     for (std::size_t i = 0; i < found.byFault.size(); ++i)
         verdict.byFault[i] += found.byFault[i];
     const std::size_t category = raceCategory();

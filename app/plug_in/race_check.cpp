@@ -113,6 +113,8 @@ QByteArray jsonOf(const RaceFindings& found)
     return QJsonDocument(QJsonObject{{"checked", double(found.lines)},
                                      {"visible", double(found.visible)},
                                      {"wrong_visible", double(found.wrongVisible)},
+                                     {"outside", double(found.outside)},
+                                     {"most_ulps", found.mostOff},
                                      {"faults", byFault},
                                      {"findings", first}})
         .toJson(QJsonDocument::Compact);
@@ -128,6 +130,8 @@ std::optional<RaceFindings> raceFindingsOf(const QByteArray& json)
     found.lines = std::size_t(object["checked"].toDouble());
     found.visible = std::size_t(object["visible"].toDouble());
     found.wrongVisible = std::size_t(object["wrong_visible"].toDouble());
+    found.outside = std::size_t(object["outside"].toDouble());
+    found.mostOff = object["most_ulps"].toDouble();
     for (std::size_t i = 0; i < found.byFault.size(); ++i)
         found.byFault[i] = std::size_t(byFault[qsizetype(i)].toDouble());
     for (const auto& one : object["findings"].toArray())
@@ -174,8 +178,12 @@ void RaceCheck::judgeAll(std::span<const Clipped> pieces)
         const auto piece = reader.of(i);
         found_.visible += expected({lines_[i], window_}).has_value();
         const auto result = judged({lines_[i], window_}, answerOf(piece), contract_, allowedUlps);
-        if (result.fault)
+        if (result.fault) {
             add(*result.fault, i, piece);
+            continue;
+        }
+        found_.outside += result.outside > 0;
+        found_.mostOff = std::max({found_.mostOff, result.off, result.outside});
     }
 }
 

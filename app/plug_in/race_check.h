@@ -22,7 +22,9 @@ struct RaceFindings {
     std::size_t lines = 0; ///< that it clipped, those of each class of line again
     std::vector<std::size_t> byFault = std::vector<std::size_t>(faults().size());
     std::size_t visible = 0, wrongVisible = 0; ///< truly visible lines, and those of them wrong
-    std::vector<RaceFinding> first{};          ///< some of what was wrong
+    std::size_t outside = 0; ///< ends that rounding left outside the window, within the contract
+    double mostOff = 0;      ///< ulps, among what was right
+    std::vector<RaceFinding> first{}; ///< some of what was wrong
 
     std::size_t wrong() const;
 };

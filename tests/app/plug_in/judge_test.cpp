@@ -440,12 +440,28 @@ private slots:
                  qPrintable(told));
     }
 
+    void theRoundingOfTheRaceIsTold()
+    {
+        auto which = caseOf("race_rounding");
+        QVERIFY(verdictOn(which).mostOff < 4); // when asked
+        which.race = Case::Race::Yes;
+        const auto verdict = verdictOn(which);
+        QVERIFY2(verdict.passed() && verdict.times, qPrintable(sentence(verdict)));
+        QVERIFY2(verdict.mostOff > 15 && verdict.mostOff <= verdict.contract.ulps,
+                 qPrintable(QString::number(verdict.mostOff)));
+        QVERIFY(verdict.categories.back().outside > 0);
+        QVERIFY2(remarks(verdict).front().contains(QString::number(verdict.mostOff, 'g', 3)),
+                 qPrintable(remarks(verdict).front()));
+    }
+
     void racesFindingsGoThroughThePipeUnchanged()
     {
         RaceFindings found;
         found.lines = 5;
         found.visible = 2;
         found.wrongVisible = 1;
+        found.outside = 1;
+        found.mostOff = 0.1;
         found.byFault[std::size_t(Fault::Lost)] = 1;
         found.first.push_back({Fault::Lost,
                                {{{0.1, 1e-300}, {-0.0, 3}}, {{1, 2}, {3, 4}}},
