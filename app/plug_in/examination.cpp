@@ -32,6 +32,18 @@ QString deathText(const ChildProcess& child)
                            : PlugIn::tr("exit code %1").arg(child.exitCode());
 }
 
+/// By the first word that the child says.
+std::optional<Unusable> whyUnusable(const QString& word)
+{
+    if (word == QLatin1StringView(hello::notLoadable))
+        return Unusable::NotLoadable;
+    if (word == QLatin1StringView(hello::noFunction))
+        return Unusable::NoFunction;
+    if (word == QLatin1StringView(hello::otherVersion))
+        return Unusable::OtherVersion;
+    return std::nullopt;
+}
+
 std::array<std::uint64_t, 8> bitsOf(const Question& question)
 {
     return std::bit_cast<std::array<std::uint64_t, 8>>(question);
@@ -65,11 +77,14 @@ Examination::Examination(const Case& which, const Follower& follower)
 
 bool Examination::run()
 {
-    if (!QFileInfo(case_.library).isFile())
-        return unusable(Unusable::NoFile, {}) != Went::Stopped;
+    if (!QFileInfo(case_.library).isFile()) {
+        unusable(Unusable::NoFile, {});
+        return true;
+    }
     if (const auto why = whyNoLibrary(case_.library)) {
         verdict_.command = why->command;
-        return unusable(Unusable::NotCompiled, why->sentence) != Went::Stopped;
+        unusable(Unusable::NotCompiled, why->sentence);
+        return true;
     }
     Went went = open();
     if (went == Went::On)
@@ -118,17 +133,15 @@ double Examination::spent() const
 }
 
 /// What was found before a crash stays, also where the library cannot be loaded again.
-Examination::Went Examination::unusable(Unusable why, const QString& more)
+void Examination::unusable(Unusable why, const QString& more)
 {
     if (wasLoaded_) {
         verdict_.notReloaded = more;
-        leave();
-        return Went::Over;
+    } else {
+        verdict_.unusable = why;
+        verdict_.more = more;
     }
-    verdict_.unusable = why;
-    verdict_.more = more;
     leave();
-    return Went::Over;
 }
 
 Examination::Went Examination::open()
@@ -143,18 +156,18 @@ Examination::Went Examination::open()
         news = child_->waitForLine(patience, follower_.stop);
     if (news == ChildProcess::News::Stopped)
         return Went::Stopped;
-    if (news == ChildProcess::News::Stuck || news == ChildProcess::News::Asleep)
-        return unusable(Unusable::Broken, PlugIn::tr("it did not end"));
-    if (news == ChildProcess::News::Ended)
-        return unusable(Unusable::Broken, deathText(*child_));
+    if (news != ChildProcess::News::Came) {
+        unusable(Unusable::Broken, news == ChildProcess::News::Ended
+                                       ? deathText(*child_)
+                                       : PlugIn::tr("it did not end"));
+        return Went::Over;
+    }
     const QString line = QString::fromUtf8(child_->readLine());
-    const QString word = line.section(u' ', 0, 0), more = line.section(u' ', 1);
-    if (word == QLatin1StringView(hello::notLoadable))
-        return unusable(Unusable::NotLoadable, more);
-    if (word == QLatin1StringView(hello::noFunction))
-        return unusable(Unusable::NoFunction, more);
-    if (word == QLatin1StringView(hello::otherVersion))
-        return unusable(Unusable::OtherVersion, more);
+    const QString more = line.section(u' ', 1);
+    if (const auto why = whyUnusable(line.section(u' ', 0, 0))) {
+        unusable(*why, more);
+        return Went::Over;
+    }
     if (!more.isEmpty())
         verdict_.name = more;
     wasLoaded_ = true;

@@ -30,7 +30,7 @@ private:
     Went open();
     double spent() const;
     double shareOf(std::size_t category) const;
-    Went unusable(Unusable why, const QString& more);
+    void unusable(Unusable why, const QString& more);
     void prepare();
     Went ask(std::size_t category);
     Went askAll(std::size_t category, std::span<const Question> questions, double until);
