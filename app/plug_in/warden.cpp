@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plug_in/warden.h"
 
+#include "app/plug_in/children.h"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <fcntl.h>
-#include <fstream>
 #include <initializer_list>
-#include <string>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -31,9 +31,7 @@ sigset_t setOf(std::initializer_list<int> some)
 
 void killChildren()
 {
-    const std::string self = std::to_string(::getpid());
-    std::ifstream children("/proc/self/task/" + self + "/children");
-    for (pid_t one = 0; children >> one;)
+    for (const pid_t one : ownChildren())
         ::kill(one, SIGKILL);
 }
 
