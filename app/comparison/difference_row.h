@@ -17,7 +17,7 @@ struct DifferenceColumn {
 
     QString (*heading)(const Comparison& comparison); ///< "Line"
     QString (*meaning)(const Comparison& comparison); ///< of what is in it, a sentence
-    /// As a person reads it, in the drawing's unit. Empty if the line is gone, or nobody looks.
+    /// As a person reads it, in the drawing's unit. Empty if the line is gone, or no panel shows it.
     QString (*text)(const Session& session, const Difference& difference);
     Key (*key)(const Session& session, const Difference& difference);
     bool number; ///< stands to the right

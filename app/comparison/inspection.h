@@ -22,7 +22,7 @@ Region regionOf(const Point& point, const clipping::Window& window);
 
 /// One line under the magnifying glass, in the window that is chosen.
 struct Inspection {
-    /// What is explained: of a line that differs between A and B, while somebody looks, A (or B if
+    /// What is explained: of a line that differs between A and B, while a panel shows it, A (or B if
     /// A is `exact`, which does nothing wrong); else what is chosen.
     Clipper clipper{};
     std::size_t number = 0; ///< index into the scene's segments

@@ -33,7 +33,7 @@ Differences extended(Differences so, const Comparison& comparison,
 clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
                          const clipping::Window& window);
 
-/// What differs between A and B in an open drawing, while somebody looks. It is found between
+/// What differs between A and B in an open drawing, while a panel shows it. It is found between
 /// events, some milliseconds at a time, so that nothing has to wait for it.
 class LiveDifferences : public QObject {
     Q_OBJECT
@@ -41,7 +41,7 @@ class LiveDifferences : public QObject {
 public:
     LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
 
-    /// Nothing: nobody looks, and nothing is computed.
+    /// Nothing: no panel shows it, and nothing is computed.
     void ask(const std::optional<Comparison>& comparison);
     const std::optional<Comparison>& asked() const { return asked_; }
 

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// A race on what an editor shows, while somebody looks at it: after each frame that differs from
+/// A race on what an editor shows, while a panel shows it: after each frame that differs from
 /// the last one (at most one round a frame), and then ten rounds a second until the numbers have
 /// settled. What they find is looked at ten times a second at most. It works between events, some
 /// milliseconds at a time, so that nothing has to wait for it; the window moves on meanwhile, and

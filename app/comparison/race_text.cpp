@@ -24,9 +24,10 @@ QString groupsText(std::span<const RaceRow> rows)
         runs.emplace_back(row.times().begin(), row.times().end());
     const Ranking ranking = rankingOf(runs);
     if (!ranking.told)
-        return Races::tr("%1 of %2 rounds that it takes to tell which algorithms differ")
+        return Races::tr("Too few rounds: %3 algorithms need %2 rounds, this race has %1.")
             .arg(ranking.rounds)
-            .arg(leastRounds(rows.size()));
+            .arg(leastRounds(rows.size()))
+            .arg(rows.size());
     QStringList texts;
     for (const auto& group : ranking.groups) {
         QStringList names;

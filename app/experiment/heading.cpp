@@ -23,7 +23,7 @@ std::map<QString, Heading> timeHeadings()
           Headings::tr("Published: as its authors printed it. Corrected: without their faults.")}},
         {"rank",
          {Headings::tr("Rank"),
-          Headings::tr("None where another algorithm does not differ significantly.")}},
+          Headings::tr("Empty if it does not differ significantly from every other algorithm.")}},
         {"letters",
          {Headings::tr("Letters"),
           Headings::tr("Algorithms that share no letter differ significantly, and by 1 % or "
@@ -129,7 +129,7 @@ std::map<QString, Heading> explanationHeadings()
     };
 }
 
-/// Columns of a verdict on somebody's own algorithm.
+/// Columns of a verdict on an algorithm in a library.
 std::map<QString, Heading> verdictHeadings()
 {
     return {
@@ -144,7 +144,7 @@ std::map<QString, Heading> verdictHeadings()
         {"points",
          {Headings::tr("Points\nof 10"),
           Headings::tr("One for each whole tenth that is right, of the visible or of the invisible "
-                       "lines, whichever is less; the last one only where all are.")}},
+                       "lines, whichever is less; 10 only if every line is right.")}},
         {"degree", {Headings::tr("Result"), {}}},
         {"fault", {Headings::tr("What is wrong"), {}}},
         {"line", {Headings::tr("Line, End 1 → End 2"), {}}},

@@ -19,14 +19,14 @@ using PairedRuns = std::span<const std::vector<double>>;
 /// one by one: with eleven equal things some p is below it in about one of ten experiments.
 inline constexpr double significance = 0.05;
 
-/// Of a difference below this share nobody takes notice, however significant it is.
+/// Below this share a difference counts as practically equal, however significant it is.
 inline constexpr double leastDifference = 0.01;
 
 /// From how many rounds on a test can find a difference among all pairs of so many things: the
 /// smallest r with 2^(1 - r) < significance / pairs.
 std::size_t leastRounds(std::size_t things);
 
-/// How many rounds an experiment takes if nobody says: the paper's ten, or leastRounds.
+/// How many rounds an experiment takes by default: the paper's ten, or leastRounds.
 std::size_t usualRounds(std::size_t things);
 
 /// What a test says about two things.
@@ -49,7 +49,7 @@ struct PairTest {
 /// fastest: it is if all of these tests are Different.
 struct Ranking {
     std::size_t rounds = 0;
-    bool told = false;              ///< there are leastRounds; else nobody has rank or letters
+    bool told = false;              ///< there are leastRounds; else there are no ranks and letters
     std::vector<std::size_t> order; ///< indices of the things by median, the lowest first
     std::vector<PairTest> fastest;  ///< each thing against order.front()
     std::vector<std::vector<PairTest>> pairs; ///< [i][j]: thing i against thing j

@@ -58,8 +58,8 @@ QString pToFastestText(const Ranking& ranking, std::size_t thing)
 QString tooFewRunsText(const Ranking& ranking)
 {
     return ranking.told ? QString()
-                        : Experiments::tr("Too few runs to tell which algorithms differ: %1 of %2 "
-                                          "that it takes to compare %3 algorithms.")
+                        : Experiments::tr("Too few runs: %3 algorithms need %2 runs, this "
+                                          "experiment has %1.")
                               .arg(ranking.rounds)
                               .arg(leastRounds(ranking.order.size()))
                               .arg(ranking.order.size());

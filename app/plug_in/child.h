@@ -6,7 +6,7 @@
 namespace app::plug_in {
 
 /// The first argument of this program where it is to be the child of a judge: the only process that
-/// ever loads somebody's library. `judge-child answer LIBRARY` clips what comes on standard input;
+/// ever loads a user's library. `judge-child answer LIBRARY` clips what comes on standard input;
 /// `judge-child race LIBRARY LINES RUNS SEED CONTRACT` times it.
 inline constexpr auto childKey = "judge-child";
 

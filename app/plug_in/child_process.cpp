@@ -12,7 +12,7 @@ namespace {
 
 constexpr int glance = 20; // milliseconds between two looks at the clocks
 constexpr qsizetype mostPrinted = 2000;
-constexpr qint64 mostUnread = 1 << 20; // of answers: more comes only of somebody who never stops
+constexpr qint64 mostUnread = 1 << 20; // of answers: only a library that never stops has more
 constexpr int wardensTime = 10'000;    // milliseconds, of which it needs some
 
 } // namespace

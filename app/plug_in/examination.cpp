@@ -49,7 +49,7 @@ std::array<std::uint64_t, 8> bitsOf(const Question& question)
     return std::bit_cast<std::array<std::uint64_t, 8>>(question);
 }
 
-/// What was written where nothing is visible is nobody's business.
+/// If nothing is visible, what was written to visible[] does not count.
 bool sameAnswer(const Answer& one, const Answer& other)
 {
     if ((one.returned != 0) != (other.returned != 0))

@@ -171,7 +171,7 @@ std::optional<Verdict> judge(const Case& which, const Follower& follower)
         return verdict;
     if (!isAlive(verdict)) {
         if (!verdict.unusable)
-            verdict.noTimes = PlugIn::tr("It was not timed: only what comes to its end is.");
+            verdict.noTimes = PlugIn::tr("It was not timed, because it crashed or did not end.");
         return verdict;
     }
     const Follower second = legs.next();

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// A way to clip that somebody printed by mistake, shown so that people find the fault. It is no
+/// A way to clip that was printed by mistake, shown so that people find the fault. It is no
 /// row of the library's catalogue, and keeps nothing of its contract but that it ends.
 struct Exhibit {
     QString key;         ///< "md-step-2"

@@ -253,7 +253,7 @@ private slots:
         for (app::RaceRow& one : rows)
             one.milliseconds.resize(6);
         QCOMPARE(app::groupsText(rows),
-                 "6 of 7 rounds that it takes to tell which algorithms differ");
+                 "Too few rounds: 3 algorithms need 7 rounds, this race has 6.");
     }
     void whatIsDroppedLeavesNothing()
     {

@@ -129,8 +129,8 @@ private slots:
                          "");
             }
             QCOMPARE(app::rankingNotes(ranking),
-                     QStringList(QString("Too few runs to tell which algorithms differ: %1 of 12 "
-                                         "that it takes to compare 11 algorithms.")
+                     QStringList(QString("Too few runs: 11 algorithms need 12 runs, this "
+                                         "experiment has %1.")
                                      .arg(rounds)));
         }
         const Ranking ranking = app::rankingOf(inRounds(times, 12, 0, 1));
@@ -282,7 +282,8 @@ private slots:
             qPrintable(told));
         const QString few =
             app::rankingText({"A", "B", "C", "D"}, app::rankingOf(inRounds({5, 1, 5, 9}, 3, 0, 1)));
-        QVERIFY2(few.contains("Too few runs to tell") && !few.contains('('), qPrintable(few));
+        QVERIFY2(few.contains("Too few runs: 4 algorithms need 8 runs") && !few.contains('('),
+                 qPrintable(few));
     }
 };
 
