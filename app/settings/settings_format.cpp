@@ -2,12 +2,12 @@
 #include "app/settings/settings_format.h"
 
 #include "app/formats/replace_file.h"
+#include "app/settings/ini_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSettings>
-#include <QTemporaryFile>
 
 #include <optional>
 
@@ -38,26 +38,15 @@ QVariant valueOf(const QJsonValue& json)
     return json.isNull() ? QVariant() : json.toVariant();
 }
 
-/// Of an earlier version. Qt reads INI files by their names only.
-bool readIni(const QByteArray& text, QSettings::SettingsMap& map)
-{
-    QTemporaryFile copy;
-    if (text.contains("@Variant") // any type of Qt's: none that we wrote
-        || !copy.open() || copy.write(text) != text.size() || !copy.flush())
-        return false;
-    const QSettings ini(copy.fileName(), QSettings::IniFormat);
-    for (const QString& key : ini.allKeys())
-        map.insert(key, ini.value(key));
-    return ini.status() == QSettings::NoError;
-}
-
 bool read(QIODevice& in, QSettings::SettingsMap& map)
 {
     const QByteArray text = in.read(mostBytes + 1);
     if (text.size() > mostBytes)
         return false;
-    if (!text.trimmed().startsWith('{'))
-        return readIni(text, map);
+    if (!text.trimmed().startsWith('{')) {
+        map = settingsOfIni(text);
+        return true;
+    }
     const QJsonObject all = QJsonDocument::fromJson(text).object();
     for (auto each = all.begin(); each != all.end(); ++each)
         if (const QVariant value = valueOf(each.value()); value.isValid())

@@ -80,10 +80,82 @@ private slots:
         QCOMPARE(read.value("layout").toByteArray(), QByteArray("\0\1\2", 3));
     }
 
+    // What Qt's own parser reads of what it wrote is the truth.
+    void everyIniValueIsReadAsQtReadsIt()
+    {
+        std::vector<QVariant> values{QString(),
+                                     "",
+                                     " ",
+                                     "a b",
+                                     " a ",
+                                     "a;b",
+                                     "a,b",
+                                     "a=b",
+                                     "@",
+                                     "@@",
+                                     "@Variant(x)",
+                                     "@DateTime(x)",
+                                     "\"",
+                                     "\\",
+                                     "\n\r\t\a\v\b\f",
+                                     "é → 😀",
+                                     "é\n1",
+                                     "?'",
+                                     "[General]",
+                                     "%20",
+                                     -7,
+                                     0.1,
+                                     1e300,
+                                     true,
+                                     false,
+                                     QByteArray(),
+                                     QByteArray("a,b\";)"),
+                                     QStringList{"", "a, b", " c ", "@d", "@Variant(e)", "\"é"}};
+        QByteArray all;
+        for (int c = 0; c < 256; ++c) {
+            all += char(c);
+            values.emplace_back(QByteArray(1, char(c)) + "7f" + char(c));
+            if (c > 0)
+                values.emplace_back(QString(QChar(c)) + "7f" + QChar(c));
+        }
+        values.emplace_back(all);
+        const QString old = folder_.filePath("oracle");
+        const auto key = [](std::size_t i) {
+            return QStringLiteral("%1%2").arg(i % 2 ? "lessons/deep/v" : "v").arg(i);
+        };
+        {
+            QSettings ini(old, QSettings::IniFormat);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                ini.setValue(key(i), values[i]);
+        }
+        const QSettings truth(old, QSettings::IniFormat), read(old, QSettings().defaultFormat());
+        QCOMPARE(read.allKeys(), truth.allKeys());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            QVERIFY2(read.value(key(i)) == truth.value(key(i)),
+                     qPrintable(key(i) + ": " + values[i].toString()));
+    }
+
+    // Qt decodes a value of any type that a text names, and recurses for one within another.
+    void noTextOfAnIniFileNamesAType()
+    {
+        const QByteArray nested = QByteArray("\\0\\0\\0\\t\\0\\0\\0\\0\\x1").repeated(40'000);
+        for (const QByteArray name : {"@DateTime(", "\\x40Variant(", "\\100Variant(", "@Variant("})
+            for (const QByteArray list : {"", "a, "}) {
+                const QString path = folder_.filePath("named");
+                writeText(path,
+                          "[General]\na=b\ntheme=" + list + '"' + name + nested + ")\"\nc=d\n");
+                const QSettings read(path, QSettings().defaultFormat());
+                QVERIFY2(!read.contains("theme"), name);
+                QCOMPARE(read.value("a").toString(), "b");
+                QCOMPARE(read.value("c").toString(), "d");
+                QFile::remove(path);
+            }
+    }
+
     void garbageIsNoSettings()
     {
         std::mt19937 random(1);
-        const QByteArray whole = R"({"a": 1, "b": ["x", "y"], "c": {"base64": "AAEC"}})";
+        const QByteArray json = R"({"a": 1, "b": ["x", "y"], "c": {"base64": "AAEC"}})";
         std::vector<QByteArray> files{"{",
                                       "{}",
                                       "[1]",
@@ -93,7 +165,9 @@ private slots:
                                       QByteArray("{\"a\":").repeated(5000),
                                       QByteArray(3'000'000, '{'),
                                       QByteArray(3'000'000, 'a')};
-        for (int i = 0; i < 300; ++i) {
+        const QByteArray ini = "[General]\na=\"x\\x7f\\0,\", y;\nb=@ByteArray(\\0)\n[c]\nd\\e=@@";
+        for (int i = 0; i < 400; ++i) {
+            const QByteArray& whole = i % 2 ? ini : json;
             QByteArray damaged = whole.left(qsizetype(random() % std::size_t(whole.size())) + 1);
             damaged[qsizetype(random() % std::size_t(damaged.size()))] = char(random());
             files.push_back(damaged);
