@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -28,15 +29,60 @@ constexpr unsigned char noMore = 0; // no signal has this number
 // has them as well, but is not meant.
 std::atomic<int> pipeEnd = -1;
 std::atomic<pid_t> watched = 0;
+static_assert(decltype(pipeEnd)::is_always_lock_free && decltype(watched)::is_always_lock_free,
+              "a handler must not wait for the thread that it interrupts");
 
 void tellPipe(int signal)
 {
     const int before = errno;
     const auto number = static_cast<unsigned char>(signal);
-    if (getpid() == watched) [[maybe_unused]]
-        const auto written = write(pipeEnd, &number, 1);
+    if (const int end = pipeEnd; end >= 0 && getpid() == watched) [[maybe_unused]]
+        const auto written = write(end, &number, 1);
     errno = before;
 }
+
+/// One for each process, never closed: a handler that still runs in another thread would write into
+/// the file that got the number next.
+class Pipe {
+public:
+    Pipe() = default;
+
+    /// Whether there is one. After a fork, the pipe of the parent is not used.
+    bool open()
+    {
+        if (owner_ == getpid())
+            return true;
+        if (pipe2(ends_.data(), O_CLOEXEC) != 0)
+            return false;
+        fcntl(writeEnd(), F_SETFL, O_NONBLOCK); // a handler must not wait until the thread reads
+        owner_ = getpid();
+        return true;
+    }
+    int readEnd() const { return ends_[0]; }
+    int writeEnd() const { return ends_[1]; }
+
+private:
+    std::array<int, 2> ends_{-1, -1};
+    pid_t owner_ = 0;
+};
+
+Pipe pipeToThread;
+
+/// While it lives, this thread takes no signals, nor do the threads that it starts.
+class NoSignals {
+public:
+    NoSignals()
+    {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    Q_DISABLE_COPY_MOVE(NoSignals)
+
+private:
+    sigset_t before_;
+};
 
 [[noreturn]] void dieOf(int signal)
 {
@@ -63,7 +109,6 @@ int nextSignal(int pipe)
 } // namespace
 
 struct SignalWatch::Parts {
-    std::array<int, 2> pipe{-1, -1};
     std::vector<std::pair<int, struct sigaction>> before;
     std::thread thread;
 };
@@ -71,20 +116,20 @@ struct SignalWatch::Parts {
 // The thread takes no signals itself: the handler may then run in any other.
 SignalWatch::SignalWatch(std::function<void(int signal)> last) : parts_(std::make_unique<Parts>())
 {
-    if (pipe(parts_->pipe.data()) != 0)
+    if (!pipeToThread.open())
         return;
-    for (const int end : parts_->pipe)
-        fcntl(end, F_SETFD, FD_CLOEXEC);
-    sigset_t all, old;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &old);
-    parts_->thread = std::thread([end = parts_->pipe[0], last = std::move(last)] {
-        if (const int signal = nextSignal(end); signal != noMore) {
-            last(signal);
-            dieOf(signal);
-        }
-    });
-    pipeEnd = parts_->pipe[1];
+    const NoSignals guard;
+    try {
+        parts_->thread = std::thread([end = pipeToThread.readEnd(), last = std::move(last)] {
+            if (const int signal = nextSignal(end); signal != noMore) {
+                last(signal);
+                dieOf(signal);
+            }
+        });
+    } catch (const std::system_error&) {
+        return; // no more threads: signals end the process as they always do
+    }
+    pipeEnd = pipeToThread.writeEnd();
     watched = getpid();
     for (const int signal : deadly) {
         struct sigaction action {
@@ -97,7 +142,6 @@ SignalWatch::SignalWatch(std::function<void(int signal)> last) : parts_(std::mak
         sigaction(signal, &action, nullptr);
         parts_->before.emplace_back(signal, usual);
     }
-    pthread_sigmask(SIG_SETMASK, &old, nullptr);
 }
 
 SignalWatch::~SignalWatch()
@@ -106,11 +150,11 @@ SignalWatch::~SignalWatch()
         sigaction(signal, &action, nullptr);
     if (!parts_->thread.joinable())
         return;
-    [[maybe_unused]] const auto written = write(parts_->pipe[1], &noMore, 1);
-    parts_->thread.join(); // it waits for this byte, or the process is about to end
     pipeEnd = -1;
-    for (const int end : parts_->pipe)
-        close(end);
+    // A full pipe holds signals: the process is about to end. So it is, as a rule, where a signal
+    // stands before this byte.
+    [[maybe_unused]] const auto written = write(pipeToThread.writeEnd(), &noMore, 1);
+    parts_->thread.join();
 }
 
 #else
