@@ -91,6 +91,8 @@ std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, c
     if (!folder.exists()) {
         QDir().mkpath(QFileInfo(folder.path()).path());
         QDir().mkdir(folder.path(), mine);
+    } else {
+        QFile::setPermissions(folder.path(), mine); // it may have been copied back, or unpacked
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
         if (auto wrong = formats().front().write(sheet, out, {}))
@@ -100,6 +102,7 @@ std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, c
                    ? std::nullopt
                    : std::optional(out.errorString());
     });
+    QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner);
     return error ? std::optional(
                QCoreApplication::translate("recovery", "Cannot write %1: %2").arg(file, *error))
                  : std::nullopt;

@@ -34,8 +34,8 @@ struct Leftover {
 /// In the user's state folder ($XDG_STATE_HOME, else ~/.local/state).
 QString leftoverFolder();
 
-/// Writes a file for a drawing, whole or not at all, and makes the folder, which only the user can
-/// read; nothing, or the error.
+/// Writes a file for a drawing, whole or not at all, and makes the folder; only the user can read
+/// either of them. Nothing, or the error.
 std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file);
 
 /// A name in `folder` that no other process uses.

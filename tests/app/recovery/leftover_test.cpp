@@ -48,6 +48,20 @@ private slots:
             discard(leftover);
         QVERIFY(QDir(folder).isEmpty());
     }
+    void onlyTheUserCanReadItInAnOpenFolderToo()
+    {
+        const QTemporaryDir home;
+        const QByteArray folder = QFile::encodeName(home.filePath("open"));
+        QCOMPARE(::mkdir(folder.constData(), 0755), 0);
+        QCOMPARE(::chmod(folder.constData(), 0755), 0); // whatever the umask is
+        const QString path = QFile::decodeName(folder) + "/x.svg";
+        QCOMPARE(writeLeftover(sheet(), {"x", {}, {}}, path), std::nullopt);
+        struct stat found {};
+        for (const QByteArray& each : {folder, QFile::encodeName(path)}) {
+            QCOMPARE(::stat(each.constData(), &found), 0);
+            QVERIFY2((found.st_mode & 0077) == 0, each.constData());
+        }
+    }
     void onlyOneProcessOffersIt()
     {
         const QTemporaryDir folder;
