@@ -12,6 +12,7 @@
 namespace ui {
 
 constexpr double snapReach = 8; // pixels
+constexpr int growthTold = 100; // milliseconds
 
 static app::Colour colourOf(const QColor& c)
 {
@@ -24,6 +25,9 @@ Controller::Controller(app::Session& session, QObject* parent)
       look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
     setTool(tools().front().key);
+    growing_.setSingleShot(true);
+    growing_.setInterval(growthTold);
+    connect(&growing_, &QTimer::timeout, this, &Controller::stepsChanged);
     connect(&session.scene, &app::Scene::outdated, this, &Controller::outdate);
     connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
@@ -225,14 +229,37 @@ void Controller::setZoom(double zoom)
     navigation_.zoomAt(middle, zoom / this->zoom());
 }
 
+Controller::Steps Controller::steps() const
+{
+    return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pointsInHand()};
+}
+
+// Who keeps what is in hand copies all of it: for each point of a long freehand line that is slow.
+void Controller::tellSteps(const Steps& before)
+{
+    const Steps now = steps();
+    Steps grown = before;
+    grown.points = now.points;
+    const bool following = now == grown && !now.takeBack && now.points > before.points;
+    if (now == before)
+        return;
+    if (following && !growing_.isActive())
+        growing_.start();
+    if (following)
+        return;
+    growing_.stop();
+    emit stepsChanged();
+}
+
 void Controller::withTool(const std::function<void()>& call)
 {
     const QString before = hint();
+    const Steps stepsBefore = steps();
     call();
     navigation_.go(toolView_);
     if (hint() != before)
         emit hintChanged();
-    emit stepsChanged();
+    tellSteps(stepsBefore);
     emit changed();
 }
 

@@ -8,6 +8,8 @@
 #include "ui/canvas/navigation.h"
 #include "ui/tools/tool.h"
 
+#include <QTimer>
+
 #include <functional>
 
 namespace ui {
@@ -100,7 +102,8 @@ signals:
     void pointerMoved(std::optional<app::Point> position);
     void toolChanged();
     void hintChanged();
-    void stepsChanged(); ///< what undo() and redo() do, or what is in hand
+    /// What undo() and redo() do, or what is in hand; of a line that follows the hand every 100 ms.
+    void stepsChanged();
 
 private:
     void addErrors(app::PictureOptions& options) const;
@@ -119,6 +122,14 @@ private:
     bool escape();
     Pointer pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
                       Qt::KeyboardModifiers modifiers);
+    /// What stepsChanged() tells of, as far as a tool changes it.
+    struct Steps {
+        bool undo = false, redo = false, takeBack = false;
+        std::size_t points = 0;
+        friend bool operator==(const Steps&, const Steps&) = default;
+    };
+    Steps steps() const;
+    void tellSteps(const Steps& before);
     void withTool(const std::function<void()>& call); ///< notices what it changed
 
     app::Session& session_;
@@ -135,6 +146,7 @@ private:
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;
+    QTimer growing_; ///< runs while what is in hand has points that stepsChanged() has not told
     std::uint64_t revision_ = 1;
 };
 

@@ -33,6 +33,7 @@ public:
     {
         return points_.size() >= 2 ? std::optional(pathOf(points_)) : std::nullopt;
     }
+    std::size_t pointsInHand() const override { return points_.size(); }
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {

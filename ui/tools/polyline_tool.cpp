@@ -70,6 +70,7 @@ public:
     {
         return corners_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
     }
+    std::size_t pointsInHand() const override { return corners_.size(); }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (corners_.empty())

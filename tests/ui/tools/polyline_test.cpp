@@ -3,6 +3,8 @@
 #include "ui/tools/tool.h"
 
 #include <QAction>
+#include <QElapsedTimer>
+#include <QSignalSpy>
 
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
@@ -124,6 +126,37 @@ private slots:
             stage.release({130, 60});
             QVERIFY2(stage.session.sheet() == before && stage.session.history.count() == 1, tool);
         }
+    }
+    void aMoveThatChangesNothingTellsNothing()
+    {
+        Hand hand;
+        hand.click(2);
+        const QSignalSpy told(&hand.window.canvas(), &ui::Canvas::stepsChanged);
+        for (int i = 0; i < 50; ++i)
+            hand.point(i % 5);
+        QCOMPARE(told.count(), 0);
+        hand.clickAt(2);
+        QCOMPARE(told.count(), 1);
+        hand.key(Qt::Key_Backspace);
+        QCOMPARE(told.count(), 2);
+    }
+    // All of it is copied each time.
+    void aLongFreehandLineIsToldNowAndThen()
+    {
+        constexpr int moves = 400;
+        Stage stage(ui::Backend::Raster);
+        stage.canvas->setTool("pencil");
+        stage.press({100, 50});
+        const QSignalSpy told(stage.canvas.get(), &ui::Canvas::stepsChanged);
+        QElapsedTimer clock;
+        clock.start();
+        for (int i = 1; i <= moves; ++i)
+            stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
+        QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
+        QTRY_VERIFY(told.count() > 0); // while the hand rests
+        QCOMPARE(stage.canvas->shapeInHand()->paths[0].stretches.size(), std::size_t(moves));
+        stage.release({100, 60});
+        QVERIFY(!stage.canvas->shapeInHand());
     }
     void theHintSaysSo()
     {
