@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recovery.h"
 
+#include "app/formats/unfinished.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 
@@ -68,6 +69,7 @@ void Recovery::keep(int signal) const
     } catch (const std::exception&) { // no memory
         say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
     }
+    app::removeUnfinished(); // of a Save that the signal interrupts
 }
 
 void Recovery::offer()

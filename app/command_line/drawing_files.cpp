@@ -3,6 +3,7 @@
 
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/formats/unfinished.h"
 #include "app/document/flatten.h"
 #include "app/formats/read_open_file.h"
 

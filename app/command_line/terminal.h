@@ -25,12 +25,4 @@ void holdStandardStreams();
 /// being replaced stays as it was (QSaveFile).
 void answerSignals();
 
-/// While it lives, Ctrl-C also removes the half of a file that lies beside `path` to replace it.
-class Unfinished {
-public:
-    explicit Unfinished(const QString& path);
-    ~Unfinished();
-    Q_DISABLE_COPY_MOVE(Unfinished)
-};
-
 } // namespace app

@@ -2,6 +2,7 @@
 #include "app/document/session.h"
 
 #include "app/document/usual_algorithm.h"
+#include "app/formats/unfinished.h"
 
 #include <algorithm>
 
@@ -68,8 +69,11 @@ bool Session::mustSaveAs() const
 
 std::optional<QString> Session::save(const QString& path)
 {
-    if (auto error = writeFile(sheet(), path))
-        return error;
+    {
+        const Unfinished guard(path);
+        if (auto error = writeFile(sheet(), path))
+            return error;
+    }
     path_ = path;
     losses_.clear();
     history.setClean();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/unfinished.h"
 #include "app/recovery/leftover.h"
 #include "ui/editor.h"
 #include "ui/main_window.h"
@@ -142,6 +143,17 @@ const std::map<QString, Scenario>& scenarios()
              for (;;)
                  pause();
          }},
+        {"saving", // where the file system has no unnamed files
+         [](MainWindow& w) {
+             drawLine(w);
+             const QString path = w.session().path();
+             const app::Unfinished guard(path);
+             QFile half(path + ".AbCdEf");
+             if (half.open(QIODevice::WriteOnly))
+                 ready();
+             for (;;)
+                 pause();
+         }},
         {"dialog",
          [](MainWindow& w) {
              drawLine(w);
@@ -213,6 +225,7 @@ private slots:
             QTest::addRow("a line, %s", strsignal(signal)) << "draw" << signal << 2;
         QTest::addRow("a polyline in hand") << "polyline" << SIGTERM << 2;
         QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
+        QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
         QTest::addRow("in a dialog") << "dialog" << SIGTERM << 2;
     }
     void aSignalKeepsTheWorkAndThenEndsTheProgram()
@@ -229,6 +242,8 @@ private slots:
         QCOMPARE(editor.endedBy(signal), signal);
         qInfo("ended after %lld ms", clock.elapsed());
         QCOMPARE(contents(home.drawing()), saved);
+        QCOMPARE(QDir(home.path.path()).entryList({"plan.svg*"}, QDir::Files),
+                 QStringList{"plan.svg"}); // no half of a file
         const auto left = app::claimLeftovers(home.leftovers());
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left[0].origin.name, "plan.svg");
