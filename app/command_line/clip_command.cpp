@@ -49,14 +49,14 @@ void sayNothingIsLeft(const Imported& imported, const CutOptions& options, const
                            : Commands::tr("Nothing visible is left: every shape is hidden."));
     const QString why =
         allGone ? (inside ? Commands::tr("Nothing is left: all of the drawing is outside the "
-                                         "window. The window is %1; the drawing is in %2.")
+                                         "window. The drawing is in %1.")
                           : Commands::tr("Nothing is left: all of the drawing is inside the "
-                                         "window. The window is %1; the drawing is in %2."))
+                                         "window. The drawing is in %1."))
                 : (inside ? Commands::tr("Nothing visible is left: every visible shape is outside "
-                                         "the window. The window is %1; these shapes are in %2.")
+                                         "the window. These shapes are in %1.")
                           : Commands::tr("Nothing visible is left: every visible shape is inside "
-                                         "the window. The window is %1; these shapes are in %2."));
-    say(why.arg(placeText(options.window, imported), placeText(*bounds, imported)));
+                                         "the window. These shapes are in %1."));
+    say(why.arg(placeText(*bounds, imported)));
 }
 
 void report(const Imported& imported, const CutCounts& counts)
@@ -153,10 +153,9 @@ void clip(const Given& given)
     if (!given.has(QStringLiteral("quiet"))) {
         report(imported, result.counts);
         sayDropped(given, output, dropped);
+        say(windowText(given, imported, options.window));
         if (hiddenIn(result.sheet) == result.sheet.shapes.size())
             sayNothingIsLeft(imported, options, result);
-        else if (windowHasUnits(given))
-            say(Commands::tr("Window: %1.").arg(placeText(options.window, imported)));
     }
     if (given.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")
@@ -189,7 +188,9 @@ Command clipCommand()
     for (const auto& more : {further, writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
-        {{"q", "quiet"}, {}, Commands::tr("Do not say what was cut, and what was lost.")});
+        {{"q", "quiet"},
+         {},
+         Commands::tr("Do not say what was cut at which window, nor what was lost.")});
     options.push_back(
         {{"stats"}, {}, Commands::tr("Say how many lines there were, and the times.")});
     return {"clip",

@@ -18,10 +18,23 @@ Point cornerOf(const Imported& imported)
     return imported.paged ? imported.sheet.page.min : Point{};
 }
 
+bool isBare(const Length& length) { return length.unit == Unit::User; }
+
+// Bare numbers and lengths count from different points, so a rectangle of both would be elsewhere.
+void refuseMixture(const Given& given, const std::array<Length, 4>& lengths)
+{
+    if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
+        throw WrongUsage{
+            Commands::tr(
+                "--window %1: give all four with a unit, counted from the paper's top left "
+                "corner, or all four without, in the drawing's own coordinates.")
+                .arg(*given.text(QStringLiteral("window")))};
+}
+
 // A length counts from the paper's corner, a bare number is the drawing's own.
 double placeOf(const Length& length, double corner, double unit)
 {
-    return length.unit == Unit::User ? length.value : corner + toUserUnits(length, unit);
+    return isBare(length) ? length.value : corner + toUserUnits(length, unit);
 }
 
 } // namespace
@@ -32,8 +45,9 @@ std::vector<Option> windowOptions()
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
          Commands::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
-                      "with a unit, such as 10mm, count from the paper's top left corner "
-                      "(without: the drawing's own clip window, or else its page).")},
+                      "with a unit, such as 10mm, count from the paper's top left corner. The two "
+                      "cannot be mixed (without: the drawing's own clip window, or else its "
+                      "page).")},
         {{"page"}, {}, Commands::tr("The clip window is the drawing's page: the whole sheet.")},
         {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
     };
@@ -50,6 +64,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
     if (const auto r = given.rectangle(QStringLiteral("window"))) {
         if (given.has(QStringLiteral("page")))
             throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
+        refuseMixture(given, *r);
         const Point corner = cornerOf(imported);
         const auto place = [&](std::size_t i) {
             return placeOf((*r)[i], i % 2 == 0 ? corner.x : corner.y, unit);
@@ -69,18 +84,31 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
     return window;
 }
 
-bool windowHasUnits(const Given& given)
+QString windowText(const Given& given, const Imported& imported, const clipping::Window& window)
 {
-    const auto lengths = given.rectangle(QStringLiteral("window"));
-    return lengths && std::ranges::any_of(*lengths, [](const Length& length) {
-               return length.unit != Unit::User;
-           });
+    QString source;
+    if (given.has(QStringLiteral("window")))
+        source = Commands::tr("given");
+    else if (const auto margin = given.text(QStringLiteral("margin")))
+        source = Commands::tr("the page, margin %1").arg(*margin);
+    else if (given.has(QStringLiteral("page")))
+        source = Commands::tr("the page");
+    else if (imported.windowSaved)
+        source = Commands::tr("saved in the drawing");
+    else if (imported.paged && window == imported.sheet.page.rectangle())
+        source = Commands::tr("the page");
+    else
+        source = Commands::tr("all that is drawn");
+    return Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported));
 }
 
 QString placeText(const clipping::Window& rectangle, const Imported& imported)
 {
-    return Commands::tr("%1 in the drawing's coordinates, %2")
-        .arg(rectangleText(rectangle), millimetreText(rectangle, imported));
+    const QString text =
+        Commands::tr("%1 in the drawing's coordinates").arg(rectangleText(rectangle));
+    const bool inMillimetres =
+        imported.sheet.page.millimetresPerUnit() == 1 && cornerOf(imported) == Point{};
+    return inMillimetres ? text : text + QStringLiteral(", ") + millimetreText(rectangle, imported);
 }
 
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported)

@@ -9,18 +9,20 @@ namespace app {
 /// --margin.
 std::vector<Option> windowOptions();
 
-/// What they say, in user units: by itself the drawing's own. Bare numbers count from the user
-/// origin, lengths with a unit from the paper's top left corner (of a file without a page, from the
-/// user origin, too). Throws WrongUsage, also for an empty window.
+/// The clip window that the options choose, in user units; without them the drawing's own. Bare
+/// numbers count from the user origin, lengths with a unit from the paper's top left corner (in a
+/// file without a page: from the user origin). Throws WrongUsage for a window that mixes the two,
+/// and for an empty one.
 clipping::Window windowOf(const Given& given, const Imported& imported);
 
-/// Whether --window has a length with a unit, so that it is worth saying where that is.
-bool windowHasUnits(const Given& given);
+/// "Window (the page): -40,-40,40,40 in …": where `windowOf` took it from, and as `placeText`.
+QString windowText(const Given& given, const Imported& imported, const clipping::Window& window);
 
 /// "10mm,10mm,90mm,90mm from the paper's top left corner", rounded to micrometres.
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported);
 
-/// "-40,-40,40,40 in the drawing's coordinates, 10mm,…" as `millimetreText`.
+/// "-40,-40,40,40 in the drawing's coordinates, 10mm,…" with `millimetreText`, which is left out
+/// where its numbers are the same.
 QString placeText(const clipping::Window& rectangle, const Imported& imported);
 
 } // namespace app

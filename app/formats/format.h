@@ -31,6 +31,8 @@ struct Imported {
     /// Whether the file has a page of its own. Else (CSV) the page is what is drawn, and lengths
     /// with a unit count from the user origin as bare numbers do.
     bool paged = true;
+    /// Whether the sheet's window was saved in the file. Else it is the page, or what is drawn.
+    bool windowSaved = false;
     bool lossy() const; ///< any that is not a remark: Save becomes Save as
 };
 

@@ -39,7 +39,9 @@ Imported import(const Tree& tree)
         throw;
     }
     sheet.page = closed(root, sheet.shapes);
-    sheet.window = readWindow(tree).value_or(usualWindow(root, sheet));
+    const auto saved = readWindow(tree);
+    imported.windowSaved = saved.has_value();
+    sheet.window = saved.value_or(usualWindow(root, sheet));
     sheet.about = tree.about();
     imported.report = report.losses();
     return imported;

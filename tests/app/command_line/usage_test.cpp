@@ -159,7 +159,7 @@ private slots:
         row(clip + QStringList{"-w", "1,2,3,nan"}, "give four lengths");
         row(clip + QStringList{"-w", "1,2,3,4ell"}, "give four lengths");
         row(clip + QStringList{"-w", "1,2,3,4%"}, "give four lengths");
-        row(clip + QStringList{"-w", "0,0,1e308in,1"}, "The window is too large");
+        row(clip + QStringList{"-w", "0in,0in,1e308in,1in"}, "The window is too large");
         row(clip + QStringList{"--page", "--margin=-1e308in"}, "The window is too large");
         row(clip + QStringList{"-w", "1,2,0,4"}, "The window is empty");
         row(clip + QStringList{"--page", "-w", "1,2,3,4"}, "not both");
