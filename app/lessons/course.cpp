@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/course.h"
 
+#include "app/lessons/scores.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -110,6 +112,22 @@ Score Course::score() const
                || points_[std::size_t(&answer - answers_.data())] > 0;
     });
     return {int(settled), std::accumulate(points_.begin(), points_.end(), 0)};
+}
+
+int Course::rightWorth(int points) const { return int(std::ranges::count(points_, points)); }
+
+QString Course::ending() const
+{
+    const int questions = lesson() ? mostPoints(*lesson()) / 2 : 0;
+    if (!atEnd() || questions == 0)
+        return {};
+    QString text = tr("%1 of %2 right at the first try").arg(rightWorth(2)).arg(questions);
+    if (const int second = rightWorth(1); second > 0)
+        text += tr(", %1 at the second").arg(second);
+    if (isPassed(score().points, *lesson()))
+        return tr("Passed: %1.").arg(text);
+    return tr("Not passed yet: %1. It takes three quarters of the points. Try the lesson again?")
+        .arg(text);
 }
 
 } // namespace app

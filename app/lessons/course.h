@@ -57,6 +57,10 @@ public:
     void showAnswer();
 
     Score score() const; ///< of this lesson so far
+    /// Whether the last page is shown and no question is open.
+    bool atEnd() const { return lesson() && atLastPage() && !isOpen(); }
+    /// At the end: how many answers were right, and whether the lesson is passed. Else empty.
+    QString ending() const;
 
 signals:
     void changed();
@@ -64,6 +68,7 @@ signals:
 private:
     void show();
     void settle();
+    int rightWorth(int points) const; ///< how many questions brought so many points
 
     Microscope& microscope_;
     std::optional<std::size_t> lesson_;

@@ -20,7 +20,7 @@ int mostPoints(const Lesson& lesson)
            }));
 }
 
-bool isUnderstood(int points, const Lesson& lesson) { return 4 * points >= 3 * mostPoints(lesson); }
+bool isPassed(int points, const Lesson& lesson) { return 4 * points >= 3 * mostPoints(lesson); }
 
 std::optional<int> bestPoints(const QSettings& settings, const Lesson& lesson)
 {

@@ -11,8 +11,8 @@ namespace app {
 
 /// Two points for each question of a lesson.
 int mostPoints(const Lesson& lesson);
-/// Whether that many points show that a lesson was understood: three quarters of all, or more.
-bool isUnderstood(int points, const Lesson& lesson);
+/// Whether so many points pass a lesson: three quarters of all, or more.
+bool isPassed(int points, const Lesson& lesson);
 
 /// The best points that were reached in a lesson, 0 to mostPoints(); nothing: it was never begun.
 std::optional<int> bestPoints(const QSettings& settings, const Lesson& lesson);

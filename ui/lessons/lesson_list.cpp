@@ -20,7 +20,7 @@ namespace {
 constexpr int margin = 10, mark = 16;
 
 /// One lesson: its number and title, below it what it is about and the best points, and a tick if
-/// they show that it was understood.
+/// they pass the lesson.
 class LessonButton : public QAbstractButton {
 public:
     LessonButton(int number, const app::Lesson& lesson) : lesson_(lesson)
@@ -35,15 +35,14 @@ public:
     {
         const QSettings settings;
         const auto points = app::bestPoints(settings, lesson_);
-        understood_ = points && app::isUnderstood(*points, lesson_);
+        passed_ = points && app::isPassed(*points, lesson_);
         words_ = lesson_.summary;
         if (points)
             words_ += u'\n'
                       + LessonList::tr("Best: %1 of %2 points")
                             .arg(*points)
                             .arg(app::mostPoints(lesson_));
-        setAccessibleDescription(understood_ ? words_ + u'\n' + LessonList::tr("Understood")
-                                             : words_);
+        setAccessibleDescription(passed_ ? words_ + u'\n' + LessonList::tr("Passed") : words_);
         updateGeometry();
         update();
     }
@@ -78,7 +77,7 @@ protected:
         painter.setFont(captionFont(font()));
         painter.setPen(look.muted);
         painter.drawText(summaryRect(width()), Qt::TextWordWrap, words_);
-        if (understood_)
+        if (passed_)
             ui::icon("tick").paint(&painter, QRect(inner.right() - mark, inner.top(), mark, mark));
     }
     void resizeEvent(QResizeEvent*) override { updateGeometry(); }
@@ -93,7 +92,7 @@ private:
     }
     const app::Lesson& lesson_;
     QString words_;
-    bool understood_ = false;
+    bool passed_ = false;
 };
 
 } // namespace
@@ -124,7 +123,7 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     auto* about =
         new QLabel(tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
                       "build on earlier ones, but you may begin anywhere. A tick marks a lesson "
-                      "with at least three quarters of its points."));
+                      "that is passed: with at least three quarters of its points."));
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);

@@ -49,10 +49,12 @@ QString richText(const QString& markdown)
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
-      place_(new QLabel), text_(new QLabel), told_(new QLabel), body_(new QScrollArea),
-      choices_(new ChoiceList), back_(button(tr("Back"), tr("The page before (Page Up)"))),
+      place_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
+      body_(new QScrollArea), choices_(new ChoiceList),
+      back_(button(tr("Back"), tr("The page before (Page Up)"))),
       again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
-      next_(button(tr("Next"), tr("The next page (Page Down)")))
+      next_(button(tr("Next"), tr("The next page (Page Down)"))),
+      repeat_(button(tr("Repeat the lesson"), tr("Begins this lesson again; the best points stay")))
 {
     setObjectName(QStringLiteral("lessons"));
     setAccessibleName(tr("Lessons"));
@@ -74,6 +76,10 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
     connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
     connect(again_, &QPushButton::clicked, &course_, &app::Course::showAgain);
+    connect(repeat_, &QPushButton::clicked, this, [this] {
+        course_.begin(course_.lessonIndex());
+        focusNext();
+    });
     const auto key = [this](int code, int pages) {
         auto* shortcut = new QShortcut(QKeySequence(code), this);
         connect(shortcut, &QShortcut::activated, this, [this, pages] { turn(pages); });
@@ -92,6 +98,8 @@ QWidget* LessonPanel::makeReader()
     column->setSpacing(space::labelToField);
     column->addLayout(makeHead());
     column->addWidget(makeBody(), 1);
+    column->addWidget(ending_);
+    column->addWidget(repeat_, 0, Qt::AlignLeft);
     column->addLayout(makeFoot());
     return reader;
 }
@@ -120,7 +128,8 @@ QLayout* LessonPanel::makeHead()
 /// The text, and below it the question; it scrolls where there is no room.
 QWidget* LessonPanel::makeBody()
 {
-    for (QLabel* label : {text_, told_}) {
+    ending_->setFont(semiBold(font()));
+    for (QLabel* label : {text_, told_, ending_}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         label->setAlignment(Qt::AlignTop);
@@ -205,6 +214,7 @@ void LessonPanel::showPage()
     choices_->show(course_);
     told_->setText(richText(course_.told()));
     told_->setVisible(!course_.told().isEmpty());
+    showEnding();
     back_->setEnabled(course_.page() > 0);
     next_->setEnabled(!course_.isOpen());
     next_->setToolTip(course_.isOpen() ? tr("Answer the question first, or let the answer be shown")
@@ -212,6 +222,15 @@ void LessonPanel::showPage()
     setFocusProxy(course_.isOpen() ? choices_->firstOpen() : next_);
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
+}
+
+/// Below the text, where it is seen without scrolling.
+void LessonPanel::showEnding()
+{
+    ending_->setText(course_.ending());
+    ending_->setVisible(!ending_->text().isEmpty());
+    repeat_->setVisible(ending_->isVisibleTo(this)
+                        && !app::isPassed(course_.score().points, *course_.lesson()));
 }
 
 void LessonPanel::changeEvent(QEvent* event)

@@ -15,7 +15,8 @@ class LessonList;
 
 /// The lessons beside the microscope: the list of them, or the page that is read, with its
 /// question. The microscope shows what the page is about. Page Up and Page Down turn the pages; Up,
-/// Down and Enter answer. The best points of each lesson are kept in the settings.
+/// Down and Enter answer. The end says whether the lesson is passed. The best points of each lesson
+/// are kept in the settings.
 class LessonPanel : public QStackedWidget {
     Q_OBJECT
 
@@ -38,15 +39,16 @@ private:
     QWidget* makeBody();
     QLayout* makeFoot();
     void showPage();
+    void showEnding();
     void turn(int pages);
     void focusNext();
 
     app::Course& course_;
     LessonList* list_;
-    QLabel *title_, *place_, *text_, *told_;
+    QLabel *title_, *place_, *text_, *told_, *ending_;
     QScrollArea* body_;
     ChoiceList* choices_;
-    QPushButton *back_, *again_, *next_;
+    QPushButton *back_, *again_, *next_, *repeat_;
 };
 
 } // namespace ui

@@ -174,14 +174,56 @@ private slots:
         QCOMPARE(course.answer().tries.size(), 2U);
         QVERIFY(!microscope.isCovered());
     }
-    void theTickIsForUnderstanding()
+    void aLessonIsPassedByThreeQuartersOfItsPoints()
     {
         for (const Lesson& lesson : app::lessons()) {
             const int most = app::mostPoints(lesson);
             QVERIFY2(most >= 4, qPrintable(lesson.key));
-            QVERIFY(!app::isUnderstood(0, lesson) && !app::isUnderstood(most / 2, lesson));
-            QVERIFY(app::isUnderstood(most, lesson));
+            QVERIFY(!app::isPassed(0, lesson) && !app::isPassed(most / 2, lesson));
+            QVERIFY(app::isPassed(most, lesson));
         }
+    }
+    // Every number of questions right at the first try, then as many as are left at the second.
+    void theEndSaysWhetherTheLessonIsPassed()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        for (std::size_t i = 0; i < app::lessons().size(); ++i) {
+            const int questions = app::mostPoints(app::lessons()[i]) / 2;
+            for (int first = 0; first <= questions; ++first)
+                for (const bool second : {false, true}) {
+                    int asked = 0;
+                    for (course.begin(i);; course.next()) {
+                        if (course.question()) {
+                            QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
+                            const int right = course.question()->right;
+                            if (++asked > first && !second)
+                                course.showAnswer();
+                            else if (asked > first)
+                                course.choose(right == 0 ? 1 : 0);
+                            if (course.isOpen())
+                                course.choose(right);
+                        }
+                        if (course.atLastPage())
+                            break;
+                        QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
+                    }
+                    const bool passed = app::isPassed(course.score().points, app::lessons()[i]);
+                    QString said = QStringLiteral("%1: %2 of %3 right at the first try")
+                                       .arg(passed ? "Passed" : "Not passed yet")
+                                       .arg(first)
+                                       .arg(questions);
+                    if (second && first < questions)
+                        said += QStringLiteral(", %1 at the second").arg(questions - first);
+                    const QString ending = course.ending();
+                    QVERIFY2(ending.startsWith(said + u'.'), qPrintable(ending + " != " + said));
+                    QCOMPARE(ending.endsWith("Try the lesson again?"), !passed);
+                    course.previous();
+                    QCOMPARE(course.ending(), QString());
+                }
+        }
+        course.end();
+        QCOMPARE(course.ending(), QString());
     }
     void pointsAreKept()
     {

@@ -125,7 +125,35 @@ private slots:
         QCOMPARE(app::bestPoints(QSettings(), lesson), std::optional(0));
         const QString words = stage.list().buttons()[1]->accessibleDescription();
         QVERIFY2(words.contains("Best: 0 of"), qPrintable(words));
-        QVERIFY2(!words.contains("Understood"), qPrintable(words));
+        QVERIFY2(!words.contains("Passed"), qPrintable(words));
+    }
+    void theEndSaysWhetherTheLessonIsPassed()
+    {
+        Stage stage;
+        const auto answerAll = [&](bool rightly) {
+            for (;; stage.course.next()) {
+                if (stage.course.isOpen() && rightly)
+                    stage.course.choose(stage.course.question()->right);
+                else if (stage.course.isOpen())
+                    stage.course.showAnswer();
+                if (stage.course.atLastPage())
+                    break;
+                QVERIFY(!stage.says("assed"));
+            }
+        };
+        const auto repeat = [&] {
+            const auto buttons = stage.panel.findChildren<QPushButton*>();
+            return *std::ranges::find(buttons, "Repeat the lesson", &QPushButton::text);
+        };
+        stage.course.begin(1);
+        answerAll(false);
+        QVERIFY(stage.says("Not passed yet: 0 of ") && stage.says("Try the lesson again?"));
+        QTest::mouseClick(repeat(), Qt::LeftButton);
+        QCOMPARE(stage.course.lessonIndex(), 1U);
+        QCOMPARE(stage.course.page(), 0U);
+        QVERIFY(stage.course.isOpen() && !repeat()->isVisible());
+        answerAll(true);
+        QVERIFY(stage.says("Passed: ") && !repeat()->isVisible());
     }
     void pointsAreThereAtTheNextStart()
     {
@@ -141,7 +169,7 @@ private slots:
         app::Course course(microscope);
         const ui::LessonPanel next(course); // the settings are as they were left
         const auto* list = next.findChild<ui::LessonList*>();
-        QVERIFY(list->buttons()[1]->accessibleDescription().contains("Understood"));
+        QVERIFY(list->buttons()[1]->accessibleDescription().contains("Passed"));
         QVERIFY(list->buttons()[1]->accessibleDescription().contains(
             QStringLiteral("%1 of %1").arg(app::mostPoints(lesson))));
         QVERIFY(!list->buttons()[0]->accessibleDescription().contains("Best"));
