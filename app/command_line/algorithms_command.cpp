@@ -8,13 +8,19 @@ namespace {
 
 void list(const Given& given)
 {
-    Table table{{"key", "abbreviation", "name", "year", "idea"}};
-    for (const auto& algorithm : clipping::algorithms())
-        table.rows.push_back({QLatin1StringView(algorithm.key),
-                              QLatin1StringView(algorithm.abbreviation),
-                              QLatin1StringView(algorithm.name), QString::number(algorithm.year),
-                              QString::fromUtf8(algorithm.idea)});
-    writeTables(tableOutput(given), {&table, 1});
+    const TableOutput output = tableOutput(given);
+    // In a terminal the ideas need the room; a name says no more than its key.
+    const bool isText = output.format.key == tableFormats().front().key;
+    Table table{isText ? QStringList{"key", "abbr.", "year", "idea"}
+                       : QStringList{"key", "abbreviation", "name", "year", "idea"}};
+    for (const auto& algorithm : clipping::algorithms()) {
+        QStringList row{QLatin1StringView(algorithm.key), QLatin1StringView(algorithm.abbreviation),
+                        QString::number(algorithm.year), QString::fromUtf8(algorithm.idea)};
+        if (!isText)
+            row.insert(2, QLatin1StringView(algorithm.name));
+        table.rows.push_back(row);
+    }
+    writeTables(output, {&table, 1});
 }
 
 } // namespace

@@ -55,8 +55,11 @@ void judge(const Given& given)
         throw Failure{
             (QStringList{plug_in::sentence(verdict)} + plug_in::remarks(verdict)).join(u' ')};
     const bool isText = output.format.key == tableFormats().front().key;
-    writeTables(output, plug_in::tablesOf(verdict, isText ? plug_in::Reader::Terminal
-                                                          : plug_in::Reader::File));
+    auto tables =
+        plug_in::tablesOf(verdict, isText ? plug_in::Reader::Terminal : plug_in::Reader::File);
+    if (isText) // the first line has left the screen by then
+        tables.push_back({.names = {}, .title = plug_in::sentence(verdict)});
+    writeTables(output, tables);
     if (!verdict.passed())
         throw CheckFailed{};
 }

@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tables/folded.h"
 #include "app/tables/table.h"
-
-#include <algorithm>
 
 namespace app {
 namespace {
 
-QString alignedLine(const QStringList& fields, const std::vector<qsizetype>& widths,
-                    const std::vector<bool>& numeric)
+QString paragraph(const QString& text, qsizetype indent = 0)
 {
-    QString line;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        const QString field = oneLine(fields[qsizetype(i)]);
-        line += numeric[i] ? field.rightJustified(widths[i]) : field.leftJustified(widths[i]);
-        line += QStringLiteral("  ");
-    }
-    while (line.endsWith(u' '))
-        line.chop(1);
-    return line + u'\n';
-}
-
-std::vector<qsizetype> widthsOf(const Table& table)
-{
-    std::vector<qsizetype> widths;
-    for (qsizetype i = 0; i < table.names.size(); ++i) {
-        qsizetype width = table.names[i].size();
-        for (const QStringList& row : table.rows)
-            width = std::max(width, row[i].size());
-        widths.push_back(width);
-    }
-    return widths;
+    const QStringList lines = brokenLines(oneLine(text), terminalWidth - indent);
+    return lines.join(u'\n' + QString(indent, u' ')) + u'\n';
 }
 
 } // namespace
@@ -38,27 +17,27 @@ std::vector<qsizetype> widthsOf(const Table& table)
 /// once after the last of some tables of which the same is true.
 QString plainText(std::span<const Table> tables)
 {
+    constexpr qsizetype factIndent = 12;
     QString text;
     for (const Table& table : tables) {
         if (&table != &tables.front())
             text += u'\n';
         if (!table.title.isEmpty())
-            text += oneLine(table.title) + QStringLiteral("\n\n");
-        const auto widths = widthsOf(table);
-        const auto numeric = numericColumns(table);
-        text += alignedLine(table.names, widths, numeric);
-        for (const QStringList& row : table.rows)
-            text += alignedLine(row, widths, numeric);
+            text += paragraph(table.title);
+        if (!table.title.isEmpty() && !table.names.isEmpty())
+            text += u'\n';
+        text += folded(table);
         if (!table.notes.isEmpty())
             text += u'\n';
         for (const QString& note : table.notes)
-            text += oneLine(note) + u'\n';
+            text += paragraph(note);
         const Table* next = &table == &tables.back() ? nullptr : &table + 1;
         if (table.facts.empty() || (next && next->facts == table.facts))
             continue;
         text += u'\n';
         for (const auto& [name, value] : table.facts)
-            text += (name + QStringLiteral(": ")).leftJustified(12) + oneLine(value) + u'\n';
+            text += (name + QStringLiteral(": ")).leftJustified(factIndent)
+                    + paragraph(value, factIndent);
     }
     return text;
 }

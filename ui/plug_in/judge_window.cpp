@@ -139,8 +139,9 @@ QWidget* JudgeWindow::invitation()
         "<p>1. <b>Save header and examples</b>: among them skeleton.c, one function in C to fill "
         "in, with its contract and the command that compiles it.<br>"
         "2. Write your algorithm into it, and compile it to a shared library (.so).<br>"
-        "3. <b>Choose library</b>: it is tested on 120,000 lines, compared with exact "
-        "arithmetic, and raced. Each category of lines gives points.</p>"
+        "3. <b>Choose library</b>: it is tested on more than 100,000 lines, from corners and "
+        "edges to infinities and random lines. Every result is compared with exact arithmetic; "
+        "each category of lines gives points. Then it is timed beside the other algorithms.</p>"
         "<p>A crash or an endless loop harms nothing: the library runs in a process of its own. "
         "But it is a program with your rights, so choose only what you or people you trust have "
         "written.</p>"));

@@ -33,6 +33,26 @@ private slots:
         QVERIFY(!run.out.contains("Race"));
     }
 
+    void theVerdictIsFirstAndLastAndFitsATerminal()
+    {
+        for (const QStringList& more : {QStringList{"--no-race"}, QStringList{}}) {
+            const char* library = more.isEmpty() ? "example" : "lost_corner";
+            const auto run = clearcut(QStringList{"judge", sample(library)} + more);
+            const QString out = QString::fromUtf8(run.out);
+            const QString verdict = out.section("\n\n", 0, 0) + '\n';
+            QVERIFY2(verdict.startsWith("Passed: ") || verdict.startsWith("Wrong: "),
+                     qPrintable(out));
+            QVERIFY2(out.endsWith("\n\n" + verdict), qPrintable(out));
+            for (const QString& line : out.split('\n'))
+                QVERIFY2(line.size() <= 80, qPrintable(line));
+        }
+        QCOMPARE(QJsonDocument::fromJson(
+                     clearcut({"judge", sample("lost_corner"), "--no-race", "-f", "json"}).out)
+                     .array()
+                     .size(),
+                 3);
+    }
+
     void whatCannotBeLoadedIsOne()
     {
         for (const char* name : {"not_a_plug_in", "of_tomorrow", "nobody", "crash_while_loading"}) {
@@ -79,7 +99,7 @@ private slots:
     {
         const auto run = clearcut({"judge", sample("sleepy"), "--seconds", "1"});
         QCOMPARE(run.code, 3);
-        QVERIFY2(run.out.startsWith("Too slow: ") && run.out.contains("tested within 1 s"),
+        QVERIFY2(run.out.startsWith("Too slow: ") && run.out.simplified().contains("tested within 1 s"),
                  run.out.constData());
         QCOMPARE(clearcut({"judge", sample("sleepy"), "--seconds", "0"}).code, 2);
     }

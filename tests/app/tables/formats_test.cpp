@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/text.h"
+#include "app/tables/folded.h"
 #include "app/tables/table.h"
 
 #include <QBuffer>
@@ -115,6 +116,56 @@ private slots:
         QCOMPARE(std::size_t(keys.size()), app::tableFormats().size());
         QCOMPARE(endings.size(), keys.size());
         QCOMPARE(app::tableFormats()[0].key, "text");
+    }
+
+    void linesAreBrokenWhereTheyMayBe()
+    {
+        using Lines = QStringList;
+        QCOMPARE(app::brokenLines("", 5), Lines{""});
+        QCOMPARE(app::brokenLines("one two three", 7), (Lines{"one two", "three"}));
+        QCOMPARE(app::brokenLines("one two three", 6), (Lines{"one", "two", "three"}));
+        QCOMPARE(app::brokenLines("indivisible is long", 4), (Lines{"indivisible", "is", "long"}));
+        QCOMPARE(app::brokenLines("1,488 of 131,711", 4), (Lines{"1,488", "of", "131,711"}));
+        QCOMPARE(app::brokenLines("1.5,-20,3", 7, u","), (Lines{"1.5,", "-20,3"}));
+        QCOMPARE(app::brokenLines("/usr/lib/a.so", 8, u"/"), (Lines{"/usr/", "lib/a.so"}));
+        QCOMPARE(app::brokenLines("12345,", 3, u","), Lines{"12345,"});
+    }
+
+    // Wide numbers, names of several words, long texts, and texts that can be broken at commas.
+    void aTableForPeopleFitsATerminal()
+    {
+        const QString words = "Every result is compared with exact arithmetic and nothing is lost ";
+        const QString path = "/home/student/algorithms/build/release/with/a/long/name/mine.so";
+        const QString ends = "0.12345678901234567,-1.2345678901234567e-300,3.1415926535897931,7";
+        std::vector<app::Table> tables{
+            numbered(3, 30),
+            {.names = {"key", "year", "idea"},
+             .rows = {{"cohen", "1967", words.repeated(5)}, {"skala", "2005", words}}},
+            {.names = {"library", "rounded_outside", "most_ulps", "points"},
+             .rows = {{path, "1234567", "2.375", "110"}}},
+            {.names = {"category", "fault", "line", "window", "expected", "got"},
+             .rows = {{"corners", "lost", ends, ends, ends, ends}}},
+            {.names = {"n"},
+             .rows = {{"1"}},
+             .title = words.repeated(3),
+             .facts = {{"x", words}},
+             .notes = {words.repeated(2)}}};
+        tables.front().title.clear();
+        for (const app::Table& table : tables) {
+            const QString text = textAs(u"text", {table});
+            for (const QString& line : text.split('\n'))
+                QVERIFY2(line.size() <= 80, qPrintable(line));
+            for (qsizetype i = 0; i < table.names.size(); ++i) {
+                QStringList parts = table.names[i].split('_');
+                for (const QStringList& row : table.rows)
+                    parts += row[i].split(QRegularExpression("[ ,/]"), Qt::SkipEmptyParts);
+                for (const QString& part : parts)
+                    QVERIFY2(text.contains(part), qPrintable(part + " in " + text));
+            }
+            const auto rows =
+                text.count(QRegularExpression("^row-2-of-3 ", QRegularExpression::MultilineOption));
+            QCOMPARE(rows, &table == &tables.front() ? 5 : 0); // blocks of six or seven columns
+        }
     }
 
     void aRowIsALineWhateverItHolds()
