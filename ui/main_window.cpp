@@ -26,6 +26,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ui {
 
 namespace {
@@ -191,11 +193,11 @@ void MainWindow::showStart()
     starting_ = true;
     arrange();
     if (!QSettings().value("windowDragged").toBool()) {
-        note_ = new WindowNote(session_, *canvas_);
-        note_->show();
+        note_ = new WindowNote(session_);
+        static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, note_);
         connect(note_, &WindowNote::learnt, this, [this] {
             QSettings().setValue("windowDragged", true);
-            note_->hide();
+            std::exchange(note_, nullptr)->deleteLater();
         });
     }
 }

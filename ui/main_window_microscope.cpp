@@ -5,6 +5,7 @@
 #include "ui/main_window.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/status_bar.h"
+#include "ui/widgets/window_note.h"
 
 #include <QAction>
 #include <QApplication>
@@ -90,6 +91,8 @@ void MainWindow::showInCentre()
     const bool microscope = session_.microscope.isOpen();
     const auto policy = microscope ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     microscopePage_->setSizePolicy(policy, policy);
+    if (note_)
+        note_->setVisible(!microscope);
     centre_->setCurrentWidget(microscope ? static_cast<QWidget*>(microscopePage_) : canvas_);
     for (QLayout* around : {centre_->layout(), centralWidget()->layout(), layout()}) {
         around->invalidate();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
+#include "app/lessons/lesson.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/widgets/option_bar.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/window_note.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -323,6 +325,31 @@ private slots:
         setWindow(t, {{50, 50}, {100, 100}});
         QTRY_VERIFY(inFront(algorithm));
         QVERIFY(QSettings().value("windowDragged").toBool());
+        QTRY_VERIFY(!t.window->findChild<WindowNote*>());
+    }
+    void theNoteOfTheFirstStartHidesNothing()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto placeOf = [&](const QWidget& widget) {
+            return QRect(widget.mapTo(t.window.get(), QPoint()), widget.size());
+        };
+        const auto* note = t.window->findChild<WindowNote*>();
+        for (const QSize size : {QSize(1280, 800), QSize(1024, 640), QSize(1900, 1000)}) {
+            t.window->resize(size);
+            QTRY_COMPARE(t.window->size(), size);
+            QCoreApplication::processEvents();
+            QVERIFY(note->isVisible());
+            const QRect canvas = placeOf(t.window->canvas());
+            QVERIFY(!placeOf(*note).intersects(canvas));
+            QVERIFY(note->height() >= note->heightForWidth(note->width()));
+            QVERIFY(canvas.height() > size.height() / 2);
+        }
+        t.window->session().microscope.open(app::lessons()[0].pages[0].specimen);
+        QVERIFY(!note->isVisible());
+        t.window->session().microscope.close();
+        QVERIFY(note->isVisible());
     }
     void aSampleIsOnlyAskedAboutWhenItWasDrawnIn()
     {

@@ -7,31 +7,22 @@
 
 namespace ui {
 
-WindowNote::WindowNote(const app::Session& session, Canvas& canvas)
-    : QLabel(&canvas), session_(session), canvas_(canvas)
+namespace {
+
+constexpr int accentWidth = 4;
+
+} // namespace
+
+WindowNote::WindowNote(const app::Session& session)
 {
     setText(tr("<b>Drag the window.</b> What it leaves out is cut, at every frame."));
     setContentsMargins(12, 8, 12, 8);
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    adjustSize();
-    connect(&canvas, &Canvas::viewChanged, this, &WindowNote::place);
-    connect(&canvas, &Canvas::frameShown, this, &WindowNote::place);
+    setWordWrap(true);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider
     connect(&session.drawing, &app::Drawing::changed, this, [this](const app::Change& change) {
         if (change.kind == app::Change::Kind::Window && isVisible())
             emit learnt();
     });
-    place();
-}
-
-void WindowNote::place()
-{
-    const clipping::Window& window = session_.sheet().window;
-    const QWidget* drawing = canvas_.focusProxy() ? canvas_.focusProxy() : &canvas_;
-    const QPoint origin = drawing->mapTo(&canvas_, QPoint());
-    const app::Point middle =
-        canvas_.view().toScreen({(window.min.x + window.max.x) / 2, window.min.y});
-    const QPoint at(int(middle.x) - width() / 2, int(middle.y) - height() - 18);
-    move(origin + QPoint(std::max(at.x(), 8), std::max(at.y(), 8)));
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)
@@ -39,8 +30,8 @@ void WindowNote::paintEvent(QPaintEvent* event)
     const Look& look = lookOf(palette());
     QPainter painter(this);
     painter.fillRect(rect(), look.base);
-    painter.setPen(look.accent);
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    painter.fillRect(0, 0, accentWidth, height(), look.accent);
+    painter.fillRect(0, height() - 1, width(), 1, look.rule);
     painter.end();
     QLabel::paintEvent(event);
 }

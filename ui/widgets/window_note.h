@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/canvas/canvas.h"
+#include "app/document/session.h"
 
 #include <QLabel>
 
 namespace ui {
 
-/// A note over the clip window of somebody's first drawing; it follows the window on the screen and
-/// goes when the window is changed.
+/// What to do first, in a strip of its own above the first drawing, until the window is changed.
 class WindowNote : public QLabel {
     Q_OBJECT
 
 public:
-    WindowNote(const app::Session& session, Canvas& canvas);
+    explicit WindowNote(const app::Session& session);
 
 signals:
     void learnt(); ///< the window was changed: never again
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-
-private:
-    void place();
-
-    const app::Session& session_;
-    Canvas& canvas_;
 };
 
 } // namespace ui
