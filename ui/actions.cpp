@@ -54,6 +54,7 @@ QAction* makeAction(MainWindow& window, const ActionInfo& row)
     });
     const auto refresh = [action, &row, &window] {
         action->setEnabled(!row.enabled || row.enabled(window));
+        action->setStatusTip(action->isEnabled() ? QString() : row.needs);
         if (row.checked)
             action->setChecked(row.checked(window));
     };

@@ -32,6 +32,7 @@ struct ActionInfo {
     bool (*enabled)(const MainWindow& window) = nullptr; ///< null: always
     bool (*checked)(const MainWindow& window) = nullptr; ///< null: not a switch
     std::string_view group = {};                         ///< of which one is on
+    QString needs = {}; ///< why it is disabled, and what to do first; its keys say so, too
 };
 
 /// One menu: its commands, and what is filled in from another catalogue (tools, algorithms …).

@@ -67,15 +67,17 @@ void cutSelection(app::Session& session)
     session.select({});
 }
 
-std::optional<QString> paste(app::Session& session)
+QString nothingToPaste() { return tr("The clipboard holds no drawing. Copy lines first."); }
+
+bool paste(app::Session& session)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     auto shapes = data ? app::pasted(*data, session.sheet().page, session.pen.layer)
                        : std::vector<app::Shape>();
     if (shapes.empty())
-        return tr("The clipboard holds no drawing. Copy lines first.");
+        return false;
     add(session, std::move(shapes), tr("Paste"));
-    return std::nullopt;
+    return true;
 }
 
 void duplicateSelection(app::Session& session)

@@ -9,8 +9,9 @@ namespace ui {
 
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
-/// Nothing, or the sentence that says what is wrong with what is on the clipboard.
-std::optional<QString> paste(app::Session& session);
+/// Whether the clipboard held a drawing; if not, `nothingToPaste()` says so.
+bool paste(app::Session& session);
+QString nothingToPaste();
 void duplicateSelection(app::Session& session);
 void deleteSelection(app::Session& session);
 /// All that can be seen and is not locked.

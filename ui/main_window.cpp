@@ -33,6 +33,7 @@ namespace ui {
 namespace {
 
 constexpr QSize smallest(1024, 640);
+constexpr int messageMilliseconds = 5000;
 
 } // namespace
 
@@ -210,16 +211,21 @@ void MainWindow::closeEvent(QCloseEvent* event)
     event->accept();
 }
 
-/// A key that nobody wanted: perhaps its place on the keyboard says more than its sign.
+/// A key that no widget took: it says why its command is disabled, or another key at its place on
+/// the keyboard is meant.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && centre_->currentWidget() == canvas_)
         return canvas_->setFocus(); // out of a list or a field
     const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
+    const QKeySequence pressed(event->keyCombination());
     for (QAction* action : findChildren<QAction*>()) {
         const bool reached =
             action->shortcutContext() != Qt::WidgetWithChildrenShortcut || onCanvas;
+        if (reached && !action->isEnabled() && !action->statusTip().isEmpty()
+            && action->shortcuts().contains(pressed))
+            return statusBar()->showMessage(action->statusTip(), messageMilliseconds);
         if (key && reached && action->isEnabled()
             && action->shortcuts().contains(QKeySequence(*key)))
             return action->trigger();

@@ -10,11 +10,13 @@
 
 #include <QAccessible>
 #include <QApplication>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QStatusBar>
 
 #include "tests/ui/test_window.h"
 
@@ -260,6 +262,57 @@ private slots:
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().history.count(), 0);
         QCOMPARE(t.window->message(), "Nothing to crop: all of it is kept.");
+    }
+    void keysOfTheSelectionSayThatNothingIsSelected()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const QString said = "Nothing is selected. Select shapes first.";
+        const QList<std::pair<const char*, QKeySequence>> commands{
+            {"cut", QKeySequence::Cut},
+            {"copy", QKeySequence::Copy},
+            {"duplicate", QKeySequence("Ctrl+D")},
+            {"delete", QKeySequence("Delete")}};
+        for (const auto& [name, keys] : commands) {
+            QVERIFY(!t.action(name)->isEnabled());
+            QTest::keySequence(t.drawingArea(), keys);
+            QVERIFY2(t.window->statusBar()->currentMessage() == said, name);
+            t.window->statusBar()->clearMessage();
+        }
+        t.action("select-all")->trigger();
+        for (const char* name : {"copy", "cut"}) {
+            QVERIFY2(t.action(name)->isEnabled() && t.action(name)->statusTip().isEmpty(), name);
+            QTest::keySequence(t.drawingArea(), t.action(name)->shortcut());
+            QCOMPARE(t.window->statusBar()->currentMessage(), QString());
+        }
+    }
+    void aWarningOfTheClipboardGoesWithTheNextPaste()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const QString warning = "The clipboard holds no drawing. Copy lines first.";
+        const auto shapes = [&] { return t.window->session().sheet().shapes.size(); };
+        for (const char* next : {"copy", "paste"}) {
+            QGuiApplication::clipboard()->setText("copy");
+            t.action("paste")->trigger();
+            QCOMPARE(t.window->message(), warning);
+            if (next == QByteArray("paste")) // from another window
+                QGuiApplication::clipboard()->setText(
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><path d='M0 "
+                    "0H9' stroke='red'/></svg>");
+            const std::size_t before = shapes();
+            t.action("select-all")->trigger();
+            t.action(next)->trigger();
+            QCOMPARE(shapes() > before, next == QByteArray("paste"));
+            QCOMPARE(t.window->message(), QString());
+        }
+        t.action("select-all")->trigger();
+        t.window->tell({Message::Kind::Warning, "Another warning."});
+        t.action("copy")->trigger();
+        t.action("paste")->trigger();
+        QCOMPARE(t.window->message(), "Another warning.");
     }
     void clipboardAndSelection()
     {

@@ -15,6 +15,23 @@ QString tr(const char* text) { return QCoreApplication::translate("EditMenu", te
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
+QString nothingSelected() { return tr("Nothing is selected. Select shapes first."); }
+
+/// The clipboard now holds a drawing: a warning that it does not is out of date.
+void withdrawWarning(MainWindow& window)
+{
+    if (window.message() == nothingToPaste())
+        window.tell({});
+}
+
+void pasteOrWarn(MainWindow& window)
+{
+    if (paste(window.session()))
+        withdrawWarning(window);
+    else
+        window.tell({Message::Kind::Warning, nothingToPaste()});
+}
+
 /// Undo or Redo, which carry the name of the step.
 QAction* stepAction(Canvas& canvas, QMenu& menu, const char* key, const QString& verb,
                     void (Canvas::*run)(), bool (Canvas::*can)() const,
@@ -58,38 +75,48 @@ MenuInfo editMenu()
                  keys(K::Cut),
                  Reach::Window,
                  {},
-                 [](MainWindow& w) { cutSelection(w.session()); },
-                 someSelected},
+                 [](MainWindow& w) {
+                     cutSelection(w.session());
+                     withdrawWarning(w);
+                 },
+                 someSelected,
+                 {},
+                 {},
+                 nothingSelected()},
                 {"copy",
                  tr("&Copy"),
                  keys(K::Copy),
                  Reach::Window,
                  {},
-                 [](MainWindow& w) { copySelection(w.session()); },
-                 someSelected},
-                {"paste",
-                 tr("&Paste"),
-                 keys(K::Paste),
-                 Reach::Window,
-                 {},
                  [](MainWindow& w) {
-                     if (const auto error = paste(w.session()))
-                         w.tell({Message::Kind::Warning, *error});
-                 }},
+                     copySelection(w.session());
+                     withdrawWarning(w);
+                 },
+                 someSelected,
+                 {},
+                 {},
+                 nothingSelected()},
+                {"paste", tr("&Paste"), keys(K::Paste), Reach::Window, {}, pasteOrWarn},
                 {"duplicate",
                  tr("Dup&licate"),
                  {K("Ctrl+D")},
                  Reach::Window,
                  {},
                  [](MainWindow& w) { duplicateSelection(w.session()); },
-                 someSelected},
+                 someSelected,
+                 {},
+                 {},
+                 nothingSelected()},
                 {"delete",
                  tr("&Delete"),
                  {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
                  Reach::Canvas,
                  "bin",
                  [](MainWindow& w) { deleteSelection(w.session()); },
-                 someSelected},
+                 someSelected,
+                 {},
+                 {},
+                 nothingSelected()},
                 {},
                 {"select-all",
                  tr("Select &all"),
