@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/leftover.h"
 
-#include "app/formats/format.h"
 #include "app/formats/replace_file.h"
+#include "app/formats/svg/writer.h"
 #include "app/formats/write_all.h"
 
 #include <QCoreApplication>
@@ -84,7 +84,8 @@ QString leftoverFolder()
 #endif
 }
 
-std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file)
+std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file,
+                                     const std::optional<Shape>& inHand)
 {
     const QDir folder = QFileInfo(file).dir();
     constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
@@ -95,7 +96,8 @@ std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, c
         QFile::setPermissions(folder.path(), mine); // it may have been copied back, or unpacked
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
-        if (auto wrong = formats().front().write(sheet, out, {}))
+        if (auto wrong =
+                inHand ? svg::writeWith(*inHand, sheet, out, {}) : svg::write(sheet, out, {}))
             return wrong;
         const QByteArray end = instruction(origin, QDateTime::currentDateTime());
         return writeAll(out, {end.constData(), std::size_t(end.size())})

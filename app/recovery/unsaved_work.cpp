@@ -15,16 +15,10 @@ UnsavedWork::Written UnsavedWork::write() const
 {
     const std::scoped_lock reading(lock_, drawing_.lock());
     const Sheet& sheet = drawing_.sheet();
-    if (document_.inHand) {
-        Sheet whole = sheet;
-        whole.shapes.insert(whole.shapes.begin()
-                                + std::ptrdiff_t(drawing_.endOfLayer(document_.inHand->layer)),
-                            *document_.inHand);
-        return {true, writeLeftover(whole, document_.origin, document_.file)};
-    }
-    if (!document_.changed || isOnlyLookedAt(document_.sample, sheet))
+    const bool changed = document_.changed && !isOnlyLookedAt(document_.sample, sheet);
+    if (!changed && !document_.inHand)
         return {};
-    return {true, writeLeftover(sheet, document_.origin, document_.file)};
+    return {true, writeLeftover(sheet, document_.origin, document_.file, document_.inHand)};
 }
 
 } // namespace app

@@ -38,14 +38,19 @@ class Writer {
 public:
     Writer(QIODevice& out, const WriteOptions& options) : out_(out), outlines_(options) {}
 
-    std::optional<QString> write(const Sheet& sheet)
+    /// `added`, if there is one, is the last shape of its layer.
+    std::optional<QString> write(const Sheet& sheet, const Shape* added)
     {
         appendHead(sheet);
         auto shape = sheet.shapes.begin();
         for (std::size_t i = 0; i < sheet.layers.size(); ++i) {
             const auto end = std::find_if(shape, sheet.shapes.end(),
                                           [&](const Shape& s) { return s.layer != i; });
-            appendLayer(sheet.layers[i], {shape, end});
+            openLayer(sheet.layers[i]);
+            appendRuns({shape, end});
+            if (added && added->layer == i)
+                appendRuns({added, 1});
+            text_ += "</g>\n";
             shape = end;
         }
         text_ += "</svg>\n";
@@ -89,7 +94,7 @@ private:
             (text_ += xml.toStdString()) += '\n';
     }
 
-    void appendLayer(const Layer& layer, std::span<const Shape> shapes)
+    void openLayer(const Layer& layer)
     {
         text_ += "<g inkscape:groupmode=\"layer\"";
         if (!layer.id.isEmpty())
@@ -100,6 +105,10 @@ private:
         if (!layer.visible)
             appendAttribute(text_, "display", "none");
         text_ += ">\n";
+    }
+
+    void appendRuns(std::span<const Shape> shapes)
+    {
         for (auto first = shapes.begin(); first != shapes.end();) {
             const Style style = writtenStyle(*first);
             const auto last = std::find_if(first, shapes.end(), [&](const Shape& shape) {
@@ -108,7 +117,6 @@ private:
             appendRun({first, last}, styleText(style));
             first = last;
         }
-        text_ += "</g>\n";
     }
 
     // Shapes of one style, which is written once.
@@ -153,7 +161,13 @@ private:
 
 std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
 {
-    return Writer(out, options).write(sheet);
+    return Writer(out, options).write(sheet, nullptr);
+}
+
+std::optional<QString> writeWith(const Shape& added, const Sheet& sheet, QIODevice& out,
+                                 const WriteOptions& options)
+{
+    return Writer(out, options).write(sheet, &added);
 }
 
 } // namespace app::svg

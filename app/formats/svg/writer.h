@@ -10,4 +10,8 @@ namespace app::svg {
 /// the clip window in the metadata. Nothing, or the sentence that says what went wrong.
 std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
 
+/// The same with one more shape, as the last of its layer: without a copy of the sheet.
+std::optional<QString> writeWith(const Shape& added, const Sheet& sheet, QIODevice& out,
+                                 const WriteOptions& options);
+
 } // namespace app::svg

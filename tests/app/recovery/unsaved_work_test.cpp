@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/format.h"
+#include "app/recovery/unsaved_work.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+} // namespace
+
+// Counts what the program takes from the heap.
+void* operator new(std::size_t size)
+{
+    ++allocations;
+    if (void* taken = std::malloc(size > 0 ? size : 1))
+        return taken;
+    throw std::bad_alloc();
+}
+void operator delete(void* given) noexcept { std::free(given); }
+void operator delete(void* given, std::size_t) noexcept { std::free(given); }
+
+using namespace app;
+
+namespace {
+
+Shape line(double x, std::uint32_t layer)
+{
+    Shape shape;
+    shape.paths.push_back({{x, 0.1}, {{{x, 7}}}, false});
+    shape.style.stroke = Colour{1, 2, 3};
+    shape.layer = layer;
+    return shape;
+}
+
+/// Three layers of so many lines; one of them is empty.
+Sheet sheetOf(int lines)
+{
+    Sheet sheet;
+    sheet.layers = {{"Ground"}, {"Hidden", false, false}, {"Empty"}, {"Locked", true, true}};
+    for (const std::uint32_t layer : {0U, 1U, 3U})
+        for (int i = 0; i < lines; ++i)
+            sheet.shapes.push_back(line(i, layer));
+    return sheet;
+}
+
+} // namespace
+
+class UnsavedWorkTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    UnsavedWork::Document document(bool changed) const
+    {
+        return {folder_.filePath("unsaved/x.svg"), {"x", {}, {}}, {}, changed, {}};
+    }
+
+private slots:
+    void theShapeInHandIsTheLastOfItsLayer()
+    {
+        for (const int lines : {0, 1, 3})
+            for (std::uint32_t layer = 0; layer < 4; ++layer)
+                for (const bool changed : {false, true}) {
+                    const Drawing drawing(sheetOf(lines));
+                    UnsavedWork work(drawing);
+                    auto known = document(changed);
+                    known.inHand = line(-5, layer);
+                    known.inHand->style.dashes = {1, 2};
+                    work.tell(known);
+                    const auto written = work.write();
+                    QVERIFY2(written.unsaved && !written.error, qPrintable(*written.error));
+                    Sheet expected = drawing.sheet();
+                    expected.shapes.insert(expected.shapes.begin()
+                                               + std::ptrdiff_t(drawing.endOfLayer(layer)),
+                                           *known.inHand);
+                    const auto read = readFile(known.file);
+                    QVERIFY2(read, qPrintable(read.error));
+                    QVERIFY2(read.value->sheet == expected, qPrintable(QString::number(layer)));
+                    QVERIFY(QFile::remove(known.file));
+                }
+    }
+    void whatIsSavedIsNotWritten()
+    {
+        const Drawing drawing(sheetOf(1));
+        UnsavedWork work(drawing);
+        work.tell(document(false));
+        QVERIFY(!work.write().unsaved);
+        QVERIFY(!QFile::exists(document(false).file));
+    }
+    // A signal leaves little time, and the drawing may be large.
+    void aShapeInHandCostsNoCopyOfTheDrawing()
+    {
+        constexpr int lines = 5'000;
+        const Drawing drawing(sheetOf(lines));
+        UnsavedWork work(drawing);
+        const auto taken = [&](std::optional<Shape> inHand) {
+            auto known = document(true);
+            known.inHand = std::move(inHand);
+            work.tell(std::move(known));
+            const std::size_t before = allocations;
+            const auto written = work.write();
+            return written.unsaved && !written.error ? allocations - before : 0;
+        };
+        taken({}); // what is made once
+        const std::size_t without = taken({}), with = taken(line(-5, 0));
+        QVERIFY(without > 0 && with > 0);
+        QVERIFY2(with < without + lines / 10,
+                 qPrintable(QStringLiteral("%1 and %2").arg(without).arg(with)));
+    }
+};
+
+QTEST_GUILESS_MAIN(UnsavedWorkTest)
+#include "unsaved_work_test.moc"
