@@ -5,6 +5,7 @@
 #include "clipping/algorithm.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -29,14 +30,6 @@ bool isCaught(qint64 process, int signal)
         if (line.startsWith("SigCgt:"))
             return ((line.mid(7).trimmed().toULongLong(nullptr, 16) >> (signal - 1)) & 1) != 0;
     return false;
-}
-
-double secondsOfChildren()
-{
-    rusage used{};
-    ::getrusage(RUSAGE_CHILDREN, &used);
-    return double(used.ru_utime.tv_sec + used.ru_stime.tv_sec)
-           + 1e-6 * double(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
 } // namespace
@@ -448,12 +441,24 @@ private slots:
         QVERIFY(checksum(usual + QStringList{"--seed", "2"}) != field(lines[1], "checksum"));
     }
 
-    void benchQuickTakesFiveSeconds()
+    // A clipped line takes 2 to 50 ns, so twenty million take about a second.
+    void benchQuickIsLittleWork()
     {
-        const double start = secondsOfChildren(); // of the processor, which others do not use up
-        QCOMPARE(clearcut({"bench", "--quick", "-a", "cs,lb,cb,nln,skala,kwc,md"}).code, 0);
-        const double taken = secondsOfChildren() - start;
-        QVERIFY2(taken < 5, qPrintable(QString::number(taken)));
+        QElapsedTimer timer;
+        timer.start();
+        const auto run = clearcut(
+            {"bench", "--quick", "-a", "cs,lb,cb,nln,skala,kwc,md", "--format", "json"});
+        qInfo("%lld ms", timer.elapsed());
+        QCOMPARE(run.code, 0);
+        const QJsonObject table = QJsonDocument::fromJson(run.out).array()[0].toObject();
+        const QJsonObject facts = table["facts"].toObject();
+        const auto fact = [&](const char* name) { return facts[name].toVariant().toLongLong(); };
+        QCOMPARE(fact("lines"), 100'000);
+        const qint64 rows = table["rows"].toArray().size();
+        QCOMPARE(rows, 14); // both forms of seven
+        const qint64 clipped = fact("lines") * (fact("runs") + fact("warmup")) * rows;
+        QVERIFY2(clipped > 1'000'000 && clipped <= 40'000'000,
+                 qPrintable(QString::number(clipped)));
     }
 
     void benchPrintsThePapersTables()
