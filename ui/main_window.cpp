@@ -84,7 +84,7 @@ MainWindow::~MainWindow()
     if (fontBefore_)
         QApplication::setFont(*fontBefore_);
     // All that is on the screen looks at the session, which goes with the members: it goes first.
-    // What the session says while it goes, nobody is left to hear.
+    // The session's last signals would reach widgets that no longer exist.
     const QSignalBlocker quiet(this);
     for (const QObject* source :
          {static_cast<QObject*>(&session_), static_cast<QObject*>(&session_.drawing),

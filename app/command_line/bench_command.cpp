@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto eachRun = "each-run";
 
-/// What is told if nobody says what: all of it for people who read a report.
+/// The measures without --measure: all of them in a report that people read.
 QString usualMeasures(const Given& given, bool forPeople)
 {
     QStringList keys{QStringLiteral("clip")};

@@ -22,30 +22,30 @@ Region regionOf(const Point& point, const clipping::Window& window);
 
 /// One line under the magnifying glass, in the window that is chosen.
 struct Inspection {
-    /// What is explained: of a line that differs between A and B, while a panel shows it, A (or B if
-    /// A is `exact`, which does nothing wrong); else what is chosen.
+    /// The variant that is explained. For a line that differs between A and B, while a panel shows
+    /// it: A, or B if A is `exact`, which is never wrong. Otherwise the chosen variant.
     Clipper clipper{};
     std::size_t number = 0; ///< index into the scene's segments
     std::size_t shape = 0;
     clipping::Segment segment{};
     Region from{}, to{};
     LineClass lineClass = LineClass::Inside;
-    std::optional<clipping::Segment> visible{}; ///< what the algorithm leaves
+    std::optional<clipping::Segment> visible{}; ///< the part that the algorithm leaves
     double share = 0;                           ///< of the length; a point: 1 if visible
-    clipping::OperationCounts cost{};           ///< like the trace of no exhibit
-    clipping::Trace trace{};
+    clipping::OperationCounts cost{};           ///< empty for an exhibit
+    clipping::Trace trace{};                    ///< empty for an exhibit
 };
 Inspection inspect(const Session& session, std::size_t segment);
-/// What is explained of a line.
+/// The variant that is explained for a line: Inspection::clipper.
 Clipper explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);
-/// "14 compare, 4 add, 1 multiply, 1 divide"; what is 0 is left out.
+/// "14 compare, 4 add, 1 multiply, 1 divide"; counts of 0 are left out.
 QString costText(const clipping::OperationCounts& cost);
-/// A text for each step of the trace but its tests: what is done, with which values, what is left;
-/// and one for how it ended. Coordinates and lengths are in `unit`, as everywhere in the window. Of
-/// an exhibit what is wrong with it.
+/// A text for each step of the trace except its tests, and one for the end: the action, its values
+/// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For an
+/// exhibit: its defect.
 QStringList stepTexts(const Inspection& inspection, Unit unit, const Page& page);
 
 } // namespace app

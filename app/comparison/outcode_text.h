@@ -10,7 +10,7 @@ namespace app {
 /// in a figure, where it grows upward. Words such as "above" say what is seen.
 QString outcodeText(unsigned code);
 
-/// What the four bits ask, in their order; the pages define them with the same words.
+/// The meaning of the four bits, in their order; the pages define them with the same words.
 QString outcodeBits();
 
 } // namespace app

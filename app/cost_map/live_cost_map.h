@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A cost map for somebody who looks and changes what is asked. A coarse map is there at once, or
-/// as soon as can be, and a fine one follows between events, some milliseconds at a time.
+/// A cost map that is recomputed while its question changes. A coarse map is there as soon as
+/// possible; a fine one follows between events, some milliseconds at a time.
 class LiveCostMap : public QObject {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     explicit LiveCostMap(QObject* parent = nullptr);
 
-    /// Nothing: nobody looks, and nothing is computed.
+    /// No plan: the map is not shown, and nothing is computed.
     void ask(const std::optional<CostPlan>& plan);
     const std::optional<CostPlan>& asked() const { return asked_; }
 

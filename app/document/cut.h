@@ -8,8 +8,8 @@ namespace app {
 
 enum class Keep : std::uint8_t { Inside, Outside };
 
-/// What a cut acts on: everything, hidden and locked or not, so that no geometry stays where it
-/// should not; or only what a person can edit, while hidden shapes and locked layers stay whole.
+/// The shapes that a cut acts on. Everything: hidden and locked shapes too, so that no geometry
+/// stays on the wrong side. Editable: hidden shapes and locked layers stay whole.
 enum class Reach : std::uint8_t { Everything, Editable };
 
 struct CutOptions {
@@ -21,15 +21,15 @@ struct CutOptions {
     Reach reach = Reach::Everything;
 };
 
-/// Whether there is anything to fill: not in single straight lines. (SVG fills what does not say
-/// otherwise, and some programs and PDF viewers then paint such a line as a hairline.)
+/// Whether the shape has an area to fill; single straight lines have none. (SVG fills shapes
+/// without a fill attribute, and some programs and PDF viewers then paint a hairline there.)
 bool hasArea(const Shape& shape);
 
 /// The colour of a shape's lines where nothing is filled: its stroke's or, without one, that of its
 /// fill if there is an area to fill; nothing if the shape is not seen.
 std::optional<Colour> lineInk(const Shape& shape);
 
-/// What a cut did, for the report.
+/// Counts of shapes and segments after a cut, for the report.
 struct CutCounts {
     std::size_t whole = 0;    ///< shapes that came back unchanged
     std::size_t cut = 0;      ///< shapes of which a part is left
@@ -51,7 +51,7 @@ struct Cut {
 /// of one path form one path (across a closed path's start as well); shapes wholly kept come back
 /// unchanged, closed and filled; cut ones are open and unfilled; cut curves are split, not replaced
 /// by chords; every end made by a cut lies on the window's edge, bit for bit inside the window.
-/// What is hidden stays hidden.
+/// Hidden shapes stay hidden.
 Cut cut(const Sheet& sheet, const CutOptions& options);
 
 /// The drawing without its hidden shapes and layers.

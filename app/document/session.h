@@ -51,8 +51,8 @@ public:
     Drawing drawing;
     QUndoStack history;
     Scene scene{drawing};
-    LiveDifferences differences{drawing, scene}; ///< of two algorithms, while somebody looks
-    LiveTruth truth{drawing, scene};             ///< how exact an algorithm is, while somebody looks
+    LiveDifferences differences{drawing, scene}; ///< of two algorithms, while they are shown
+    LiveTruth truth{drawing, scene};             ///< how exact an algorithm is, while that is shown
     Microscope microscope;                       ///< one line, step by step
     Course course{microscope};                   ///< a lesson, if one is being read
     Pen pen;
@@ -61,7 +61,7 @@ public:
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
-    /// What clips: the chosen form of the chosen algorithm.
+    /// The chosen form of the chosen algorithm.
     const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
 
     /// Indices into Sheet::shapes; follows insertions and removals.

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// What clips unless somebody asks for another: the row that is never wrong.
+/// The algorithm that clips unless another is chosen: the row that is never wrong.
 inline const clipping::Algorithm& usualAlgorithm() { return clipping::exactAlgorithm(); }
 
 } // namespace app

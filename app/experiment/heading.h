@@ -5,13 +5,13 @@
 
 namespace app {
 
-/// What people read over a column of an experiment's table, and as its explanation.
+/// The heading of a column in an experiment's table, and its explanation.
 struct Heading {
-    QString text;    ///< at most two lines; of a name that is none of ours: the name itself
+    QString text;    ///< at most two lines; for an unknown name, the name itself
     QString meaning; ///< one sentence; may be empty
 };
 
-/// Of a name of a table: "median_ns" is "Median, ns".
+/// For a column's name in a table: "median_ns" gives "Median, ns".
 Heading headingOf(const QString& name);
 
 } // namespace app

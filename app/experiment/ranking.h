@@ -29,7 +29,7 @@ std::size_t leastRounds(std::size_t things);
 /// How many rounds an experiment takes by default: the paper's ten, or leastRounds.
 std::size_t usualRounds(std::size_t things);
 
-/// What a test says about two things.
+/// The outcome of a test of two things.
 enum class Outcome : std::uint8_t {
     Different,        ///< significantly, by leastDifference or more, and as the medians say
     NotSignificant,   ///< no significant difference

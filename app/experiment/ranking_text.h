@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What a group is called: "a" for the first.
+/// The letter of a group: "a" for the first.
 QString groupLetter(std::size_t group);
 
 /// "2"; empty where another thing does not differ significantly, or there were too few runs.
@@ -19,18 +19,18 @@ QString lettersText(const Ranking& ranking, std::size_t thing);
 /// p to three digits.
 QString pText(double p);
 
-/// How many times as long as the one with the lowest median a thing takes, and p of that; both
-/// empty for that one, and p if there were too few runs.
+/// A thing's time ÷ the time of the one with the lowest median, and the p of that comparison. Both
+/// are empty for the lowest median itself; p is empty if there were too few runs.
 QString ratioToFastestText(const Ranking& ranking, std::size_t thing);
 QString pToFastestText(const Ranking& ranking, std::size_t thing);
 
 /// One sentence if there were too few runs to tell who differs; empty if there were enough.
 QString tooFewRunsText(const Ranking& ranking);
 
-/// How to read the letters, and what is tested; or tooFewRunsText. Of one thing nothing.
+/// How to read the letters, and which test was used; or tooFewRunsText. Empty for a single thing.
 QStringList rankingNotes(const Ranking& ranking);
 
-/// What the ratio and p to the lowest median are. Of one thing nothing.
+/// The meaning of the ratio and p to the lowest median. Empty for a single thing.
 QStringList ratioNotes(const Ranking& ranking);
 
 /// "From the lowest median to the highest: Skala (a), CS (b), LB (b c), CB (c)." and how to read

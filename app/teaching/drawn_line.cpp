@@ -119,7 +119,7 @@ void DrawnLine::adopt()
         show(*inspected, now.clipper);
 }
 
-/// Somebody else showed something: the person another line, or a lesson its own specimen.
+/// The microscope was given another line: the user chose one, or a lesson shows its own.
 void DrawnLine::notice()
 {
     if (showing_)

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// How right an algorithm is about every line of an open drawing, while somebody looks. It is found
+/// How right an algorithm is about every line of an open drawing, while that is shown. It is found
 /// between events, some milliseconds at a time.
 class LiveTruth : public QObject {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
         Yardstick yardstick = Yardstick::Largest;
         friend bool operator==(const Question&, const Question&) = default;
     };
-    /// Nothing: nobody looks, and nothing is computed.
+    /// No question: nothing is shown, and nothing is computed.
     void ask(const std::optional<Question>& question);
     const std::optional<Question>& asked() const { return asked_; }
 
@@ -35,8 +35,8 @@ public:
     /// Most lines that are judged within a frame.
     static constexpr std::size_t mostAtOnce = 10'000;
     /// What to colour, by errorClasses(), where the window lies now, in the middle of a gesture
-    /// too; nothing if nobody looks, or if there are too many lines to say it at once. Valid until
-    /// the next call or change.
+    /// too; empty if nothing was asked, or if there are too many lines to answer at once. Valid
+    /// until the next call or change.
     std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window);
 
 signals:

@@ -52,7 +52,7 @@ struct Truths {
 Truths extended(Truths so, const Clipper& clipper, std::span<const clipping::Segment> lines,
                 std::size_t count);
 
-/// Of one line; nothing if nobody sees anything of it.
+/// Of one line; empty if nothing of it is visible.
 std::optional<LineTruth> truthOf(const Clipper& clipper, const clipping::Segment& line,
                                  const clipping::Window& window);
 

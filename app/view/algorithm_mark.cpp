@@ -92,7 +92,7 @@ const Mark& markOf(const clipping::Algorithm& algorithm)
         Mark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
         Mark{"SB", 0x545ABA, 0xC684B5, arch()},
         Mark{"MS", 0x7C3908, 0x968A38, bar()},
-        Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row that nobody gave a mark yet
+        Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row without a mark of its own
     };
     const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
     return found == marks.end() ? marks.back() : *found;

@@ -8,8 +8,8 @@ namespace app {
 /// Which hard cases are shown.
 struct CaseFilter {
     QString words{};               ///< each is somewhere in title, origin or reason; any case
-    QString clipper{};             ///< a key: it fails there; empty: whoever
-    std::optional<Ruling> fault{}; ///< somebody (or that clipper) fails in this way
+    QString clipper{};             ///< a key: it fails there; empty: any
+    std::optional<Ruling> fault{}; ///< any variant (or that one) fails in this way
 
     bool lets(const HardCase& hard) const;
     friend bool operator==(const CaseFilter&, const CaseFilter&) = default;

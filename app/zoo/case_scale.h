@@ -12,7 +12,7 @@ namespace app {
 /// an axis are drawn equally far apart, and straight lines bend where they meet the window.
 class CaseScale {
 public:
-    /// Shows the case, and what somebody made of it (nothing that is no number).
+    /// Shows the case, and an answer if there is one (NaNs and infinities are left out).
     explicit CaseScale(const HardCase& hard, const CaseAnswer* answer = nullptr);
 
     bool isTrue() const { return isTrue_; }

@@ -17,8 +17,8 @@ Specimen specimenOf(const HardCase& hard, const Clipper& clipper);
 /// the sentence why there is none.
 Result<Sheet> sheetOf(const HardCase& hard);
 
-/// Who is looked at first: who never ends, else who is farthest outside the window, else the first
-/// that fails; where nobody does, the first of all.
+/// The variant that is shown first: one that never ends, else the one farthest outside the window,
+/// else the first that fails; if none fails, the first of all.
 Clipper firstToLookAt(const HardCase& hard);
 
 } // namespace app

@@ -93,7 +93,7 @@ public:
     /// How many lines leave something to be kept, inside or outside.
     std::size_t visibleLines(const app::Frame& frame) const;
     app::Picture picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const;
-    /// What a pane leaves that is not what exact leaves; null: not known, or nobody asks.
+    /// What a pane leaves that is not what exact leaves; null: not known, or not asked for.
     const app::Differences* differing(const Pane& pane) const;
 
 signals:

@@ -22,7 +22,7 @@ public:
     void go(const app::View& view); ///< remembered for back()
     void resize(const glm::dvec2& size);
     void show(const clipping::Window& rectangle); ///< fits it; again when the size changes
-    void hold(); ///< fits what is seen when the size changes, as long as nobody moves the view
+    void hold(); ///< keeps the visible part in view when the size changes, until the view moves
     void pan(const QPointF& pixels);
     void zoomAt(const QPointF& screen, double factor);
     void back();
@@ -50,7 +50,7 @@ private:
         Margin margin;
     };
     static void fit(app::View& view, const Fitted& fitted);
-    std::optional<Fitted> fitted_; ///< as long as nobody moved the view since
+    std::optional<Fitted> fitted_; ///< until the view is moved
     QElapsedTimer clock_;
 };
 

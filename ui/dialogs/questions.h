@@ -45,7 +45,7 @@ public:
     /// What an import lost is about to be lost for good; true: save as a new file.
     virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);
     virtual void showLosses(const QString& name, const std::vector<app::Loss>& losses);
-    /// The file was changed by somebody else since it was opened; true: overwrite it.
+    /// Another program changed the file after it was opened; true: overwrite it.
     virtual bool overwriteChanged(const QString& path);
 
     /// Earlier runs were ended before these were saved: what to do with one of them.

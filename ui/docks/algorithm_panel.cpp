@@ -25,7 +25,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 {
     auto* label = new QLabel(tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
-    corrected_->setToolTip(tr("With its published defects mended"));
+    corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop);
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing()); // or it would jump

@@ -11,8 +11,8 @@ namespace ui {
 class CompareTable;
 class Segments;
 
-/// Every algorithm on the same frame, with what it takes and finds: a race that goes on only while
-/// somebody looks at it.
+/// Every algorithm on the same frame, with its time and its counts: a race that runs only while the
+/// panel is visible.
 class ComparePanel : public QWidget {
     Q_OBJECT
 

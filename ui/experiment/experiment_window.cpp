@@ -296,7 +296,7 @@ void ExperimentWindow::showState()
     cancel_->setVisible(active);
 }
 
-/// Nobody sees what a hidden window says: it asks when it is shown.
+/// A hidden window follows nothing: it catches up when it is shown.
 void ExperimentWindow::followDrawing()
 {
     if (isVisible())

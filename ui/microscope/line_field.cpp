@@ -19,7 +19,7 @@ void LineField::show(const clipping::Segment& line)
 {
     line_ = line;
     if (hasFocus() && isModified())
-        return; // somebody is typing
+        return; // the user is typing
     setText(app::lineText(line));
     setCursorPosition(0);
 }

@@ -171,7 +171,7 @@ void MicroscopeBar::follow()
     published_->setToolTip(both ? tr("As its authors printed it, faults included")
                                 : tr("%1 has no published form: it is always the corrected one")
                                       .arg(app::latin(algorithm->name)));
-    corrected_->setToolTip(tr("With its published defects mended"));
+    corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
     (specimen.clipper.form == clipping::Form::Published ? published_ : corrected_)
         ->setChecked(true);
     line_->show(specimen.line);

@@ -19,7 +19,7 @@ namespace ui {
 class MainWindow;
 class VerdictView;
 
-/// Judges somebody's own algorithm: which library at the top, the verdict below, progress at the
+/// Judges the user's own algorithm: the library at the top, the verdict below, progress at the
 /// bottom. The editor stays usable meanwhile. A rebuilt library is judged again.
 class JudgeWindow : public QDialog {
     Q_OBJECT

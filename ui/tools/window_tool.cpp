@@ -58,7 +58,7 @@ private:
             return grip;
         const app::Point p = pointer.raw;
         const bool inside = p.x >= w.min.x && p.y >= w.min.y && p.x <= w.max.x && p.y <= w.max.y;
-        // The whole page is a window that nobody has set yet: there one wants to draw, not to move.
+        // The whole page is a window that was not set yet: a drag in it draws one, and moves none.
         const bool unset = w == bench.session.sheet().page.rectangle();
         return inside && !unset ? std::optional(app::Grip{}) : std::nullopt;
     }

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// Something to tell, above the canvas and in nobody's way.
+/// A message above the canvas, which hides none of the drawing.
 struct Message {
     enum class Kind : std::uint8_t { Done, Warning };
     Kind kind = Kind::Warning;

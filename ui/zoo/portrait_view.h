@@ -13,7 +13,7 @@ namespace ui {
 /// The colours of hard cases on what a palette is for.
 app::PortraitColours portraitColours(const QPalette& palette);
 
-/// One hard case, large, and what somebody made of it where that is wrong.
+/// One hard case, large, with a variant's answer where that is wrong.
 class PortraitView : public QWidget {
     Q_OBJECT
 

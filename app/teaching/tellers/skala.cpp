@@ -25,7 +25,7 @@ QString edgeOfTable(const Telling& telling, std::string_view name)
     return k && *k >= 0 ? edgeWords(edges.at(std::size_t(*k)), telling.specimen.y) : QString();
 }
 
-/// "left", as seen by somebody who goes along the line: where y points down, the sides change.
+/// "left" or "right" of the line's direction; where y points down, the sides change.
 QString sideOfLine(const Telling& telling, bool positive)
 {
     return positive == (telling.specimen.y == YAxis::Up) ? tr("left") : tr("right");
