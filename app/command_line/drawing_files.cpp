@@ -43,12 +43,12 @@ const Format& formatOf(const Given& given, const QString& option, const QString&
 {
     const Format* asked = given.format(option);
     const Format* format = asked ? asked : formatOfFile(path);
-    if (!format || !(format->*can))
-        throw WrongUsage{
-            Commands::tr("%1: say what type it is, with --%2 and one of %3.")
-                .arg(path == standardStream ? Commands::tr("Standard input or output") : path,
-                     option, typesWith(can))};
-    return *format;
+    if (format && format->*can)
+        return *format;
+    const QString stream = option == QStringLiteral("to") ? Commands::tr("-o - (standard output)")
+                                                          : Commands::tr("- (standard input)");
+    throw WrongUsage{Commands::tr("%1: say what type it is, with --%2 and one of %3.")
+                         .arg(path == standardStream ? stream : path, option, typesWith(can))};
 }
 
 } // namespace

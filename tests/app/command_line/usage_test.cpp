@@ -172,8 +172,13 @@ private slots:
         row(clip + QStringList{"--from", "png"}, "with --from and one of svg, csv");
         row({"clip", "A", "-o", "x.docx"},
             "x.docx: say what type it is, with --to and one of svg, csv, pdf, png");
-        row({"clip", "-", "-o", "x.svg"}, "say what type it is, with --from");
-        row({"clip", "A", "-o", "-"}, "say what type it is, with --to");
+        row({"clip", "-", "-o", "x.svg"},
+            "clip: - (standard input): say what type it is, with --from and one of svg, csv.");
+        for (const char* command : {"clip", "convert"})
+            row({command, "A", "-o", "-"}, command
+                                               + QByteArray(": -o - (standard output): say what "
+                                                            "type it is, with --to and one of svg, "
+                                                            "csv, pdf, png."));
         row({"info"}, "Something is missing: info INPUT");
         row({"algorithms", "x"}, "“x” is one argument too many");
         row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");
