@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_shapes.h"
 
+#include "app/document/path_points.h"
+
 #include <QCoreApplication>
 
 namespace app {
 
 Shape moved(Shape shape, const Point& by)
 {
-    for (Path& path : shape.paths) {
-        path.start += by;
-        for (Stretch& stretch : path.stretches) {
-            stretch.to += by;
-            if (stretch.curved) {
-                stretch.control1 += by;
-                stretch.control2 += by;
-            }
-        }
-    }
+    for (Path& path : shape.paths)
+        forEachPoint(path, [&](Point& point) { point += by; });
     return shape;
 }
 

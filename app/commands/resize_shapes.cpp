@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/resize_shapes.h"
 
+#include "app/document/path_points.h"
+
 #include <QCoreApplication>
 
 namespace app {
@@ -16,16 +18,8 @@ ResizeShapes::ResizeShapes(Drawing& drawing, const std::set<std::size_t>& shapes
                            const clipping::Window& from, const clipping::Window& to)
     : QUndoCommand(QCoreApplication::translate("Commands", "Resize selection")), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
-          for (Path& path : shape.paths) {
-              path.start = fitted(path.start, from, to);
-              for (Stretch& stretch : path.stretches) {
-                  stretch.to = fitted(stretch.to, from, to);
-                  if (stretch.curved) {
-                      stretch.control1 = fitted(stretch.control1, from, to);
-                      stretch.control2 = fitted(stretch.control2, from, to);
-                  }
-              }
-          }
+          for (Path& path : shape.paths)
+              forEachPoint(path, [&](Point& point) { point = fitted(point, from, to); });
           return true;
       }))
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/clipboard.h"
 
+#include "app/document/path_points.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
@@ -13,14 +14,8 @@ const QString svgType = QStringLiteral("image/svg+xml");
 // A shape of the drawing it comes from, in the units of another page.
 Shape scaled(Shape shape, double factor)
 {
-    for (Path& path : shape.paths) {
-        path.start *= factor;
-        for (Stretch& stretch : path.stretches) {
-            stretch.to *= factor;
-            stretch.control1 *= factor;
-            stretch.control2 *= factor;
-        }
-    }
+    for (Path& path : shape.paths)
+        forEachPoint(path, [&](Point& point) { point *= factor; });
     shape.style.width *= factor;
     shape.style.dashOffset *= factor;
     for (double& dash : shape.style.dashes)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/page_around.h"
 
+#include "app/document/path_points.h"
+
 #include <glm/common.hpp>
 
 #include <optional>
@@ -18,16 +20,8 @@ Page pageAround(const std::vector<Shape>& shapes)
     };
     for (const Shape& shape : shapes) {
         const double margin = shape.style.stroke ? shape.style.width / 2 : 0;
-        for (const Path& path : shape.paths) {
-            add(path.start, margin);
-            for (const Stretch& stretch : path.stretches) {
-                add(stretch.to, margin);
-                if (stretch.curved) {
-                    add(stretch.control1, margin);
-                    add(stretch.control2, margin);
-                }
-            }
-        }
+        for (const Path& path : shape.paths)
+            forEachPoint(path, [&](const Point& point) { add(point, margin); });
     }
     if (bounds && bounds->max.x > bounds->min.x && bounds->max.y > bounds->min.y) {
         page.min = bounds->min;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/clip_shape.h"
 
+#include "app/document/path_points.h"
 #include "app/formats/svg/limits.h"
 
 #include <glm/common.hpp>
@@ -17,17 +18,10 @@ using Position = ConvexRegion::Position;
 double toleranceFor(const Path& path, double tolerance)
 {
     Point min = path.start, max = path.start;
-    const auto add = [&](const Point& p) {
+    forEachPoint(path, [&](const Point& p) {
         min = glm::min(min, p);
         max = glm::max(max, p);
-    };
-    for (const Stretch& stretch : path.stretches) {
-        add(stretch.to);
-        if (stretch.curved) {
-            add(stretch.control1);
-            add(stretch.control2);
-        }
-    }
+    });
     return std::max({tolerance, (max.x - min.x) / 4000, (max.y - min.y) / 4000});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/convex_region.h"
 
+#include "app/document/path_points.h"
 #include "app/formats/svg/limits.h"
 
 #include <glm/common.hpp>
@@ -117,15 +118,7 @@ ConvexRegion::Position ConvexRegion::position(const Path& path) const
     bool inside = !corners_.empty();
     for (std::size_t side = 0; side < corners_.size(); ++side) {
         std::size_t above = 0, below = 0;
-        const auto count = [&](const Point& p) { ++(height(side, p) >= 0 ? above : below); };
-        count(path.start);
-        for (const Stretch& stretch : path.stretches) {
-            count(stretch.to);
-            if (stretch.curved) {
-                count(stretch.control1);
-                count(stretch.control2);
-            }
-        }
+        forEachPoint(path, [&](const Point& p) { ++(height(side, p) >= 0 ? above : below); });
         if (above == 0)
             return Position::Outside;
         inside = inside && below == 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/transform.h"
 
+#include "app/document/path_points.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>
@@ -136,14 +137,7 @@ std::optional<Matrix> parseTransform(std::string_view text)
 
 void transform(Path& path, const Matrix& matrix)
 {
-    path.start = matrix(path.start);
-    for (Stretch& stretch : path.stretches) {
-        stretch.to = matrix(stretch.to);
-        if (stretch.curved) {
-            stretch.control1 = matrix(stretch.control1);
-            stretch.control2 = matrix(stretch.control2);
-        }
-    }
+    forEachPoint(path, [&](Point& point) { point = matrix(point); });
 }
 
 std::optional<Box> parseViewBox(std::string_view text)

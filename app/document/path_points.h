@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/sheet.h"
+
+namespace app {
+
+/// Calls `visit` for every point of a path: its start, the end of each path segment, and the control
+/// points of curves. The points of a path that is not const may be changed.
+template <class SomePath, class Visit>
+void forEachPoint(SomePath& path, const Visit& visit)
+{
+    visit(path.start);
+    for (auto& stretch : path.stretches) {
+        visit(stretch.to);
+        if (stretch.curved) {
+            visit(stretch.control1);
+            visit(stretch.control2);
+        }
+    }
+}
+
+} // namespace app
