@@ -34,7 +34,7 @@ enum class Reading : std::uint8_t { Beside, InPlace };
 /// Moves end p as printed. `s` is the line that the formulas speak of; in place, p is an end of it.
 void push(glm::dvec2& p, const Segment& s, const Window& w)
 {
-    const auto& [a, b] = s;
+    const glm::dvec2 &a = s.a, &b = s.b;
     const auto toX = [&](double x) {
         p.x = x;
         p.y = a.y + (b.y - a.y) / (b.x - a.x) * (x - a.x);
