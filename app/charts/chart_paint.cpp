@@ -49,7 +49,7 @@ void paintSymbol(const Canvas& c, const QRectF& area, const LegendBar& bar)
 {
     const double height = 10 * c.layout.unit;
     paintBar(c.painter, {area.left(), area.center().y() - height / 2, area.width(), height},
-             bar.pattern, bar.form, c.look.muted, c.layout.unit);
+             {bar.pattern, bar.form, c.look.muted}, c.layout.unit);
 }
 
 void paintSymbol(const Canvas& c, const QRectF& area, const LegendMark&)

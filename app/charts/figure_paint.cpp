@@ -68,7 +68,7 @@ void paint(QPainter& painter, const FigurePlace& place, const Bar& bar)
     for (std::size_t p = 0; p < bar.parts.size(); ++p) {
         const double left = layout.x(place.panel, std::min(from, most)),
                      right = layout.x(place.panel, std::min(from + bar.parts[p], most));
-        paintBar(painter, {left, top, right - left, layout.thickness}, p, form, place.colour,
+        paintBar(painter, {left, top, right - left, layout.thickness}, {p, form, place.colour},
                  layout.unit);
         from += bar.parts[p];
     }
@@ -115,18 +115,18 @@ void paintFigure(QPainter& painter, const FigurePlace& place, const Figure& figu
     std::visit([&](const auto& f) { paint(painter, place, f); }, figure);
 }
 
-void paintBar(QPainter& painter, const QRectF& area, std::size_t pattern, clipping::Form form,
-              const QColor& colour, double unit)
+void paintBar(QPainter& painter, const QRectF& area, const BarFill& fill, double unit)
 {
-    const bool solid = pattern == 0 && form == clipping::Form::Corrected;
+    const bool solid = fill.pattern == 0 && fill.form == clipping::Form::Corrected;
     if (solid || area.width() <= 2 * outline * unit) { // no room for an inside
-        painter.fillRect(area, colour);
+        painter.fillRect(area, fill.colour);
         return;
     }
-    if (pattern > 0)
-        paintPattern(painter, area, patterns()[pattern % patterns().size()], colour, unit);
+    if (fill.pattern > 0)
+        paintPattern(painter, area, patterns()[fill.pattern % patterns().size()], fill.colour,
+                     unit);
     const double inset = outline * unit / 2;
-    painter.setPen(flatPen(colour, outline * unit));
+    painter.setPen(flatPen(fill.colour, outline * unit));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(area.adjusted(inset, inset, -inset, -inset));
 }

@@ -19,9 +19,14 @@ struct FigurePlace {
 
 void paintFigure(QPainter& painter, const FigurePlace& place, const Figure& figure);
 
+struct BarFill {
+    std::size_t pattern; ///< index into patterns()
+    clipping::Form form; ///< published: hollow
+    QColor colour;
+};
+
 /// A bar as it looks, in a rectangle of its own: for the legend.
-void paintBar(QPainter& painter, const QRectF& area, std::size_t pattern, clipping::Form form,
-              const QColor& colour, double unit);
+void paintBar(QPainter& painter, const QRectF& area, const BarFill& fill, double unit);
 /// A box without numbers: for the legend.
 void paintBoxSymbol(QPainter& painter, const QRectF& area, const QColor& colour, double unit);
 

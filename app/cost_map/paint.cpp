@@ -51,14 +51,15 @@ public:
         for (const CostLegend::Share& share : legend_.shares)
             stripes_.push_back(stripesOf(map.plan, share.cheapest, look.chart));
         for (std::size_t i = 0; i < scale_.size(); ++i)
-            scale_[i] = sequentialColour(double(i) / (scale_.size() - 1), look.chart.ground).rgb();
+            scale_[i] =
+                sequentialColour(double(i) / double(scale_.size() - 1), look.chart.ground).rgb();
     }
 
     QRgb at(std::size_t cell, int diagonal) const
     {
         if (map_.cheapest.empty())
             return scale_[std::size_t(
-                std::lround(legend_.shareOf(map_.values[cell]) * (scale_.size() - 1)))];
+                std::lround(legend_.shareOf(map_.values[cell]) * double(scale_.size() - 1)))];
         std::size_t kind = 0;
         while (legend_.shares[kind].cheapest != map_.cheapest[cell])
             ++kind;
@@ -100,8 +101,8 @@ QString labelOf(const CostMap& map, std::size_t cell)
 }
 
 /// With a ground of its own where it lies on stripes.
-void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const CostMap& map,
-                std::size_t cell, const CostMapLook& look)
+void paintLabel(QPainter& painter, const QRectF& box, const CostMap& map, std::size_t cell,
+                const CostMapLook& look)
 {
     QColor ground = sequentialColour(legendOf(map).shareOf(map.values[cell]), look.chart.ground);
     if (!map.cheapest.empty()) {
@@ -111,7 +112,7 @@ void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const
             painter.fillRect(box, ground);
     }
     painter.setPen(readableOn(ground));
-    painter.drawText(box, Qt::AlignCenter, text);
+    painter.drawText(box, Qt::AlignCenter, labelOf(map, cell));
 }
 
 void paintLabels(QPainter& painter, const QRectF& place, const CostMap& map,
@@ -124,13 +125,12 @@ void paintLabels(QPainter& painter, const QRectF& place, const CostMap& map,
         if (double(region.cells) < leastShare * double(map.plan.cells()))
             continue;
         const std::size_t index = map.at(region.column, region.row);
-        const QString text = labelOf(map, index);
-        const QSizeF size(metrics.horizontalAdvance(text) + 6, metrics.height());
+        const QSizeF size(metrics.horizontalAdvance(labelOf(map, index)) + 6, metrics.height());
         if ((2 * region.reach + 1) * cell < std::max(size.width(), size.height()))
             continue;
         QRectF box(QPointF(), size);
         box.moveCenter(onMap(map.plan, place, map.plan.middleOf(region.column, region.row)));
-        paintLabel(painter, box, text, map, index, look);
+        paintLabel(painter, box, map, index, look);
     }
 }
 
