@@ -157,8 +157,9 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
     const double width = (right - left - (count - 1) * gap) / count;
     layout.headingWidth = width + gap / 2;
     layout.panels.clear();
-    for (double p = 0; p < count; ++p)
-        layout.panels.emplace_back(left + p * (width + gap), 0, std::max(width - end, 1.0), 0);
+    for (std::size_t p = 0; p < chart.panels.size(); ++p)
+        layout.panels.emplace_back(left + double(p) * (width + gap), 0, std::max(width - end, 1.0),
+                                   0);
 }
 
 /// Leaves out as little as it takes for the panels to be worth looking at.

@@ -76,9 +76,10 @@ void paintScale(QPainter& painter, const QRectF& room, const CostMap& map, const
                 const ChartLook& look)
 {
     const QRectF bar(room.left(), room.top(), room.width(), barHeight);
-    for (double x = bar.left(); x < bar.right(); ++x)
-        painter.fillRect(QRectF(x, bar.top(), std::min(1., bar.right() - x), barHeight),
-                         sequentialColour((x - bar.left()) / bar.width(), look.ground));
+    for (int x = 0; x < bar.width(); ++x)
+        painter.fillRect(
+            QRectF(bar.left() + x, bar.top(), std::min(1., bar.width() - x), barHeight),
+            sequentialColour(x / bar.width(), look.ground));
     painter.setPen(look.text);
     const QFontMetricsF metrics(look.font);
     const double base = bar.bottom() + 3 + metrics.ascent();
