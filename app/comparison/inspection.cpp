@@ -142,7 +142,7 @@ QString Region::words() const
         {{"above left", "above", "above right"},
          {"left", "inside", "right"},
          {"below left", "below", "below right"}}};
-    return tr(names[std::size_t(row + 1)][std::size_t(column + 1)]);
+    return tr(names[row + 1][column + 1]);
 }
 
 Region regionOf(const Point& point, const clipping::Window& window)

@@ -43,7 +43,7 @@ std::span<const double> RaceRow::times() const
     return ofThisFrame < leastTelling ? all : all.last(ofThisFrame);
 }
 
-Race::Race(std::vector<Contestant> contestants, Clock clock)
+Race::Race(const std::vector<Contestant>& contestants, Clock clock)
     : clock_(std::move(clock)), nanoseconds_(contestants.size())
 {
     assert(!contestants.empty());

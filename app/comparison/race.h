@@ -45,7 +45,7 @@ public:
     static constexpr std::size_t quickSample = 256, thoroughSample = 16384;
 
     /// Of at least one.
-    explicit Race(std::vector<Contestant> contestants, Clock clock = processorClock());
+    explicit Race(const std::vector<Contestant>& contestants, Clock clock = processorClock());
 
     /// What a round is for: only times, or also what has not been found out of this frame yet,
     /// which takes a tenth more; until then rows keep what was found before.
