@@ -119,7 +119,8 @@ std::vector<const Variable*> shown(const Moment& moment, std::size_t room)
     if (all.size() <= room)
         return all;
     auto chosen = all;
-    std::ranges::stable_partition(chosen, [](const Variable* v) { return v->changed(); });
+    std::stable_partition(chosen.begin(), chosen.end(),
+                          [](const Variable* v) { return v->changed(); });
     chosen.resize(room);
     std::erase_if(all, [&](const Variable* v) { return std::ranges::count(chosen, v) == 0; });
     return all;

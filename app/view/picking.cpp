@@ -57,7 +57,7 @@ std::vector<std::size_t> Picking::near(const Point& point, double radius) const
                 if (distance(point, scene_.segments()[segments_[i]]) <= radius)
                     found.push_back(segments_[i]);
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

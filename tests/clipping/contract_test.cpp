@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <ranges>
+#include <span>
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/random.h"
@@ -203,7 +203,8 @@ private slots:
             if (family.name != std::string_view("scene")) {
                 const auto inputs = family.inputs();
                 std::ranges::for_each(inputs, run);
-                std::ranges::for_each(inputs | std::views::take(5'000), trace); // these are slow
+                const std::span all(inputs); // traces are slow
+                std::ranges::for_each(all.first(std::min<std::size_t>(all.size(), 5'000)), trace);
             }
     }
 };

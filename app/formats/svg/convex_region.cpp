@@ -177,7 +177,7 @@ std::vector<Point> ConvexRegion::clip(std::vector<Point> polygon) const
             last = p;
             lastInside = inside;
         }
-        kept.erase(std::ranges::unique(kept).begin(), kept.end());
+        kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
         polygon = std::move(kept);
     }
     return polygon;

@@ -31,7 +31,7 @@ std::size_t endOfDeclaration(std::string_view text)
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (quote) {
-            quote = c == quote ? 0 : quote;
+            quote = c == quote ? '\0' : quote;
         } else if (c == '"' || c == '\'') {
             quote = c;
         } else if (c == ';' && depth <= 0) {
@@ -208,7 +208,7 @@ std::vector<const std::vector<Declaration>*> StyleSheet::matching(const Tree& tr
     if (const auto id = tree.attribute(node, "id"); !id.empty())
         tryThose(byId_, id);
     std::ranges::sort(found); // rules_ is sorted by specificity, then by place
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<const std::vector<Declaration>*> bodies;
     for (const auto rule : found) {
         bodies.push_back(&bodies_[rules_[rule].body]);
