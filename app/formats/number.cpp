@@ -53,10 +53,10 @@ void appendNumber(std::string& text, double number, int precision, double low, d
         const double inward = std::pow(10.0, -precision) * (first > high ? -1 : 1);
         for (const double candidate : {bound, bound + inward / 2, bound + inward}) {
             const auto decimals = rounded(candidate);
-            if (value(decimals) >= low && value(decimals) <= high) {
-                appendTrimmed(text, decimals);
-                return;
-            }
+            if (value(decimals) < low || value(decimals) > high)
+                continue;
+            appendTrimmed(text, decimals);
+            return;
         }
     }
     appendTrimmed(text, rounded(number)); // it is inside, or the window is thinner than a decimal

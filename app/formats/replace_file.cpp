@@ -100,7 +100,7 @@ bool isLinkToItself(const QString& path)
 std::optional<QString> fill(QFileDevice& file, const Filling& write)
 {
     Sink sink(file);
-    const auto error = write(sink);
+    auto error = write(sink);
     if (sink.readerGone())
         return std::nullopt;
     if (error && !sink.failed())

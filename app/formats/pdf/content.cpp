@@ -109,18 +109,18 @@ void Content::outline(const Shape& shape)
         appendPoint(text_, p, ' ', options_);
         text_ += operation;
     };
+    const auto controls = [&](const Stretch& curve) {
+        for (const Point& control : {curve.control1, curve.control2}) {
+            appendControl(text_, control, ' ', options_);
+            text_ += ' ';
+        }
+    };
     for (const Path& path : shape.paths) {
         point(path.start, " m\n");
         for (const Stretch& stretch : path.stretches) {
-            if (!stretch.curved) {
-                point(stretch.to, " l\n");
-                continue;
-            }
-            for (const Point& control : {stretch.control1, stretch.control2}) {
-                appendControl(text_, control, ' ', options_);
-                text_ += ' ';
-            }
-            point(stretch.to, " c\n");
+            if (stretch.curved)
+                controls(stretch);
+            point(stretch.to, stretch.curved ? " c\n" : " l\n");
         }
         if (path.stretches.empty())
             point(path.start, " l\n"); // a point: a line without length
@@ -142,7 +142,8 @@ std::string Content::resources() const
     std::string states;
     for (const int alpha : alphas_) {
         const std::string value = text(std::round(alpha / 255.0 * 10'000) / 10'000);
-        states += stateName(alpha) + "<</CA " + value + "/ca " + value + ">>";
+        states.append(stateName(alpha)).append("<</CA ").append(value);
+        states.append("/ca ").append(value).append(">>");
     }
     return states.empty() ? states : "/ExtGState<<" + states + ">>";
 }

@@ -84,6 +84,22 @@ void Walk::addViewportClip(const Box& viewport, Place& place)
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
 }
 
+// What is left of a shape; all of it if it cannot be clipped.
+std::vector<Shape> Walk::clipped(Shape shape, const ConvexRegion& region)
+{
+    auto left = clipShape(shape, region, tolerance_);
+    if (!left) {
+        report_.add(losses::clipPath);
+        std::vector<Shape> all;
+        all.push_back(std::move(shape));
+        return all;
+    }
+    clipWork_ += left->work;
+    if (clipWork_ > mostClipWork)
+        throw Refused{Text::tr("is where clip paths become too much work; remove some of them.")};
+    return std::move(left->shapes);
+}
+
 // Clips a shape at all that is around it and adds what is left.
 void Walk::addClipped(Shape shape, const Place& place)
 {
@@ -91,19 +107,8 @@ void Walk::addClipped(Shape shape, const Place& place)
     shapes.push_back(std::move(shape));
     for (auto region = place.clips.rbegin(); region != place.clips.rend(); ++region) {
         std::vector<Shape> kept;
-        for (Shape& one : shapes) {
-            auto clipped = clipShape(one, **region, tolerance_);
-            if (!clipped) {
-                report_.add(losses::clipPath);
-                kept.push_back(std::move(one));
-                continue;
-            }
-            clipWork_ += clipped->work;
-            if (clipWork_ > mostClipWork)
-                throw Refused{
-                    Text::tr("is where clip paths become too much work; remove some of them.")};
-            std::ranges::move(clipped->shapes, std::back_inserter(kept));
-        }
+        for (Shape& one : shapes)
+            std::ranges::move(clipped(std::move(one), **region), std::back_inserter(kept));
         shapes = std::move(kept);
     }
     for (Shape& one : shapes) {

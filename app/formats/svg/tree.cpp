@@ -142,7 +142,7 @@ private:
 
     std::uint32_t nameIndex(QStringView uri, QStringView local)
     {
-        std::string_view prefix = "";
+        std::string_view prefix;
         if (!uri.empty()) {
             const auto found = std::ranges::find_if(
                 namespaces, [&](const Namespace& known) { return known.uri == uri; });

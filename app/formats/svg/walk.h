@@ -62,6 +62,7 @@ private:
     std::optional<ConvexRegion> clipRegion(Node clip, const Place& place);
     std::optional<std::vector<Path>> clipOutline(Node node, const Place& base);
     void addClipped(Shape shape, const Place& place);
+    std::vector<Shape> clipped(Shape shape, const ConvexRegion& region);
 
     std::vector<Path> placed(Outline outline, const Matrix& matrix);
     void countParts(const Shape& shape);
