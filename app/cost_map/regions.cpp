@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 namespace app {
 
@@ -15,6 +16,8 @@ namespace {
 /// What makes cells alike, and how far each is from another kind.
 class Field {
 public:
+    using Step = std::array<int, 2>;
+
     explicit Field(const CostMap& map) : map_(map), columns_(map.plan.columns), rows_(map.plan.rows)
     {
         reach_.resize(map.plan.cells());
@@ -34,14 +37,17 @@ public:
         return map_.cheapest.empty() ? map_.values[one] == map_.values[other]
                                      : map_.cheapest[one] == map_.cheapest[other];
     }
-    bool has(int column, int row) const
+    /// The cell one step away; none beyond the map's edge or if it is of another kind.
+    std::optional<std::size_t> alikeBeside(std::size_t cell, const Step& step) const
     {
-        return column >= 0 && row >= 0 && column < columns_ && row < rows_;
+        const int column = int(cell) % columns_ + step[0], row = int(cell) / columns_ + step[1];
+        if (!has(column, row) || !alike(cell, map_.at(column, row)))
+            return std::nullopt;
+        return map_.at(column, row);
     }
     int reach(std::size_t cell) const { return reach_[cell]; }
 
 private:
-    using Step = std::array<int, 2>;
     /// One more than the least of the neighbours'; 0 beside another kind or the map's edge.
     int reachFrom(int column, int row, const std::array<Step, 4>& steps) const
     {
@@ -54,6 +60,11 @@ private:
             least = std::min(least, alike(here, there) ? reach_[there] : -1);
         }
         return least + 1;
+    }
+
+    bool has(int column, int row) const
+    {
+        return column >= 0 && row >= 0 && column < columns_ && row < rows_;
     }
 
     const CostMap& map_;
@@ -92,17 +103,13 @@ CostRegion regionFrom(std::size_t first, const CostMap& map, const Field& field,
     std::vector<std::size_t> all{first}; // those that were looked around in, then the others
     seen[first] = true;
     for (std::size_t next = 0; next < all.size(); ++next) {
-        const std::size_t cell = all[next];
-        const int column = int(cell) % map.plan.columns, row = int(cell) / map.plan.columns;
-        for (const auto& [right, down] :
-             std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
-            if (!field.has(column + right, row + down))
+        for (const Field::Step& step :
+             std::array<Field::Step, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+            const auto there = field.alikeBeside(all[next], step);
+            if (!there || seen[*there])
                 continue;
-            const std::size_t there = map.at(column + right, row + down);
-            if (!seen[there] && field.alike(cell, there)) {
-                seen[there] = true;
-                all.push_back(there);
-            }
+            seen[*there] = true;
+            all.push_back(*there);
         }
     }
     return summary(all, map, field);

@@ -93,7 +93,8 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     const Contestant exact{&clipping::exactAlgorithm(), clipping::Form::Corrected};
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
-    Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));
+    const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
+    Pace pace(follower, double(blocks));
     std::vector<std::uint64_t> measured(all.size());
     std::vector<Segment> lines;
     std::vector<Clipped> truth, found;

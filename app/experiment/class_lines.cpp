@@ -30,7 +30,8 @@ std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std
         all[c].lineClass = lineClasses[c];
     const LineSource source = scene.begin(field, seed);
     const std::uint64_t last = scene.lines == 0 ? linesLookedThrough(most) : scene.lines;
-    Pace pace(follower, double((last + block - 1) / block));
+    const std::uint64_t blocks = (last + block - 1) / block;
+    Pace pace(follower, double(blocks));
     std::vector<clipping::Segment> some;
     std::uint64_t looked = 0;
     while (looked < last && !isEnough(all, most)) {

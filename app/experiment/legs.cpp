@@ -15,7 +15,8 @@ Legs::Legs(const Follower& follower, std::vector<double> weights)
 Follower Legs::next()
 {
     assert(next_ < weights_.size());
-    const double before = std::accumulate(weights_.begin(), weights_.begin() + next_, 0.0);
+    const double before =
+        std::accumulate(weights_.begin(), weights_.begin() + std::ptrdiff_t(next_), 0.0);
     const double weight = weights_[next_++];
     if (!follower_.progress)
         return follower_;

@@ -85,7 +85,8 @@ std::optional<OperationProfile> operationProfile(const ExperimentOptions& option
     for (const Contestant& contestant : contestants)
         profile.rows.push_back({contestant, {}});
     const LineSource source = options.scene.begin(options.field, options.seed);
-    Pace pace(follower, double((options.lines + blockSize - 1) / blockSize));
+    const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
+    Pace pace(follower, double(blocks));
     std::vector<clipping::Segment> lines;
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
         if (pace.stopped())

@@ -102,6 +102,23 @@ void absorb(std::vector<Places>& groups)
     groups = std::move(kept);
 }
 
+/// Each group that holds both of two things becomes two, each without one of them.
+std::vector<Places> split(std::vector<Places> groups, std::size_t a, std::size_t b)
+{
+    std::vector<Places> all;
+    for (Places& group : groups) {
+        if (!std::ranges::binary_search(group, a) || !std::ranges::binary_search(group, b)) {
+            all.push_back(std::move(group));
+            continue;
+        }
+        for (const std::size_t without : {a, b}) {
+            all.push_back(group);
+            std::erase(all.back(), without);
+        }
+    }
+    return all;
+}
+
 /// Insert and absorb (Piepho 2004): all things are one group, and each pair that differs splits the
 /// groups that hold both.
 std::vector<Places> groupsOf(const Ranking& ranking)
@@ -113,19 +130,7 @@ std::vector<Places> groupsOf(const Ranking& ranking)
         for (std::size_t b = 0; b < a; ++b) {
             if (ranking.pairs[ranking.order[a]][ranking.order[b]].outcome != Outcome::Different)
                 continue;
-            std::vector<Places> split;
-            for (Places& group : groups) {
-                if (!std::ranges::binary_search(group, a)
-                    || !std::ranges::binary_search(group, b)) {
-                    split.push_back(std::move(group));
-                    continue;
-                }
-                for (const std::size_t without : {a, b}) {
-                    split.push_back(group);
-                    std::erase(split.back(), without);
-                }
-            }
-            groups = std::move(split);
+            groups = split(std::move(groups), a, b);
             absorb(groups);
         }
     std::ranges::sort(groups);

@@ -20,6 +20,7 @@ template <class Rows>
 std::vector<Contestant> contestantsOf(const Rows& rows)
 {
     std::vector<Contestant> all;
+    all.reserve(rows.size());
     for (const auto& row : rows)
         all.push_back(row.contestant);
     return all;

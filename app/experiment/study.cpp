@@ -206,6 +206,16 @@ std::vector<Table> tablesOf(const Explanation& explanation)
             accuracyTable(explanation.accuracies, explanation.operations.options)};
 }
 
+/// The times of a trial that stands beside others, and so names it.
+Table namedTimesTable(const Trial& trial, const Measure& measure)
+{
+    Table table = timesTable(trial.record, measure);
+    table.key = trial.paper->key + u'-' + table.key + QStringLiteral("-times-")
+                + wordOf(trial.record.timings.front().contestant.form);
+    table.title.prepend(nameOf(trial) + QStringLiteral(": "));
+    return table;
+}
+
 std::vector<Table> tablesOf(const Study& study)
 {
     std::vector<Table> tables;
@@ -216,13 +226,8 @@ std::vector<Table> tablesOf(const Study& study)
         last = trial.paper ? &*trial.paper : nullptr;
         for (const Measure& measure : study.measures) {
             std::ranges::move(tablesOf(trial, measure, Against::Paper), std::back_inserter(tables));
-            if (trial.paper) {
-                tables.push_back(timesTable(trial.record, measure));
-                tables.back().key.prepend(trial.paper->key + u'-');
-                tables.back().key += QStringLiteral("-times-")
-                                     + wordOf(trial.record.timings.front().contestant.form);
-                tables.back().title.prepend(nameOf(trial) + QStringLiteral(": "));
-            }
+            if (trial.paper)
+                tables.push_back(namedTimesTable(trial, measure));
         }
     }
     if (study.explanation)

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <memory>
@@ -151,18 +152,29 @@ private:
     Segment next()
     {
         constexpr int most = 1000;
-        for (; way_ < 2; ++way_)
+        static constexpr std::array ways{line, tight};
+        for (; way_ < ways.size(); ++way_)
             for (int tries = 0; tries < most; ++tries)
-                if (const Segment one = way_ == 0 ? line(dice_, field_) : tight(dice_, field_);
-                    wanted(one, field_))
+                if (const Segment one = ways[way_](dice_, field_); wanted(one, field_))
                     return one;
         return tight(dice_, field_);
     }
 
     Field field_;
     Dice dice_;
-    int way_ = 0;
+    std::size_t way_ = 0;
 };
+
+/// The lines in their order, again and again.
+LineSource repeated(std::shared_ptr<const std::vector<Segment>> all)
+{
+    return [all = std::move(all), next = std::size_t(0)](std::span<Segment> some) mutable {
+        for (Segment& line : some) {
+            line = (*all)[next];
+            next = (next + 1) % all->size();
+        }
+    };
+}
 
 template <auto line, auto wanted, auto tight = line>
 LineSource begin(const Field& field, std::uint64_t seed)
@@ -222,14 +234,7 @@ TestScene drawingScene(const QString& name, std::vector<clipping::Segment> lines
 {
     assert(!lines.empty());
     const auto all = std::make_shared<const std::vector<Segment>>(std::move(lines));
-    const auto begin = [all](const Field&, std::uint64_t) -> LineSource {
-        return [all, next = std::size_t(0)](std::span<Segment> some) mutable {
-            for (Segment& line : some) {
-                line = (*all)[next];
-                next = (next + 1) % all->size();
-            }
-        };
-    };
+    const auto begin = [all](const Field&, std::uint64_t) { return repeated(all); };
     return {"drawing", name, Scenes::tr("The lines of a drawing, in its order."), begin,
             all->size()};
 }
