@@ -226,9 +226,10 @@ void paintLabel(const Picture& s, const FigureLabel& label)
 
 } // namespace
 
-void paintStep(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
-               const FigureFrame& frame, const FigureColours& colours)
+void paintStep(QPainter& painter, const WalkStep& at, const FigureFrame& frame,
+               const FigureColours& colours)
 {
+    const auto& [specimen, walk, step] = at;
     const StepScene scene = stepScene(specimen, walk, step);
     const Picture picture{painter, specimen, scene, frame, colours, frame.unit()};
     painter.save();

@@ -3,6 +3,7 @@
 
 #include "app/teaching/figure_colours.h"
 #include "app/teaching/figure_frame.h"
+#include "app/teaching/walk_step.h"
 
 class QPainter;
 
@@ -15,7 +16,7 @@ namespace app {
 /// what is discarded dashed, ends as circles, cuts as diamonds with their coordinates, a cut that
 /// is only weighed hollow. A step that the walk does not have: window and line alone. Nothing is
 /// painted outside the picture but half a stroke, whatever the numbers are.
-void paintStep(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
-               const FigureFrame& frame, const FigureColours& colours);
+void paintStep(QPainter& painter, const WalkStep& at, const FigureFrame& frame,
+               const FigureColours& colours);
 
 } // namespace app

@@ -34,8 +34,7 @@ constexpr std::array figures{
     PageFigure{"exact", {{-160, 10}, {-20, 120}}, Mark::Cut}, // close by a corner
 };
 
-QImage painted(const Specimen& specimen, std::size_t step, const Walk& walk, Ground ground,
-               const QSize& size, double devicePixels)
+QImage painted(const WalkStep& at, Ground ground, const QSize& size, double devicePixels)
 {
     QImage image(size * devicePixels, QImage::Format_RGB32);
     if (image.isNull())
@@ -44,8 +43,7 @@ QImage painted(const Specimen& specimen, std::size_t step, const Walk& walk, Gro
     QFont font = QGuiApplication::font();
     font.setPixelSize(std::max(9, size.width() / 52));
     QPainter painter(&image);
-    paintStep(painter, specimen, walk, step, figureFrame(specimen, size, font),
-              figureColours(ground));
+    paintStep(painter, at, figureFrame(at.specimen, size, font), figureColours(ground));
     return image;
 }
 
@@ -91,7 +89,7 @@ QImage pageFigure(const clipping::Algorithm& algorithm, Ground ground, int width
     const PageFigure figure = pageFigureOf(algorithm);
     const Specimen specimen = specimenOf(figure);
     const Walk walk = walkOf(specimen);
-    return painted(specimen, stepOf(figure, walk), walk, ground, {width, width * 9 / 16},
+    return painted({specimen, walk, stepOf(figure, walk)}, ground, {width, width * 9 / 16},
                    devicePixels);
 }
 

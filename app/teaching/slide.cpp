@@ -72,13 +72,12 @@ void paintSentence(QPainter& painter, const QRectF& area, const QString& text,
     painter.drawText(area, flags, text);
 }
 
-void paintFigure(QPainter& painter, const QRectF& area, const Specimen& specimen, const Walk& walk,
-                 std::size_t step, Ground ground)
+void paintFigure(QPainter& painter, const QRectF& area, const WalkStep& at, Ground ground)
 {
-    const FigureFrame frame = nearFrame(specimen, area.size(), slideFonts().body);
+    const FigureFrame frame = nearFrame(at.specimen, area.size(), slideFonts().body);
     painter.save();
     painter.translate(area.topLeft());
-    paintStep(painter, specimen, walk, step, frame, figureColours(ground));
+    paintStep(painter, at, frame, figureColours(ground));
     painter.restore();
 }
 
@@ -101,22 +100,22 @@ void paintPanels(QPainter& painter, const QRectF& column, const Walk& walk, std:
 
 } // namespace
 
-void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
-                SlideParts parts, Ground ground)
+void paintSlide(QPainter& painter, const WalkStep& at, SlideParts parts, Ground ground)
 {
+    const auto& [specimen, walk, step] = at;
     const FigureColours colours = figureColours(ground);
     const QRectF all(0, 0, slideWidth, slideHeight);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(all, colours.paper);
     if (parts == SlideParts::Picture) {
-        paintFigure(painter, all, specimen, walk, step, ground);
+        paintFigure(painter, all, at, ground);
         return;
     }
     const QRectF column(slideWidth - margin - columnWidth, top, columnWidth, bottom - top);
     const QRectF sentence = sentenceArea();
     const QRectF picture(margin, top, sentence.width(), sentence.top() - 14 - top);
     paintHeader(painter, specimen, walk, step, ground);
-    paintFigure(painter, picture, specimen, walk, step, ground);
+    paintFigure(painter, picture, at, ground);
     painter.setPen(QPen(colours.rule, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(picture);

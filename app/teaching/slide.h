@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/walk_step.h"
 #include "app/view/algorithm_mark.h"
 
 #include <QRectF>
@@ -21,8 +21,7 @@ constexpr double slideWidth = 1280, slideHeight = 720; ///< in logical pixels
 
 /// Paints a step into (0, 0) to (slideWidth, slideHeight). Of a walk without moments: the line, the
 /// window, and why there is nothing to see.
-void paintSlide(QPainter& painter, const Specimen& specimen, const Walk& walk, std::size_t step,
-                SlideParts parts, Ground ground);
+void paintSlide(QPainter& painter, const WalkStep& at, SlideParts parts, Ground ground);
 
 /// Where the sentence of a step is.
 QRectF sentenceArea();

@@ -23,7 +23,7 @@ QString tr(const char* text) { return QCoreApplication::translate("TraceFile", t
 PaintedPage pageOf(const TraceExport& trace, std::size_t step)
 {
     return {{slideWidth, slideHeight}, [&trace, step](QPainter& painter) {
-                paintSlide(painter, trace.specimen, trace.walk, step, trace.parts, trace.ground);
+                paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
             }};
 }
 

@@ -32,7 +32,7 @@ QImage frameOf(const TraceExport& trace, std::size_t step)
         return image;
     image.setDevicePixelRatio(trace.scale);
     QPainter painter(&image);
-    paintSlide(painter, trace.specimen, trace.walk, step, trace.parts, trace.ground);
+    paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
     return image;
 }
 

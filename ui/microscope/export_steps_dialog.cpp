@@ -24,7 +24,7 @@ QPixmap previewOf(const app::TraceExport& trace, std::size_t step, const QColor&
     picture.fill(Qt::white);
     QPainter painter(&picture);
     painter.scale(scale, scale);
-    app::paintSlide(painter, trace.specimen, trace.walk, step, trace.parts, trace.ground);
+    app::paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
     painter.setPen(QPen(border, 2 / scale));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(0, 0, app::slideWidth, app::slideHeight));

@@ -97,8 +97,8 @@ QString MicroscopeView::hint() const
 void MicroscopeView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    app::paintStep(painter, microscope_.specimen(), microscope_.walk(), microscope_.step(), frame_,
-                   app::figureColours(groundOf(palette())));
+    app::paintStep(painter, {microscope_.specimen(), microscope_.walk(), microscope_.step()},
+                   frame_, app::figureColours(groundOf(palette())));
     painter.setRenderHint(QPainter::Antialiasing);
     if (lit_)
         paintRing(painter, *lit_, 1.5);

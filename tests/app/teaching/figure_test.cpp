@@ -65,7 +65,7 @@ QImage painted(const Specimen& s, std::size_t step, Ground ground)
 {
     QImage image(size.toSize(), QImage::Format_RGB32);
     QPainter painter(&image);
-    paintStep(painter, s, walkOf(s), step, figureFrame(s, size, font()), figureColours(ground));
+    paintStep(painter, {s, walkOf(s), step}, figureFrame(s, size, font()), figureColours(ground));
     return image;
 }
 
@@ -380,10 +380,10 @@ private slots:
                 QImage image(picture.toSize(), QImage::Format_RGB32);
                 QPainter painter(&image);
                 const FigureFrame frame = figureFrame(s, picture, font());
-                paintStep(painter, s, walk, walk.moments.size(), frame,
+                paintStep(painter, {s, walk, walk.moments.size()}, frame,
                           figureColours(Ground::Light));
                 if (!walk.moments.empty())
-                    paintStep(painter, s, walk, walk.moments.size() - 1, frame,
+                    paintStep(painter, {s, walk, walk.moments.size() - 1}, frame,
                               figureColours(Ground::Dark));
                 for (const Point& p : {s.line.a, s.line.b, s.window.min, s.window.max}) {
                     const QPointF place = frame.at(p);
