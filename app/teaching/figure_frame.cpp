@@ -63,7 +63,7 @@ Span around(double middle, double half)
 /// Whether an edge of the window, and not only the line that it lies on, may be in the picture.
 bool showsEdge(const FigureFrame& frame, const clipping::Window& window)
 {
-    const auto& [min, max] = frame.seen;
+    const Point &min = frame.seen.min, &max = frame.seen.max;
     const auto within = [&](double level, glm::length_t axis) {
         return level > min[axis] && level < max[axis];
     };
@@ -127,7 +127,7 @@ FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFon
 FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font)
 {
     constexpr double shortLine = 56, fillsWell = 0.4;
-    const FigureFrame frame = figureFrame(specimen, size, font);
+    FigureFrame frame = figureFrame(specimen, size, font);
     const auto& [a, b] = specimen.line;
     const double length = QLineF(frame.at(a), frame.at(b)).length();
     if (!(length > 0) || length > shortLine || !frame.shows(a) || !frame.shows(b))
