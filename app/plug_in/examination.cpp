@@ -44,9 +44,11 @@ std::optional<Unusable> whyUnusable(const QString& word)
     return std::nullopt;
 }
 
-std::array<std::uint64_t, 8> bitsOf(const Question& question)
+/// The bits as whole numbers: NaN equals itself, and -0 is not 0.
+template <class Numbers>
+auto bitsOf(const Numbers& numbers)
 {
-    return std::bit_cast<std::array<std::uint64_t, 8>>(question);
+    return std::bit_cast<std::array<std::uint64_t, sizeof(Numbers) / sizeof(double)>>(numbers);
 }
 
 /// If nothing is visible, what was written to visible[] does not count.
@@ -54,7 +56,7 @@ bool sameAnswer(const Answer& one, const Answer& other)
 {
     if ((one.returned != 0) != (other.returned != 0))
         return false;
-    return one.returned == 0 || std::memcmp(&one.visible, &other.visible, sizeof one.visible) == 0;
+    return one.returned == 0 || bitsOf(one.visible) == bitsOf(other.visible);
 }
 
 } // namespace

@@ -20,14 +20,18 @@ using clipping::Segment;
 constexpr double allowedUlps = Contract{}.ulps; ///< of a visibility, on any numbers
 constexpr std::size_t mostKept = 8;
 
+std::array<std::uint64_t, 4> bitsOf(const Segment& segment)
+{
+    return std::bit_cast<std::array<std::uint64_t, 4>>(segment);
+}
+
 /// The pieces have just been written, so reading them takes nothing out of the cache.
 std::uint64_t sumOf(std::span<const Clipped> pieces)
 {
     std::uint64_t sum = pieces.size();
     for (const Clipped& one : pieces) {
-        const auto bits = std::bit_cast<std::array<std::uint64_t, 4>>(one.segment);
         sum = sum * 31 + one.source;
-        for (const std::uint64_t of : bits)
+        for (const std::uint64_t of : bitsOf(one.segment))
             sum = (sum ^ of) * 0x100000001b3;
     }
     return sum;
@@ -35,8 +39,7 @@ std::uint64_t sumOf(std::span<const Clipped> pieces)
 
 bool sameBits(const std::optional<Segment>& one, const std::optional<Segment>& other)
 {
-    return one.has_value() == other.has_value()
-           && (!one || std::memcmp(&*one, &*other, sizeof *one) == 0);
+    return one.has_value() == other.has_value() && (!one || bitsOf(*one) == bitsOf(*other));
 }
 
 Answer answerOf(const std::optional<Segment>& piece)
