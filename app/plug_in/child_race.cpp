@@ -104,6 +104,7 @@ void race(int out, const Library& library, const QStringList& arguments)
     own = library.clip;
     static const auto rows = contenders(std::make_index_sequence<mostRows>());
     std::vector<Contestant> contestants;
+    contestants.reserve(rows.size());
     for (const clipping::Algorithm& row : rows)
         contestants.push_back({&row, clipping::Form::Corrected});
     const Follower follower{

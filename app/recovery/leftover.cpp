@@ -137,7 +137,7 @@ void discard(Leftover& leftover)
 
 QString setAside(Leftover& leftover)
 {
-    const QString aside = leftover.file + QStringLiteral(".unreadable");
+    QString aside = leftover.file + QStringLiteral(".unreadable");
     QFile::remove(aside);
     QFile::rename(leftover.file, aside);
     leftover.claim.reset();

@@ -106,6 +106,15 @@ int nextSignal(int pipe)
     return number;
 }
 
+/// Until a signal comes, which then ends the process, or until no more is to come.
+void waitForSignal(int pipe, const std::function<void(int signal)>& last)
+{
+    if (const int signal = nextSignal(pipe); signal != noMore) {
+        last(signal);
+        dieOf(signal);
+    }
+}
+
 } // namespace
 
 struct SignalWatch::Parts {
@@ -120,12 +129,8 @@ SignalWatch::SignalWatch(std::function<void(int signal)> last) : parts_(std::mak
         return;
     const NoSignals guard;
     try {
-        parts_->thread = std::thread([end = pipeToThread.readEnd(), last = std::move(last)] {
-            if (const int signal = nextSignal(end); signal != noMore) {
-                last(signal);
-                dieOf(signal);
-            }
-        });
+        parts_->thread = std::thread(
+            [end = pipeToThread.readEnd(), last = std::move(last)] { waitForSignal(end, last); });
     } catch (const std::system_error&) {
         return; // no more threads: signals end the process as they always do
     }

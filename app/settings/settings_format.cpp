@@ -31,7 +31,7 @@ QVariant valueOf(const QJsonValue& json)
         return QByteArray::fromBase64(json.toObject().value(bytesKey).toString().toLatin1());
     if (json.isArray()) {
         QStringList texts;
-        for (const QJsonValue& each : json.toArray())
+        for (const auto& each : json.toArray())
             texts << each.toString();
         return texts;
     }
