@@ -60,6 +60,7 @@ double crossingInIntegers(double ax, double ay, double bx, double by, double x);
 /// Whether the line from (ax, ay) to (bx, by) passes x before, together with or after it passes y:
 /// the sign of (x - ax) / (bx - ax) - (y - ay) / (by - ay). Needs ax != bx and ay != by.
 template <class N>
+// NOLINTNEXTLINE(readability-function-size): two coordinates for each of three points
 std::strong_ordering order(N ax, N ay, N bx, N by, N x, N y)
 {
     const N p = (x - ax) * (by - ay), q = (y - ay) * (bx - ax);
