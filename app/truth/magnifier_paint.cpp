@@ -104,6 +104,29 @@ public:
         painter_.drawLine(on - along, on + along);
     }
 
+    /// How large the picture is, as a bar of so many ulps.
+    void paintScale(bool latticeSeen)
+    {
+        const double ulp = std::max(seen_.ulp.x, seen_.ulp.y) * view_.pixelsPerUnit;
+        const double times = std::pow(10, std::ceil(std::log10(40 / ulp)));
+        const double ulps = std::max(1., std::isfinite(times) ? times : 1.);
+        const double length = ulps * ulp;
+        const QPointF left(area_.left() + 10, area_.top() + 14);
+        const double shown = std::min(length, area_.width() - 20);
+        painter_.setPen(QPen(look_.chart.text, 2));
+        painter_.drawLine(left, left + QPointF(shown, 0));
+        painter_.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
+        painter_.drawLine(left + QPointF(shown, -4), left + QPointF(shown, 4));
+        const QString size = QLocale().toString(std::max(seen_.ulp.x, seen_.ulp.y) * ulps, 'g', 3);
+        QString text = Magnifier::tr("%1 = %2").arg(errorText(ulps), size);
+        if (!latticeSeen)
+            text += view_.lattice == Lattice::Double
+                        ? Magnifier::tr("; doubles are too close here to be drawn one by one")
+                        : Magnifier::tr("; floats are too close here, or too far, to be drawn");
+        painter_.setPen(look_.chart.text);
+        painter_.drawText(left + QPointF(0, 20), text);
+    }
+
     void paintEnds(const QString& name)
     {
         painter_.setBrush(Qt::NoBrush);
@@ -204,30 +227,6 @@ private:
     QPointF origin_;
 };
 
-/// How large the picture is, as a bar of so many ulps.
-void paintScale(QPainter& painter, const QRectF& area, const Magnified& seen,
-                const MagnifierView& view, const MagnifierLook& look, bool latticeSeen)
-{
-    const double ulp = std::max(seen.ulp.x, seen.ulp.y) * view.pixelsPerUnit;
-    const double times = std::pow(10, std::ceil(std::log10(40 / ulp)));
-    const double ulps = std::max(1., std::isfinite(times) ? times : 1.);
-    const double length = ulps * ulp;
-    const QPointF left(area.left() + 10, area.top() + 14);
-    const double shown = std::min(length, area.width() - 20);
-    painter.setPen(QPen(look.chart.text, 2));
-    painter.drawLine(left, left + QPointF(shown, 0));
-    painter.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
-    painter.drawLine(left + QPointF(shown, -4), left + QPointF(shown, 4));
-    const QString size = QLocale().toString(std::max(seen.ulp.x, seen.ulp.y) * ulps, 'g', 3);
-    QString text = Magnifier::tr("%1 = %2").arg(errorText(ulps), size);
-    if (!latticeSeen)
-        text += view.lattice == Lattice::Double
-                    ? Magnifier::tr("; doubles are too close here to be drawn one by one")
-                    : Magnifier::tr("; floats are too close here, or too far, to be drawn");
-    painter.setPen(look.chart.text);
-    painter.drawText(left + QPointF(0, 20), text);
-}
-
 QString inFull(double number)
 {
     return QLocale().toString(number, 'g', QLocale::FloatingPointShortest).replace(u'-', u'−');
@@ -256,20 +255,20 @@ MagnifierView zoomed(MagnifierView view, const Magnified& seen, double factor, c
     return view;
 }
 
-void paintMagnified(QPainter& painter, const QRectF& area, const Magnified& seen,
-                    const MagnifierView& view, const QString& name, const MagnifierLook& look)
+void paintMagnified(QPainter& painter, const QRectF& area, const NamedEnd& end,
+                    const MagnifierView& view, const MagnifierLook& look)
 {
     painter.save();
     painter.setClipRect(area);
     painter.setFont(look.chart.font);
-    Stage stage(painter, area, seen, view, look);
+    Stage stage(painter, area, end.seen, view, look);
     stage.paintGround();
     const bool latticeSeen = stage.paintLattice();
     painter.setRenderHint(QPainter::Antialiasing);
     stage.paintEdges();
     stage.paintLine();
-    stage.paintEnds(name);
-    paintScale(painter, area, seen, view, look, latticeSeen);
+    stage.paintEnds(end.name);
+    stage.paintScale(latticeSeen);
     painter.restore();
 }
 

@@ -29,10 +29,16 @@ struct MagnifierLook {
         outside; ///< the clip window; the end; one that is wrong; ground
 };
 
+/// An end and the name of the algorithm that it is of, for the length of a call.
+struct NamedEnd {
+    const Magnified& seen;
+    const QString& name;
+};
+
 /// The lattice of numbers, the line, the edges, the true end and the algorithm's, each with its
-/// name. `name` is the algorithm's.
-void paintMagnified(QPainter& painter, const QRectF& area, const Magnified& seen,
-                    const MagnifierView& view, const QString& name, const MagnifierLook& look);
+/// name.
+void paintMagnified(QPainter& painter, const QRectF& area, const NamedEnd& end,
+                    const MagnifierView& view, const MagnifierLook& look);
 
 /// What is seen, in words: both ends with all digits, and how far they are apart.
 QString magnifiedText(const Magnified& seen, const QString& name);

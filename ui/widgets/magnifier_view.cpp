@@ -65,7 +65,7 @@ void Magnifier::paintEvent(QPaintEvent*)
     colours.chart.font = captionFont(font());
     colours.chart.paper = look.base;
     QPainter painter(this);
-    app::paintMagnified(painter, rect(), seen_, view_, name_, colours);
+    app::paintMagnified(painter, rect(), {seen_, name_}, view_, colours);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(hasFocus() ? QPen(look.selection, 2) : QPen(look.rule, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

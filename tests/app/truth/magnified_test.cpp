@@ -25,7 +25,7 @@ QImage picture(const Magnified& seen, MagnifierView view)
 {
     QImage image(400, 300, QImage::Format_RGB32);
     QPainter painter(&image);
-    paintMagnified(painter, {0, 0, 400, 300}, seen, view, "MD", look());
+    paintMagnified(painter, {0, 0, 400, 300}, {seen, "MD"}, view, look());
     return image;
 }
 
