@@ -24,6 +24,7 @@ struct About {
 constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
 /// A test on a line of the pseudo-code, told to the watcher; whether it holds.
 template <class S, class Watch, class... T>
+// NOLINTNEXTLINE(readability-function-size): the test's outcome, and what its step is made of
 constexpr bool asked(bool holds, int line, const S& segment, Edge edge, Watch& watch,
                      const Named<T>&... values)
 {

@@ -51,8 +51,10 @@ bool ordinary(const BasicWindow<T, N>& w)
 {
     constexpr T most = ordinaryMost<T>;
     bool all = true;
-    for (glm::length_t k = 0; k < N; ++k)
-        all = all & (std::abs(w.min[k]) <= most) & (std::abs(w.max[k]) <= most);
+    for (glm::length_t k = 0; k < N; ++k) {
+        all &= std::abs(w.min[k]) <= most;
+        all &= std::abs(w.max[k]) <= most;
+    }
     return all;
 }
 template <class T, glm::length_t N>
@@ -62,8 +64,9 @@ bool ordinary(const BasicSegment<T, N>& s)
     bool all = true;
     for (glm::length_t k = 0; k < N; ++k) {
         const T extent = std::abs(s.b[k] - s.a[k]);
-        all = all & (std::abs(s.a[k]) <= most) & (std::abs(s.b[k]) <= most)
-              & ((extent >= least) | (extent == 0));
+        all &= std::abs(s.a[k]) <= most;
+        all &= std::abs(s.b[k]) <= most;
+        all &= (extent >= least) | (extent == 0);
     }
     return all;
 }

@@ -19,6 +19,7 @@
 #include "clipping/outcode.h"
 
 #include <array>
+#include <compare>
 
 namespace clipping {
 
@@ -146,8 +147,8 @@ struct SobkowPospisilYang {
         const T edge = levelOf(what.edge, run.window);
         const T place = (what.ofB ? run.visible.b : run.visible.a)[axis];
         const auto side = place <=> edge;
-        if (form == Form::Published || side != 0)
-            return isLow(what.edge) ? side < 0 : side > 0;
+        if (form == Form::Published || std::is_neq(side))
+            return isLow(what.edge) ? std::is_lt(side) : std::is_gt(side);
         const T way = run.way[what.ofB], gap = edge - (what.ofB ? run.given.b : run.given.a)[axis];
         return isLow(what.edge) ? way < gap : way > gap;
     }
