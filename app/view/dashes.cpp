@@ -53,23 +53,23 @@ std::vector<std::vector<QPointF>> dashes(std::span<const QPointF> polyline,
     for (std::size_t i = 1; i < polyline.size(); ++i) {
         const QPointF from = polyline[i - 1], along = polyline[i] - from;
         const double length = std::hypot(along.x(), along.y());
-        for (double at = 0;;) {
+        double at = 0;
+        for (;;) {
             const double next = std::min(length, at + rhythm.left());
             const bool beginsAtEnd = !open && at == length && length > 0 && rhythm.left() > 0;
-            if (rhythm.drawn() && !beginsAtEnd) {
-                if (!open)
-                    all.push_back({from + along * (length > 0 ? at / length : 0)});
+            const bool drawn = rhythm.drawn() && !beginsAtEnd;
+            if (drawn && !open)
+                all.push_back({from + along * (length > 0 ? at / length : 0)});
+            if (drawn)
                 all.back().push_back(from + along * (length > 0 ? next / length : 0));
-            }
-            open = rhythm.drawn() && !beginsAtEnd;
-            if (at + rhythm.left() > length) {
-                rhythm.advance(length - at);
+            open = drawn;
+            if (at + rhythm.left() > length)
                 break;
-            }
             at = next;
             rhythm.change();
             open = false;
         }
+        rhythm.advance(length - at);
     }
     return all;
 }

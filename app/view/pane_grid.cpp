@@ -55,6 +55,7 @@ std::vector<QRect> paneCells(const QSize& area, int count, double breadth)
     const Grid grid = gridFor(area, count, breadth);
     const QSize size = cellSize(area, grid);
     std::vector<QRect> cells;
+    cells.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i)
         cells.push_back({QPoint(start(area.width(), grid.columns, i % grid.columns),
                                 start(area.height(), grid.rows, i / grid.columns)),

@@ -23,11 +23,12 @@ std::vector<Tick> ticks(double from, double to, double pixels)
     std::vector<Tick> all;
     if ((to - from) / fine > mostTicks)
         return all;
-    for (double i = std::ceil(from / fine); i * fine <= to; ++i) {
-        const double rest = std::fmod(std::abs(i), parts);
-        const auto rank = rest == 0                          ? Tick::Rank::Numbered
-                          : parts == 10 && rest == parts / 2 ? Tick::Rank::Half
-                                                             : Tick::Rank::Fine;
+    const double first = std::ceil(from / fine);
+    for (int count = 0; count <= mostTicks && (first + count) * fine <= to; ++count) {
+        const double i = first + count, rest = std::fmod(std::abs(i), parts);
+        const auto rank = rest == 0                  ? Tick::Rank::Numbered
+                          : parts == 10 && rest == 5 ? Tick::Rank::Half
+                                                     : Tick::Rank::Fine;
         all.push_back({i / parts * step, rank});
     }
     return all;

@@ -28,7 +28,7 @@ double luminance(const QColor& colour)
 QColor sequentialColour(double share, Ground ground)
 {
     const auto& anchors = ground == Ground::Light ? onLight : onDark;
-    const double place = std::clamp(share, 0.0, 1.0) * (anchors.size() - 1);
+    const double place = std::clamp(share, 0.0, 1.0) * double(anchors.size() - 1);
     const auto below = std::min(std::size_t(place), anchors.size() - 2);
     const QRgb low = anchors[below], high = anchors[below + 1];
     const double rest = place - double(below);

@@ -4,6 +4,25 @@
 #include "app/view/picking.h"
 
 namespace app {
+namespace {
+
+/// Of the points between two: the one farthest from the line between those two, if that is farther
+/// than `least`; else the first of the two.
+std::size_t farthestBetween(std::span<const Point> polyline, std::size_t first, std::size_t last,
+                            double least)
+{
+    std::size_t farthest = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+        const double d = distance(polyline[i], {polyline[first], polyline[last]});
+        if (d > least) {
+            least = d;
+            farthest = i;
+        }
+    }
+    return farthest;
+}
+
+} // namespace
 
 std::vector<Point> simplified(std::span<const Point> polyline, double tolerance)
 {
@@ -15,15 +34,7 @@ std::vector<Point> simplified(std::span<const Point> polyline, double tolerance)
     while (!spans.empty()) {
         const auto [first, last] = spans.back();
         spans.pop_back();
-        double most = tolerance;
-        std::size_t farthest = first;
-        for (std::size_t i = first + 1; i < last; ++i) {
-            const double d = distance(polyline[i], {polyline[first], polyline[last]});
-            if (d > most) {
-                most = d;
-                farthest = i;
-            }
-        }
+        const std::size_t farthest = farthestBetween(polyline, first, last, tolerance);
         if (farthest == first)
             continue;
         kept[farthest] = true;
