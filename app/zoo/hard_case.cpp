@@ -99,7 +99,7 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray& json)
                               .arg(error.errorString())
                               .arg(error.offset));
     std::vector<HardCase> all;
-    for (const QJsonValue& value : document.array()) {
+    for (const auto& value : document.array()) {
         const QJsonObject entry = value.toObject();
         HardCase hard{.key = entry[QLatin1StringView("key")].toString(),
                       .title = translated(entry, QLatin1StringView("title")),

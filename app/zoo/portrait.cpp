@@ -18,11 +18,11 @@ constexpr double margin = 0.13; // of the shorter side, for the ends' numbers
 class PortraitPainter {
 public:
     PortraitPainter(QPainter& painter, const QRectF& area, const HardCase& hard,
-                    const PortraitColours& colours, double unit, const CaseAnswer* answer)
-        : painter_(painter), hard_(hard), colours_(colours), unit_(unit), answer_(answer),
+                    const PortraitLook& look, const CaseAnswer* answer)
+        : painter_(painter), hard_(hard), colours_(look.colours), unit_(look.unit), answer_(answer),
           scale_(hard, answer), picture_(area)
     {
-        const double around = std::max(16 * unit, margin * std::min(area.width(), area.height()));
+        const double around = std::max(16 * unit_, margin * std::min(area.width(), area.height()));
         picture_ = area.adjusted(around, around, -around, -around);
         if (!scale_.isTrue())
             return;
@@ -145,13 +145,13 @@ private:
 } // namespace
 
 void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitColours& colours, double unit, const CaseAnswer* answer)
+                   const PortraitLook& look, const CaseAnswer* answer)
 {
     painter.save();
     painter.setClipRect(area);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(area, colours.paper);
-    PortraitPainter(painter, area, hard, colours, unit, answer).paint();
+    painter.fillRect(area, look.colours.paper);
+    PortraitPainter(painter, area, hard, look, answer).paint();
     painter.restore();
 }
 

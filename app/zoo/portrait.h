@@ -14,12 +14,16 @@ struct PortraitColours {
     QColor paper, text, muted;
     QColor window, visible, differs; ///< the clip window, what is truly seen, a wrong answer
 };
+struct PortraitLook {
+    PortraitColours colours;
+    double unit = 1; ///< the size of a stroke: 1 in usual logical pixels
+};
 
 /// Paints a hard case, y up: the window, the line with its ends numbered, what of it is truly
 /// visible; and, where one is given, a wrong answer. Nothing is painted outside the area, whatever
-/// the numbers are. `unit` is the size of a stroke: 1 in usual logical pixels.
+/// the numbers are.
 void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitColours& colours, double unit, const CaseAnswer* answer = nullptr);
+                   const PortraitLook& look, const CaseAnswer* answer = nullptr);
 
 /// Whether its distances are true; else only the order of the numbers is.
 bool isToScale(const HardCase& hard, const CaseAnswer* answer = nullptr);

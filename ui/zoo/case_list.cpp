@@ -40,8 +40,8 @@ public:
         const int captionHeight = captionLines * QFontMetrics(caption).lineSpacing() + 4;
         const QRect box = cell.adjusted(0, 0, 0, -captionHeight);
         painter->setFont(caption);
-        paintPortrait(*painter, box, model_.hardCase(index.row()), portraitColours(option.palette),
-                      1);
+        paintPortrait(*painter, box, model_.hardCase(index.row()),
+                      {portraitColours(option.palette)});
         const bool chosen = option.state & QStyle::State_Selected;
         const bool near = option.state & QStyle::State_MouseOver;
         painter->setPen(QPen(chosen || near ? look.selection : look.border, chosen ? 2 : 1));

@@ -35,8 +35,8 @@ void PortraitView::paintEvent(QPaintEvent*)
         return;
     QPainter painter(this);
     painter.setFont(captionFont(font()));
-    paintPortrait(painter, rect().adjusted(1, 1, -1, -1), *hard_, portraitColours(palette()),
-                  stroke, answer_ ? &*answer_ : nullptr);
+    paintPortrait(painter, rect().adjusted(1, 1, -1, -1), *hard_,
+                  {portraitColours(palette()), stroke}, answer_ ? &*answer_ : nullptr);
     painter.setPen(lookOf(palette()).rule);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
