@@ -183,8 +183,9 @@ std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
 
 // Where two would be one over the other the second goes without.
 void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& scale,
-                const QRectF& box, double y, const Look& look)
+                const QRectF& box, const Look& look)
 {
+    const double y = box.center().y();
     const QFont font = painter.font();
     const double row = rowHeight(font);
     app::LabelPlaces places(box, {});
@@ -228,7 +229,7 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
     }
     for (const OverlayAxis::Tick& tick : axis.ticks)
         paintTick(painter, tick, scale, y, ground);
-    paintWords(painter, axis, scale, box, y, look);
+    paintWords(painter, axis, scale, box, look);
     painter.setPen(look.muted);
     if (scale.left() - box.left() < wanted)
         return; // no room for what is said at the line too

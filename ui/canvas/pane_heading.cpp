@@ -153,9 +153,9 @@ void PaneHeading::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), look.panel);
     if (pane_->active)
         painter.fillRect(0, 0, width(), 2, look.selection);
-    app::paintMarker(
-        painter, QRectF(p.marker.left(), (height() - markerSize) / 2 + 1, markerSize, markerSize),
-        *choice.algorithm, choice.form, groundOf(palette()));
+    const int markerTop = (height() - markerSize) / 2 + 1;
+    app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize),
+                     *choice.algorithm, choice.form, groundOf(palette()));
     const auto text = [&](const QRect& place, const QFont& font, const QColor& colour,
                           const QString& words) {
         if (!place.isValid())

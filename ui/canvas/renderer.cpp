@@ -13,6 +13,7 @@ namespace {
 constexpr GLuint endsAt = 0, colourAt = 1, widthAt = 2, capsAt = 3,
                  pointAt = 0; // as in the shaders
 
+// NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset into a buffer as a pointer
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 // New storage each frame: the driver need not wait for the last frame's.
@@ -116,7 +117,7 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
 
 void Renderer::beginLayer()
 {
-    const QSize size(int(viewSize_.x * pixelRatio_ + 0.5), int(viewSize_.y * pixelRatio_ + 0.5));
+    const QSize size(qRound(viewSize_.x * pixelRatio_), qRound(viewSize_.y * pixelRatio_));
     if (!ghost_ || ghost_->size() != size)
         ghost_ = std::make_unique<QOpenGLFramebufferObject>(
             size, QOpenGLFramebufferObject::CombinedDepthStencil);
@@ -159,9 +160,10 @@ void Renderer::paintStrokes(const Batches::Batch& batch)
 void Renderer::paintArea(const Batches& all, const Batches::Batch& batch)
 {
     use(areas_);
-    const float alpha = batch.colour.alpha / 255.0F, scale = alpha / 255.0F;
-    areas_.setUniformValue("ink", batch.colour.red * scale, batch.colour.green * scale,
-                           batch.colour.blue * scale, alpha);
+    const float alpha = float(batch.colour.alpha) / 255.0F, scale = alpha / 255.0F;
+    areas_.setUniformValue("ink", float(batch.colour.red) * scale,
+                           float(batch.colour.green) * scale, float(batch.colour.blue) * scale,
+                           alpha);
     const QOpenGLVertexArrayObject::Binder binder(&areaArray_);
     const auto fans = [&] {
         gl_->glMultiDrawArrays(GL_TRIANGLE_FAN, all.contourStarts.data() + batch.first,
