@@ -51,6 +51,7 @@ struct CyrusBeck {
     }
 
     template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
+    // NOLINTNEXTLINE(readability-function-size): line by line as the source has it
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {

@@ -139,17 +139,17 @@ struct Exact {
         const Edge edgeFarX = right ? Edge::Right : Edge::Left;
         const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
         const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
-        if (isMissed(enterX && leaveY && line.passes(nearX, farY) > 0, 5, edgeFarY)
-            || isMissed(enterY && leaveX && line.passes(farX, nearY) < 0, 6, edgeFarX))
+        if (isMissed(enterX && leaveY && std::is_gt(line.passes(nearX, farY)), 5, edgeFarY)
+            || isMissed(enterY && leaveX && std::is_lt(line.passes(farX, nearY)), 6, edgeFarX))
             return std::nullopt;
-        if (test(enterX && (!enterY || line.passes(nearX, nearY) >= 0), 7, edgeNearX)) {
+        if (test(enterX && (!enterY || std::is_gteq(line.passes(nearX, nearY))), 7, edgeNearX)) {
             visible.a = line.at(nearX), piece.enter = edgeNearX;
             watch("cut", 8, visible, edgeNearX);
         } else if (test(enterY, 9, edgeNearY)) {
             visible.a = line.atHeight(nearY), piece.enter = edgeNearY;
             watch("cut", 10, visible, edgeNearY);
         }
-        if (test(leaveX && (!leaveY || line.passes(farX, farY) <= 0), 11, edgeFarX)) {
+        if (test(leaveX && (!leaveY || std::is_lteq(line.passes(farX, farY))), 11, edgeFarX)) {
             visible.b = line.at(farX), piece.leave = edgeFarX;
             watch("cut", 12, visible, edgeFarX);
         } else if (test(leaveY, 13, edgeFarY)) {

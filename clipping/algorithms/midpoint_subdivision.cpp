@@ -81,6 +81,7 @@ struct MidpointSubdivision {
     }
 
     template <Form form, class T, class Watch>
+    // NOLINTNEXTLINE(readability-function-size): line by line as the source has it
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Watch&& watch)
     {

@@ -23,6 +23,8 @@
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 
+#include <compare>
+
 namespace clipping {
 
 struct SlaterBarsky {
@@ -107,13 +109,13 @@ struct SlaterBarsky {
         if constexpr (form == Form::Published)
             return walk<form>(s, w, *cell, d, watch, [&] { return d.y > T(0); });
         const auto rise = d.y <=> T(0);
-        if (asked(d.x == T(0) || rise == 0, 16, s, Edge::None, watch)) {
+        if (asked(d.x == T(0) || std::is_eq(rise), 16, s, Edge::None, watch)) {
             const BasicSegment<T> visible{clamped(a, w), clamped(b, w)};
             watch("cut both", 17, visible, Edge::None);
             watch("accept", 17, visible, Edge::None);
             return visible;
         }
-        return walk<form>(s, w, *cell, d, watch, [&] { return rise > 0; });
+        return walk<form>(s, w, *cell, d, watch, [&] { return std::is_gt(rise); });
     }
 
     /// The cell that a lies in; nothing if both ends are beyond one edge.
@@ -204,9 +206,9 @@ struct SlaterBarsky {
     template <Form form>
     static constexpr bool leavesRight(auto sign, bool rising, Cell cell)
     {
-        if (form == Form::Corrected && sign == 0)
+        if (form == Form::Corrected && std::is_eq(sign))
             return cell.column == 0;
-        return rising ? sign < 0 : sign >= 0;
+        return rising ? std::is_lt(sign) : std::is_gteq(sign);
     }
 
     /// Where the segment meets the left or right edge. The error term tells how far that is from

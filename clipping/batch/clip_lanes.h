@@ -51,22 +51,19 @@ CLIPPING_INLINE Passing<V> passing(const Mirrored<V>& m, V inverseX, V inverseY)
             ~(abs(entryOrder) > bound), ~(abs(exitOrder) > bound)};
 }
 
-/// What `cut` says where an end is on the edge of one axis or the other, shifted into place.
+/// What `cut` says where an end is on an edge of an axis, shifted into place.
 template <class V>
-CLIPPING_INLINE V edgeBits(typename V::Mask byX, V signX, Edge positiveX, Edge negativeX, V signY,
-                           Edge positiveY, Edge negativeY, int shift)
+CLIPPING_INLINE V edgeBits(V sign, Edge positive, Edge negative, int shift)
 {
     const auto edge = [shift](Edge e) { return V::ofBits(std::uint64_t(e) << (32 + shift)); };
-    return select(byX, select(signX, edge(negativeX), edge(positiveX)),
-                  select(signY, edge(negativeY), edge(positiveY)));
+    return select(sign, edge(negative), edge(positive));
 }
 
-/// A coordinate of an end: the old one, the edge's, or the computed one back from the mirror.
+/// A coordinate of a new end: the edge's, or the computed one back from the mirror.
 template <class V>
-CLIPPING_INLINE V placed(typename V::Mask isNew, typename V::Mask onEdge, V edge, V value, V sign,
-                         V old)
+CLIPPING_INLINE V placed(typename V::Mask onEdge, V edge, V value, V sign)
 {
-    return select(isNew, select(onEdge, edge, (value ^ sign) + V::of(0)), old); // never -0
+    return select(onEdge, edge, (value ^ sign) + V::of(0)); // never -0
 }
 
 template <Care care, class V>
@@ -90,14 +87,14 @@ CLIPPING_INLINE Clip<V> clipLanes(const Ends<V>& original, const VectorWindow<V>
     const auto byX = order.enterByX, outByX = order.leaveByX;
     const auto a = crossing<care>(extent, byX, m.ax, m.ay, m.nearX, m.nearY);
     const auto b = crossing<care>(extent, outByX, m.ax, m.ay, m.farX, m.farY);
-    const Ends<V> piece{placed(newA, byX, m.entryX, a.value, m.signX, original.ax),
-                        placed(newA, ~byX, m.entryY, a.value, m.signY, original.ay),
-                        placed(newB, outByX, m.exitX, b.value, m.signX, original.bx),
-                        placed(newB, ~outByX, m.exitY, b.value, m.signY, original.by)};
-    const V cutA =
-        edgeBits(byX, m.signX, Edge::Left, Edge::Right, m.signY, Edge::Bottom, Edge::Top, 0);
-    const V cutB =
-        edgeBits(outByX, m.signX, Edge::Right, Edge::Left, m.signY, Edge::Top, Edge::Bottom, 8);
+    const Ends<V> piece{select(newA, placed(byX, m.entryX, a.value, m.signX), original.ax),
+                        select(newA, placed(~byX, m.entryY, a.value, m.signY), original.ay),
+                        select(newB, placed(outByX, m.exitX, b.value, m.signX), original.bx),
+                        select(newB, placed(~outByX, m.exitY, b.value, m.signY), original.by)};
+    const V cutA = select(byX, edgeBits(m.signX, Edge::Left, Edge::Right, 0),
+                          edgeBits(m.signY, Edge::Bottom, Edge::Top, 0));
+    const V cutB = select(outByX, edgeBits(m.signX, Edge::Right, Edge::Left, 8),
+                          edgeBits(m.signY, Edge::Top, Edge::Bottom, 8));
     const auto open =
         (newA & (order.entryUnsure | ~a.settled)) | (newB & (order.exitUnsure | ~b.settled));
     return {piece, select(newA, cutA, zero) | select(newB, cutB, zero), order.visible,

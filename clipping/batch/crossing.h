@@ -102,6 +102,7 @@ CLIPPING_INLINE Crossing<V> crossing(const Slope<V>& slope)
 /// Where the lines through (ax, ay) pass the edge of x (`byX`): the y; elsewhere, where they pass
 /// the edge of y: the x.
 template <Care care, class V>
+// NOLINTNEXTLINE(readability-function-size): two coordinates for each of two points, in registers
 CLIPPING_INLINE Crossing<V> crossing(const Extent<V>& d, typename V::Mask byX, V ax, V ay, V edgeX,
                                      V edgeY)
 {

@@ -23,7 +23,7 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
     std::size_t count = 0, i = first;
     for (; i + V::width <= last; i += V::width) {
         for (std::size_t line = 0; line < row; line += 64) // a number: it may lie behind the array
-            __builtin_prefetch(reinterpret_cast<const void*>(
+            __builtin_prefetch(reinterpret_cast<const void*>( // NOLINT(performance-no-int-to-ptr)
                 reinterpret_cast<std::uintptr_t>(segments + i) + ahead + line));
         const Ends<V> s = V::load(segments + i);
         const auto beyond = (max(s.ax, s.bx) < w.minX) | (min(s.ax, s.bx) > w.maxX)

@@ -35,6 +35,7 @@ clipWithCare(const Batch<T>& batch, const std::uint32_t* indices, std::size_t la
 /// Second pass: clips the segments at `indices`, which has room to be filled up to whole vectors,
 /// into `out`, which has room for `room`. Meanwhile fetches what the next block will read.
 template <class V, class T>
+// NOLINTNEXTLINE(readability-function-size): what is read, what is written, and what comes next
 CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* indices,
                                           std::size_t count, const BasicSegment<T>* next,
                                           BasicClipped<BasicSegment<T>>* out, std::size_t room)
@@ -47,7 +48,8 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* 
     const std::uintptr_t end = line + blockSize * sizeof *next;
     for (std::size_t i = 0; i < count; i += V::width) {
         for (int ahead = 0; ahead < 8 && line < end; ++ahead, line += 64)
-            __builtin_prefetch(reinterpret_cast<const void*>(line));
+            __builtin_prefetch(
+                reinterpret_cast<const void*>(line)); // NOLINT(performance-no-int-to-ptr)
         const std::size_t lanes = count - i < V::width ? count - i : V::width;
         const unsigned used = (1u << lanes) - 1;
         const auto clip = clipLanes<usualCare<T>>(V::gather(batch.segments, indices + i), w);

@@ -92,7 +92,7 @@ ExactInteger operator+(const ExactInteger& a, const ExactInteger& b)
         sum.negative_ = a.size_ == 0 ? b.negative_ : a.negative_;
         return sum;
     }
-    const bool larger = ExactInteger::compareMagnitudes(a, b) >= 0;
+    const bool larger = std::is_gteq(ExactInteger::compareMagnitudes(a, b));
     ExactInteger difference =
         larger ? ExactInteger::subtractMagnitudes(a, b) : ExactInteger::subtractMagnitudes(b, a);
     difference.negative_ = larger ? a.negative_ : b.negative_;
@@ -126,7 +126,7 @@ ExactInteger::Quotient ExactInteger::divide(ExactInteger numerator, const ExactI
     for (int shift = numerator.bits() - denominator.bits(); shift >= 0; --shift) {
         assert(shift < 64);
         const ExactInteger step = denominator << shift;
-        if (compareMagnitudes(numerator, step) >= 0) {
+        if (std::is_gteq(compareMagnitudes(numerator, step))) {
             numerator = subtractMagnitudes(numerator, step);
             whole |= std::uint64_t{1} << shift;
         }
