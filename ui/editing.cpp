@@ -28,8 +28,10 @@ void add(app::Session& session, std::vector<app::Shape> shapes, const QString& t
     std::map<std::uint32_t, std::vector<app::Shape>> byLayer;
     const app::Point step(stepMillimetres / session.sheet().page.millimetresPerUnit());
     const app::Point offset = app::copyOffset(session.sheet(), shapes, step);
-    for (app::Shape& shape : shapes)
-        byLayer[shape.layer].push_back(app::moved(std::move(shape), offset));
+    for (app::Shape& shape : shapes) {
+        auto& layer = byLayer[shape.layer];
+        layer.push_back(app::moved(std::move(shape), offset));
+    }
     session.history.beginMacro(text);
     std::set<std::size_t> added;
     for (auto& [layer, some] : byLayer) { // from the lowest: later ones do not move earlier ones

@@ -45,14 +45,18 @@ int ask(QWidget& parent, const QString& sentence, const QString& more, const QSt
     return int(buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));
 }
 
+struct FileKind {
+    QString name, ending;
+};
+
 QString pathToWrite(QWidget& window, const QString& title, const QString& proposal,
-                    const QString& kind, const QString& ending, QFileDialog::Options options)
+                    const FileKind& kind, QFileDialog::Options options)
 {
     QFileDialog dialog(&window, title, QFileInfo(proposal).path(),
-                       QStringLiteral("%1 (*.%2)").arg(kind, ending));
+                       QStringLiteral("%1 (*.%2)").arg(kind.name, kind.ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOptions(options);
-    dialog.setDefaultSuffix(ending);
+    dialog.setDefaultSuffix(kind.ending);
     dialog.selectFile(QFileInfo(proposal).fileName());
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
@@ -98,13 +102,13 @@ QString Questions::fileToSave(const QString& title, const QString& proposal, For
 QString Questions::fileToWrite(const QString& title, const QString& proposal, const QString& kind,
                                const QString& ending)
 {
-    return pathToWrite(window_, title, proposal, kind, ending, {});
+    return pathToWrite(window_, title, proposal, {kind, ending}, {});
 }
 
 QString Questions::filesToWrite(const QString& title, const QString& proposal, const QString& kind,
                                 const QString& ending)
 {
-    return pathToWrite(window_, title, proposal, kind, ending, QFileDialog::DontConfirmOverwrite);
+    return pathToWrite(window_, title, proposal, {kind, ending}, QFileDialog::DontConfirmOverwrite);
 }
 
 QString Questions::folderToWrite(const QString& title, const QString& folder)

@@ -131,9 +131,9 @@ void CompareTable::fitColumns()
         left -= width;
     }
     for (const int column : dispensable) {
-        const bool short_ = left < leastNameWidth;
-        setColumnHidden(column, short_);
-        if (short_)
+        const bool crowded = left < leastNameWidth;
+        setColumnHidden(column, crowded);
+        if (crowded)
             left += widths_[std::size_t(column)];
     }
     for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column)

@@ -48,7 +48,7 @@ Exports::Exports(QWidget& window)
 {
 }
 
-QMenu* Exports::menu(Current current)
+QMenu* Exports::menu(const Current& current)
 {
     auto* menu = new QMenu(&window_);
     addShown(*menu, current);

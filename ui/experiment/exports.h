@@ -35,7 +35,7 @@ public:
     using Current = std::function<Shown()>;
 
     /// The table or chart that is shown then in every format, then every row of app::studyFiles().
-    QMenu* menu(Current current);
+    QMenu* menu(const Current& current);
     void exportChart(const app::Chart& chart);
 
 signals:
