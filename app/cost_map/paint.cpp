@@ -45,8 +45,7 @@ std::vector<QRgb> stripesOf(const CostPlan& plan, std::uint32_t cheapest, const 
 /// The colours of the cells of one map.
 class Paints {
 public:
-    Paints(const CostMap& map, const CostMapLook& look)
-        : map_(map), legend_(legendOf(map)), look_(look)
+    Paints(const CostMap& map, const CostMapLook& look) : map_(map), legend_(legendOf(map))
     {
         for (const CostLegend::Share& share : legend_.shares)
             stripes_.push_back(stripesOf(map.plan, share.cheapest, look.chart));
@@ -70,7 +69,6 @@ public:
 private:
     const CostMap& map_;
     CostLegend legend_;
-    const CostMapLook& look_;
     std::vector<std::vector<QRgb>> stripes_;
     std::array<QRgb, 256> scale_{};
 };

@@ -53,6 +53,25 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
       drawn_(new QCheckBox(tr("Draw what is visible, too"))),
       explained_(new QCheckBox(tr("Explain the times")))
 {
+    describeFields();
+    own_.assign(clipping::algorithms().size(), true);
+    addSubjects();
+    layOut();
+
+    connect(runs_, &QSpinBox::valueChanged, this, [this] { runsTyped_ = true; });
+    connect(this, &ChoicePanel::changed, this, &ChoicePanel::showRuns);
+    connect(subject_, &QComboBox::currentIndexChanged, this, &ChoicePanel::showSubject);
+    for (QSpinBox* field : {lines_, runs_, seed_})
+        connect(field, &QSpinBox::valueChanged, this, &ChoicePanel::changed);
+    for (Segments* segments : {order_, forms_})
+        connect(segments, &Segments::picked, this, &ChoicePanel::changed);
+    for (QCheckBox* box : {drawn_, explained_})
+        connect(box, &QCheckBox::toggled, this, &ChoicePanel::changed);
+    showSubject();
+}
+
+void ChoicePanel::describeFields()
+{
     runs_->setToolTip(tr("Ten, as in the paper, or as many as it takes to tell which algorithms "
                          "differ: 12 for 11 algorithms. With fewer there are no ranks."));
     seed_->setValue(1);
@@ -70,11 +89,12 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
     explained_->setChecked(true);
     explained_->setToolTip(
         tr("What a line of each class costs, how much arithmetic it takes, and how true it is."));
-    own_.assign(clipping::algorithms().size(), true);
     meaning_->setMinimumHeight(3 * meaning_->fontMetrics().lineSpacing() + 2);
     meaning_->setAlignment(Qt::AlignTop);
-    addSubjects();
+}
 
+void ChoicePanel::layOut()
+{
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
@@ -103,17 +123,6 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
     column->addSpacing(space::labelToField);
     column->addWidget(drawn_);
     column->addWidget(explained_);
-
-    connect(runs_, &QSpinBox::valueChanged, this, [this] { runsTyped_ = true; });
-    connect(this, &ChoicePanel::changed, this, &ChoicePanel::showRuns);
-    connect(subject_, &QComboBox::currentIndexChanged, this, &ChoicePanel::showSubject);
-    for (QSpinBox* field : {lines_, runs_, seed_})
-        connect(field, &QSpinBox::valueChanged, this, &ChoicePanel::changed);
-    for (Segments* segments : {order_, forms_})
-        connect(segments, &Segments::picked, this, &ChoicePanel::changed);
-    for (QCheckBox* box : {drawn_, explained_})
-        connect(box, &QCheckBox::toggled, this, &ChoicePanel::changed);
-    showSubject();
 }
 
 void ChoicePanel::addSubjects()

@@ -33,7 +33,9 @@ signals:
     void changed();
 
 private:
+    void describeFields();
     void addSubjects();
+    void layOut();
     QWidget* algorithmBoxes();
     void showSubject();
     void showAlgorithms();

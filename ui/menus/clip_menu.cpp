@@ -83,6 +83,7 @@ void windowToPage(MainWindow& window)
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo clipMenu()
 {
     using app::Keep;

@@ -130,6 +130,7 @@ bool someLines(const MainWindow& window) { return !window.session().scene.segmen
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo compareMenu()
 {
     return {tr("Co&mpare"),

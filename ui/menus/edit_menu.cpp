@@ -32,19 +32,25 @@ void pasteOrWarn(MainWindow& window)
         window.tell({Message::Kind::Warning, nothingToPaste()});
 }
 
+struct StepEntry {
+    const char* key;
+    QString verb;
+    void (Canvas::*run)();
+    bool (Canvas::*can)() const;
+    QString (Canvas::*step)() const; ///< the name of the step
+};
+
 /// Undo or Redo, which carry the name of the step.
-QAction* stepAction(Canvas& canvas, QMenu& menu, const char* key, const QString& verb,
-                    void (Canvas::*run)(), bool (Canvas::*can)() const,
-                    QString (Canvas::*step)() const)
+QAction* stepAction(Canvas& canvas, QMenu& menu, const StepEntry& entry)
 {
-    auto* action = new QAction(icon(key), verb, &menu);
-    action->setObjectName(QLatin1StringView(key));
-    const auto refresh = [=, &canvas] {
-        const QString name = (canvas.*step)();
-        action->setText(name.isEmpty() ? verb : verb + u' ' + name);
-        action->setEnabled((canvas.*can)());
+    auto* action = new QAction(icon(entry.key), entry.verb, &menu);
+    action->setObjectName(QLatin1StringView(entry.key));
+    const auto refresh = [action, entry, &canvas] {
+        const QString name = (canvas.*entry.step)();
+        action->setText(name.isEmpty() ? entry.verb : entry.verb + u' ' + name);
+        action->setEnabled((canvas.*entry.can)());
     };
-    QObject::connect(action, &QAction::triggered, &canvas, run);
+    QObject::connect(action, &QAction::triggered, &canvas, entry.run);
     QObject::connect(&canvas, &Canvas::stepsChanged, action, refresh);
     refresh();
     return action;
@@ -52,11 +58,13 @@ QAction* stepAction(Canvas& canvas, QMenu& menu, const char* key, const QString&
 
 void complete(MainWindow& window, QMenu& menu)
 {
-    QAction* undo = stepAction(window.canvas(), menu, "undo", tr("&Undo"), &Canvas::undo,
-                               &Canvas::canUndo, &Canvas::undoText);
+    QAction* undo =
+        stepAction(window.canvas(), menu,
+                   {"undo", tr("&Undo"), &Canvas::undo, &Canvas::canUndo, &Canvas::undoText});
     undo->setShortcuts(keys(QKeySequence::Undo));
-    QAction* redo = stepAction(window.canvas(), menu, "redo", tr("&Redo"), &Canvas::redo,
-                               &Canvas::canRedo, &Canvas::redoText);
+    QAction* redo =
+        stepAction(window.canvas(), menu,
+                   {"redo", tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
     QAction* first = menu.actions().front();
     menu.insertActions(first, {undo, redo});

@@ -42,6 +42,7 @@ void toggleOverlay(MainWindow& window)
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo learnMenu()
 {
     return {tr("&Learn"),
