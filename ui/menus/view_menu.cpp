@@ -67,6 +67,7 @@ void complete(MainWindow& window, QMenu& menu)
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo viewMenu()
 {
     using K = QKeySequence;
