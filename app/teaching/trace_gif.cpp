@@ -47,6 +47,12 @@ unsigned bucketOf(QRgb colour)
 struct Bucket {
     unsigned index = 0;
     std::uint64_t count = 0, red = 0, green = 0, blue = 0;
+    void add(QRgb colour)
+    {
+        ++count;
+        red += unsigned(qRed(colour)), green += unsigned(qGreen(colour));
+        blue += unsigned(qBlue(colour));
+    }
     QRgb middle() const { return qRgb(int(red / count), int(green / count), int(blue / count)); }
 };
 
@@ -58,12 +64,8 @@ std::vector<QRgb> paletteOf(const TraceExport& trace, std::span<const std::size_
         const QImage frame = frameOf(trace, step);
         for (int y = 0; y < frame.height(); ++y) {
             const auto* row = reinterpret_cast<const QRgb*>(frame.constScanLine(y));
-            for (int x = 0; x < frame.width(); ++x) {
-                Bucket& bucket = buckets[bucketOf(row[x])];
-                ++bucket.count;
-                bucket.red += unsigned(qRed(row[x])), bucket.green += unsigned(qGreen(row[x]));
-                bucket.blue += unsigned(qBlue(row[x]));
-            }
+            for (int x = 0; x < frame.width(); ++x)
+                buckets[bucketOf(row[x])].add(row[x]);
         }
     }
     for (unsigned i = 0; i < buckets.size(); ++i)

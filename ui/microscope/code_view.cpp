@@ -76,9 +76,9 @@ void CodeView::light(int line)
                                  ? tr("Line %1: %2").arg(line).arg(code_[line - 1].trimmed())
                                  : QString());
     const QRectF row = rowOf(line);
-    QScrollBar* bar = verticalScrollBar();
+    QScrollBar* scroll = verticalScrollBar();
     if (row.isValid() && (row.top() < 0 || row.bottom() > viewport()->height()))
-        bar->setValue(bar->value() + int(row.center().y()) - viewport()->height() / 2);
+        scroll->setValue(scroll->value() + int(row.center().y()) - viewport()->height() / 2);
     viewport()->update();
     numbers_->update();
 }
