@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 using clipping::BasicSegment;
 using clipping::BasicWindow;
@@ -54,19 +53,7 @@ bool within(const glm::vec<N, double>& p, const BasicWindow<double, N>& w)
     return true;
 }
 
-template <glm::length_t N>
-bool sameBits(const glm::vec<N, double>& p, const glm::vec<N, double>& q)
-{
-    return std::memcmp(&p, &q, sizeof p) == 0;
-}
-
 } // namespace
-
-template <glm::length_t N>
-bool sameBits(const BasicSegment<double, N>& s, const BasicSegment<double, N>& t)
-{
-    return std::memcmp(&s, &t, sizeof s) == 0;
-}
 
 template <glm::length_t N>
 std::string exactly(const BasicInput<N>& input)
@@ -120,13 +107,14 @@ std::string fault(const std::optional<BasicSegment<double, N>>& result, const Ba
     return {};
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the argument of a template
 #define FOR_DIMENSIONS(N)                                                                          \
-    template bool sameBits(const BasicSegment<double, N>&, const BasicSegment<double, N>&);        \
     template std::string exactly(const BasicInput<N>&);                                            \
     template Truth<N> truthOf(const BasicInput<N>&);                                               \
     template double ulpsOff(const std::optional<BasicSegment<double, N>>&, const BasicInput<N>&,   \
                             const Truth<N>&, oracle::Number);                                      \
     template std::string fault(const std::optional<BasicSegment<double, N>>&,                      \
                                const BasicInput<N>&, const Truth<N>&, double, oracle::Number)
+// NOLINTEND(bugprone-macro-parentheses)
 FOR_DIMENSIONS(2);
 FOR_DIMENSIONS(3);

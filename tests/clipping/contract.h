@@ -8,6 +8,7 @@
 
 #include "tests/clipping/inputs.h"
 #include "tests/clipping/oracle.h"
+#include "tests/clipping/same_bits.h"
 
 /// All of these for two and for three dimensions.
 template <glm::length_t N>
@@ -28,11 +29,6 @@ template <glm::length_t N>
 std::string fault(const std::optional<clipping::BasicSegment<double, N>>& result,
                   const BasicInput<N>& input, const Truth<N>& truth, double k,
                   oracle::Number number = oracle::Number::Double);
-
-/// Whether two numbers are the same bits.
-template <glm::length_t N>
-bool sameBits(const clipping::BasicSegment<double, N>& s,
-              const clipping::BasicSegment<double, N>& t);
 
 /// How far a result is off the truth, in ulps of the largest |coordinate|; 0 unless both are seen.
 template <glm::length_t N>

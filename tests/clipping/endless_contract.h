@@ -9,7 +9,6 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string>
 
@@ -114,10 +113,6 @@ inline bool within(const glm::dvec2& p, const clipping::Window& w)
 {
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
-inline bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
-{
-    return std::memcmp(&p, &q, sizeof p) == 0;
-}
 
 } // namespace endless_contract
 
@@ -126,7 +121,7 @@ inline bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
 inline std::string endlessFault(const std::optional<clipping::Segment>& found, const Input& input,
                                 bool isRay, double k)
 {
-    using endless_contract::sameBits, endless_contract::within;
+    using endless_contract::within;
     const auto& [points, w] = input;
     if (points.a == points.b)
         return found ? "seen without a direction" : "";

@@ -87,7 +87,7 @@ void compareUses()
                 QVERIFY2((cost.comparisons == 0) == (points.a == points.b), text.c_str());
                 if (!piece)
                     continue;
-                QVERIFY2(::sameBits(*piece, out[0].segment) && ::sameBits(*piece, trace.visible),
+                QVERIFY2(sameBits(*piece, out[0].segment) && sameBits(*piece, trace.visible),
                          text.c_str());
                 const bool keepsA = Row<S>::isRay && piece->a == points.a;
                 QVERIFY2((cutEdgeOfA(out[0].cut) == Edge::None) == keepsA, text.c_str());

@@ -6,8 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include <cstring>
-
+#include "tests/clipping/same_bits.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/target.h"
 
@@ -40,12 +39,6 @@ auto kernelOf(const InstructionSet& set)
 }
 
 template <class T>
-bool same(const BasicSegment<T>& s, const BasicSegment<T>& t)
-{
-    return std::memcmp(&s, &t, sizeof s) == 0;
-}
-
-template <class T>
 void compare(const Pieces<T>& pieces, const std::vector<BasicSegment<T>>& segments,
              const BasicWindow<T>& window, const std::string& who)
 {
@@ -53,7 +46,7 @@ void compare(const Pieces<T>& pieces, const std::vector<BasicSegment<T>>& segmen
     for (std::size_t i = 0; i < segments.size(); ++i)
         if (const auto piece = exactUses<T>().clip(segments[i], window)) {
             if (next == pieces.size() || pieces[next].source != i
-                || !same(pieces[next].segment, *piece))
+                || !sameBits(pieces[next].segment, *piece))
                 found(who + " differs from one by one at segment " + std::to_string(i));
             ++next;
         }

@@ -55,7 +55,7 @@ void agree(const clipping::Uses<S, clipping::BasicWindow<double, N>,
 {
     using Piece = clipping::BasicSegment<double, N>;
     const auto same = [](const std::optional<Piece>& s, const std::optional<Piece>& t) {
-        return s.has_value() == t.has_value() && (!s || sameBits<N>(*s, *t));
+        return s.has_value() == t.has_value() && (!s || sameBits(*s, *t));
     };
     const auto one = uses.clip(segment, input.window);
     std::array<clipping::BasicClipped<Piece>, 1> out;

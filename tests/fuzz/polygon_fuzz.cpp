@@ -21,7 +21,7 @@ bool isFinite(const Segment& s, const ConvexPolygon& polygon)
 
 bool same(const std::optional<Segment>& s, const std::optional<Segment>& t)
 {
-    return s.has_value() == t.has_value() && (!s || sameBits<2>(*s, *t));
+    return s.has_value() == t.has_value() && (!s || sameBits(*s, *t));
 }
 
 /// What all the ways to ask for one segment say, which is the same.
@@ -58,7 +58,7 @@ void trySearched(const Algorithm& a, const Segment& s, const ConvexPolygon& poly
 {
     const auto one = clipOne(*a.polygon, s, polygon), two = clipOne(*a.searchedPolygon, s, polygon);
     if (one.has_value() != two.has_value()
-        || (one && (!sameBits<2>(one->segment, two->segment) || one->cut != two->cut)))
+        || (one && (!sameBits(one->segment, two->segment) || one->cut != two->cut)))
         found(std::string(a.key) + ": searched differs for " + exactly(s, polygon));
 }
 

@@ -28,7 +28,7 @@ bool seesTheSame(const Uses<S, W>& uses, const S& s, const W& w)
 {
     const auto one = inDouble(uses.clip(s, w));
     const auto same = [&one](bool seen, const Segment& piece) {
-        return seen == one.has_value() && (!one || sameBits<2>(*one, piece));
+        return seen == one.has_value() && (!one || sameBits(*one, piece));
     };
     std::array<BasicClipped<S>, 1> out{};
     const bool seen = uses.clipAll({&s, 1}, w, out) != 0;

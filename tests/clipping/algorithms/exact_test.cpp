@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cstring>
 #include <limits>
 
+#include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
 
 using namespace clipping;
@@ -66,7 +66,7 @@ bool nearest(T x, const Rational& exact)
 template <class S>
 bool sameBits(const std::optional<S>& p, const std::optional<S>& q)
 {
-    return p.has_value() == q.has_value() && (!p || std::memcmp(&*p, &*q, sizeof(S)) == 0);
+    return p.has_value() == q.has_value() && (!p || ::sameBits(*p, *q));
 }
 
 template <class S>
@@ -126,10 +126,8 @@ void compareEnds(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
                 continue;
             const std::string input = name + ": " + described(s);
             QVERIFY2(inside(piece->a, window) && inside(piece->b, window), input.c_str());
-            QVERIFY2(!inside(s.a, window) || std::memcmp(&s.a, &piece->a, sizeof s.a) == 0,
-                     input.c_str());
-            QVERIFY2(!inside(s.b, window) || std::memcmp(&s.b, &piece->b, sizeof s.b) == 0,
-                     input.c_str());
+            QVERIFY2(!inside(s.a, window) || ::sameBits(s.a, piece->a), input.c_str());
+            QVERIFY2(!inside(s.b, window) || ::sameBits(s.b, piece->b), input.c_str());
         }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
 
 using namespace clipping;
@@ -67,8 +68,7 @@ template <class T>
 bool sameSegments(const std::vector<Piece<T>>& p, const std::vector<Piece<T>>& q)
 {
     for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
-        if (std::memcmp(&p[i].segment, &q[i].segment, sizeof p[i].segment) != 0
-            || p[i].source != q[i].source)
+        if (!::sameBits(p[i].segment, q[i].segment) || p[i].source != q[i].source)
             return false;
     return p.size() == q.size();
 }

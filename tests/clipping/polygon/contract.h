@@ -9,12 +9,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tests/clipping/polygon/oracle.h"
+#include "tests/clipping/same_bits.h"
 
 using PolygonUses = clipping::Uses<clipping::Segment, clipping::ConvexPolygon>;
 
@@ -29,11 +29,6 @@ inline std::string exactly(const clipping::Segment& s, const clipping::ConvexPol
         text += buffer;
     }
     return text;
-}
-
-inline bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
-{
-    return std::memcmp(&p, &q, sizeof p) == 0;
 }
 
 /// The convex hull, counter-clockwise, exactly; points between two others on a line stay.
