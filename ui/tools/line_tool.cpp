@@ -17,12 +17,13 @@ public:
     void move(const Pointer& pointer, Workbench&) override
     {
         if (from_)
-            to_ = end(pointer);
+            to_ = endAt(pointer);
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
         if (from_ && dragged(from_->screen, pointer))
-            draw(bench, {path(end(pointer))}, QCoreApplication::translate("Commands", "Draw line"));
+            draw(bench, {path(endAt(pointer))},
+                 QCoreApplication::translate("Commands", "Draw line"));
         from_.reset();
     }
     void cancel(Workbench&) override { from_.reset(); }
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    app::Point end(const Pointer& pointer) const
+    app::Point endAt(const Pointer& pointer) const
     {
         return pointer.modifiers & Qt::ShiftModifier ? turned(from_->position, pointer.position)
                                                      : pointer.position;

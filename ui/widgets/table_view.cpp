@@ -66,8 +66,8 @@ private:
                             const QStringList& who)
     {
         const auto* algorithm = app::timedAlgorithm(who[0]);
-        const QRectF box(option.rect.left() + padding, option.rect.center().y() - marker / 2 + 0.5,
-                         marker, marker);
+        const int top = option.rect.center().y() - marker / 2;
+        const QRectF box(option.rect.left() + padding, top + 0.5, marker, marker);
         app::paintMarker(painter, box, *algorithm,
                          who[1] == u"published" ? clipping::Form::Published
                                                 : clipping::Form::Corrected,

@@ -22,10 +22,10 @@ app::PortraitColours portraitColours(const QPalette& palette)
 
 PortraitView::PortraitView(QWidget* parent) : QWidget(parent) { setFixedHeight(usualHeight); }
 
-void PortraitView::show(const app::HardCase& hard, std::optional<app::CaseAnswer> answer)
+void PortraitView::show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer)
 {
     hard_ = &hard;
-    answer_ = std::move(answer);
+    answer_ = answer;
     update();
 }
 

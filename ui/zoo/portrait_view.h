@@ -20,7 +20,7 @@ class PortraitView : public QWidget {
 public:
     explicit PortraitView(QWidget* parent = nullptr);
 
-    void show(const app::HardCase& hard, std::optional<app::CaseAnswer> answer);
+    void show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer);
     const std::optional<app::CaseAnswer>& answer() const { return answer_; }
 
 protected:

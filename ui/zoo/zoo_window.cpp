@@ -40,7 +40,7 @@ ZooWindow::ZooWindow(MainWindow& window)
         if (hard)
             view_->show(*hard);
     });
-    connect(view_, &CaseView::microscopeWanted, this, &ZooWindow::open);
+    connect(view_, &CaseView::microscopeWanted, this, &ZooWindow::openMicroscope);
     connect(view_, &CaseView::drawingWanted, this, &ZooWindow::draw);
     connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_,
             [this] { search_->setFocus(Qt::ShortcutFocusReason); });
@@ -97,7 +97,7 @@ void ZooWindow::chooseFailing(const QString& clipper)
         }
 }
 
-void ZooWindow::open(const app::HardCase& hard, const app::Clipper& clipper)
+void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Clipper& clipper)
 {
     window_.session().microscope.open(app::specimenOf(hard, clipper));
     window_.raise();

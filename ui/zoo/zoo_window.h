@@ -34,8 +34,7 @@ protected:
 private:
     QWidget* left();
     void filter();
-    using QDialog::open;
-    void open(const app::HardCase& hard, const app::Clipper& clipper);
+    void openMicroscope(const app::HardCase& hard, const app::Clipper& clipper);
     void draw(const app::HardCase& hard, const app::Clipper& clipper);
 
     MainWindow& window_;
