@@ -15,10 +15,10 @@ struct Ended {
 
 /// Runs a program to its end, after `before` in its process. A crash has the code -1.
 inline Ended runProgram(const QString& program, const QStringList& arguments,
-                        const QByteArray& input = {}, std::function<void()> before = {})
+                        const QByteArray& input = {}, const std::function<void()>& before = {})
 {
     QProcess process;
-    process.setChildProcessModifier(std::move(before));
+    process.setChildProcessModifier(before);
     auto environment = QProcessEnvironment::systemEnvironment();
     for (const auto* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         environment.remove(QString::fromLatin1(display));
