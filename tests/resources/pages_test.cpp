@@ -37,7 +37,7 @@ QJsonDocument jsonOf(const QString& command)
 QList<QJsonObject> rowsOf(const QString& command, const QString& word)
 {
     QList<QJsonObject> rows;
-    for (const QJsonValue& value : jsonOf(command)[0]["rows"].toArray()) {
+    for (const QJsonValue value : jsonOf(command)[0]["rows"].toArray()) {
         const QJsonObject row = value.toObject();
         const auto is = [&](const char* name) { return row[QLatin1StringView(name)] == word; };
         const bool whole = !row.contains("class") || row["class"] == "whole scene";

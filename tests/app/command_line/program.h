@@ -38,9 +38,9 @@ inline Ended clearcut(const QStringList& arguments, const QByteArray& input = {}
 }
 
 /// The same after `before` in its process: limits, streams.
-inline Ended clearcutAfter(std::function<void()> before, const QStringList& arguments)
+inline Ended clearcutAfter(const std::function<void()>& before, const QStringList& arguments)
 {
-    return runProgram(QStringLiteral(CLEARCUT_BINARY), arguments, {}, std::move(before));
+    return runProgram(QStringLiteral(CLEARCUT_BINARY), arguments, {}, before);
 }
 
 /// Runs it in a shell, for redirections; $clearcut is the program.

@@ -134,11 +134,12 @@ private slots:
         QVERIFY(!app::isCommandLine({"--", "--help"}));
     }
 
+    // NOLINTNEXTLINE(readability-function-size): a table, a row for each wrong usage
     void wrongUsageIsTwo_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("sentence");
-        const auto row = [](QStringList arguments, QByteArray sentence) {
+        const auto row = [](const QStringList& arguments, const QByteArray& sentence) {
             QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << sentence;
         };
         const QStringList clip{"clip", "A", "-o", "x.svg"};
@@ -473,7 +474,7 @@ private slots:
         QCOMPARE(run.err, "");
         QStringList keys;
         const QJsonArray tables = QJsonDocument::fromJson(run.out).array();
-        for (const QJsonValue& table : tables)
+        for (const QJsonValue table : tables)
             keys << table["table"].toString();
         QStringList expected;
         for (const char* table : {"table1", "table2"}) {
