@@ -254,7 +254,6 @@ private slots:
             sample::picture(chart, look, {540, 100}, 1).convertToFormat(QImage::Format_Grayscale8);
         const ChartLayout layout = layoutOf(chart, {0, 0, 540, 100}, look);
         std::vector<QImage> parts;
-        parts.reserve(5);
         for (int p = 0; p < 5; ++p)
             parts.push_back(
                 image.copy(int(layout.x(0, p)) + 4, int(layout.rows[0].top() + 8), 60, 8));

@@ -142,7 +142,7 @@ private slots:
         QVERIFY(t.race.settled());
         QCOMPARE(t.race.rows().front().milliseconds.size(), app::Race::length);
         const std::size_t before = calls.size();
-        QVERIFY(shown.size() >= 1 && std::size_t(shown.size()) <= app::Race::length);
+        QVERIFY(!shown.empty() && std::size_t(shown.size()) <= app::Race::length);
         t.race.frameShown(moved(0)); // nothing new
         QTest::qWait(300);
         QCOMPARE(calls.size(), before);

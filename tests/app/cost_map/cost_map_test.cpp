@@ -165,7 +165,7 @@ private slots:
         CostMap map{plan};
         for (int row = 0; row < 5; ++row)
             for (int column = 0; column < 7; ++column)
-                map.values.push_back(column < 5 ? 1 : row == 2 ? 3 : 2);
+                map.values.push_back(column < 5 ? 1.0F : row == 2 ? 3.0F : 2.0F);
         const auto regions = regionsOf(map);
         QCOMPARE(regions.size(), std::size_t(4));
         QCOMPARE(regions[0].cells, std::size_t(25));
@@ -222,7 +222,7 @@ private slots:
         const CostLegend legend = legendOf(map);
         const auto expected = [&](int column, int row) {
             const double share = legend.shareOf(map.values[map.at(column, row)]);
-            return sequentialColour(std::lround(share * 255) / 255., Ground::Dark);
+            return sequentialColour(std::round(share * 255) / 255., Ground::Dark);
         };
         for (const auto& [column, row] : {std::pair(0, 0), {23, 0}, {12, 9}, {20, 16}})
             QCOMPARE(image.pixelColor(column * 10 + 5, row * 10 + 5), expected(column, row));

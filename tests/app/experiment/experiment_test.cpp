@@ -168,7 +168,7 @@ private slots:
         std::vector<app::Progress> all;
         QVERIFY(app::experiment(options, md,
                                 {{}, [&](const app::Progress& now) { all.push_back(now); }}));
-        QCOMPARE(all.size(), 3 * 2 * md.size()); // runs, blocks
+        QCOMPARE(all.size(), 3 * (2 * md.size())); // runs, blocks
         QVERIFY(std::ranges::is_sorted(all, {}, &app::Progress::share));
         QCOMPARE(all.back().share, 1.0);
         QCOMPARE(all.back().secondsLeft, 0.0);

@@ -76,7 +76,7 @@ private slots:
         QCOMPARE(app::leastRounds(11), 12u); // 55 pairs
         QCOMPARE(app::usualRounds(2), 10u);
         for (std::size_t k = 2; k < 60; ++k) {
-            const double pairs = double(k * (k - 1) / 2), r = double(app::leastRounds(k));
+            const double pairs = double(k * (k - 1)) / 2, r = double(app::leastRounds(k));
             QVERIFY(std::pow(2, 1 - r) < 0.05 / pairs);
             QVERIFY(std::pow(2, 2 - r) >= 0.05 / pairs);
             QVERIFY(app::usualRounds(k) >= app::leastRounds(k));
