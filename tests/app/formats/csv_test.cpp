@@ -78,7 +78,7 @@ private slots:
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("sentence");
-        const auto row = [](const char* name, QByteArray text, const char* sentence) {
+        const auto row = [](const char* name, const QByteArray& text, const char* sentence) {
             QTest::newRow(name) << text << QString::fromUtf8(sentence);
         };
         row("short", "# hi\n1,2,3,4\n1,2,3\n",

@@ -41,6 +41,7 @@ class HostileTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // NOLINTNEXTLINE(readability-function-size): a table, a row for each sentence
     void sentences_data()
     {
         QTest::addColumn<QByteArray>("text");
