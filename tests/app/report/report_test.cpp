@@ -118,7 +118,7 @@ private slots:
                 if (kept)
                     app::keepTogether(*document);
                 const auto page = [&](const QTextBlock& block) {
-                    return int(document->documentLayout()->blockBoundingRect(block).top() + 0.5)
+                    return qRound(document->documentLayout()->blockBoundingRect(block).top())
                            / height;
                 };
                 for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {

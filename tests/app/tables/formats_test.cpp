@@ -70,7 +70,7 @@ app::Table numbered(int rows, int columns)
 QString latex()
 {
     for (const char* name : {"pdflatex", "lualatex", "xelatex", "tectonic"})
-        if (const QString program = QStandardPaths::findExecutable(name); !program.isEmpty())
+        if (QString program = QStandardPaths::findExecutable(name); !program.isEmpty())
             return program;
     return {};
 }

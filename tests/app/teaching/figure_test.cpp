@@ -7,7 +7,9 @@
 #include <QPainter>
 #include <QTest>
 
+#include <algorithm>
 #include <random>
+#include <span>
 
 using namespace app;
 
@@ -82,6 +84,16 @@ bool hasColour(const QImage& image, const FigureFrame& frame, const Point& point
 }
 
 double length(const clipping::Segment& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y); }
+
+/// Whether a box is clear of other labels and of all marks.
+bool isFree(const QRectF& box, std::span<const FigureLabel> others,
+            std::span<const FigureMark> marks)
+{
+    return std::ranges::none_of(others,
+                                [&](const FigureLabel& other) { return box.intersects(other.box); })
+           && std::ranges::none_of(
+               marks, [&](const FigureMark& mark) { return box.contains(mark.place); });
+}
 
 } // namespace
 
@@ -256,15 +268,11 @@ private slots:
                     const auto marks = figureMarks(s, scene, frame);
                     wanted += 6, placed += labels.size(); // two ends, four edges
                     const auto part = frame.part(s.line);
-                    for (std::size_t j = 0; j < labels.size(); ++j) {
-                        const QRectF& box = labels[j].box;
-                        QVERIFY2(frame.picture().contains(box), told(s, step));
-                        QVERIFY2(!part || !meets(*part, box), told(s, step));
-                        for (std::size_t k = 0; k < j; ++k)
-                            QVERIFY2(!box.intersects(labels[k].box), told(s, step));
-                        for (const FigureMark& mark : marks)
-                            QVERIFY2(!box.contains(mark.place), told(s, step));
-                    }
+                    for (auto label = labels.begin(); label != labels.end(); ++label)
+                        QVERIFY2(frame.picture().contains(label->box)
+                                     && !(part && meets(*part, label->box))
+                                     && isFree(label->box, {labels.begin(), label}, marks),
+                                 told(s, step));
                     for (const FigureMark& mark : marks) // none of the points goes without
                         QVERIFY2(mark.head.isEmpty()
                                      || std::ranges::count(labels, mark.head, &FigureLabel::head)

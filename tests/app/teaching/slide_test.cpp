@@ -2,6 +2,7 @@
 #include "app/teaching/slide.h"
 #include "app/teaching/trace_file.h"
 
+#include <QFont>
 #include <QGuiApplication>
 #include <QTest>
 #include <QXmlStreamReader>

@@ -15,7 +15,6 @@
 namespace {
 
 using clipping::Edge;
-using clipping::Form;
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
 constexpr clipping::Segment across{{-160, -30}, {70, 130}};
@@ -456,7 +455,7 @@ private slots:
         QVERIFY2(said.last().endsWith("this is wrong."), said.last().toUtf8());
         const auto lost =
             sentences("md:published", {{-1e-300, -1e300}, {2e-300, 1e300}}, {{0, 0}, {1, 1}});
-        QVERIFY(lost.filter("The slope overflows (infinity)").size() > 0);
+        QVERIFY(!lost.filter("The slope overflows (infinity)").empty());
     }
 };
 
