@@ -80,6 +80,20 @@ void wheel(QWidget& surface, int notches)
     QCoreApplication::sendEvent(&surface, &event);
 }
 
+void pan(QWidget& surface)
+{
+    QWheelEvent event({500, 300}, {500, 300}, {7, 3}, {7, 3}, Qt::NoButton, Qt::NoModifier,
+                      Qt::ScrollUpdate, false);
+    QCoreApplication::sendEvent(&surface, &event);
+}
+
+void hover(QWidget& surface, const QPointF& at)
+{
+    QMouseEvent event(QEvent::MouseMove, at, surface.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                      Qt::NoModifier);
+    QCoreApplication::sendEvent(&surface, &event);
+}
+
 // The frames of a moving window; each is over when `finish` says so.
 Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<void()>& finish)
 {
@@ -146,16 +160,12 @@ int main(int argc, char** argv)
     out << ", in full quality after " << milliseconds(clock) << " ms\n";
 
     QWidget& surface = *canvas.focusProxy();
-    Figures pan, zoom, rest, drag;
+    Figures panned, zoomed, rest, drag;
     canvas.setTool("hand");
     for (int i = 0; i < 60; ++i)
-        pan.times.push_back(frame(canvas, [&] {
-            QWheelEvent event({500, 300}, {500, 300}, {7, 3}, {7, 3}, Qt::NoButton, Qt::NoModifier,
-                              Qt::ScrollUpdate, false);
-            QCoreApplication::sendEvent(&surface, &event);
-        }));
+        panned.times.push_back(frame(canvas, [&] { pan(surface); }));
     for (int i = 0; i < 60; ++i)
-        zoom.times.push_back(frame(canvas, [&] { wheel(surface, i < 30 ? 1 : -1); }));
+        zoomed.times.push_back(frame(canvas, [&] { wheel(surface, i < 30 ? 1 : -1); }));
     for (int i = 0; i < 10; ++i) {
         wheel(surface, i % 2 ? 1 : -1);
         clock.start();
@@ -163,15 +173,11 @@ int main(int argc, char** argv)
         rest.times.push_back(milliseconds(clock));
     }
     drag = moved(session, canvas, [] {});
-    Figures hover;
+    Figures hovered;
     canvas.setTool("select");
     for (int i = 0; i < 60; ++i)
-        hover.times.push_back(frame(canvas, [&] {
-            const QPointF at(200 + 7 * i, 300 + 3 * i);
-            QMouseEvent event(QEvent::MouseMove, at, surface.mapToGlobal(at), Qt::NoButton,
-                              Qt::NoButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&surface, &event);
-        }));
+        hovered.times.push_back(
+            frame(canvas, [&] { hover(surface, QPointF(200 + 7 * i, 300 + 3 * i)); }));
     std::vector<std::pair<QString, Figures>> panes;
     canvas.fitDrawing();
     for (const int count : {2, 4, 12, 1}) {
@@ -182,12 +188,12 @@ int main(int argc, char** argv)
                            moved(session, canvas, [&] { canvas.settle(); }));
     }
     Figures{clip}.print(out, "clipping of all lines, a frame");
-    pan.print(out, "frame while panning");
-    zoom.print(out, "frame while zooming");
+    panned.print(out, "frame while panning");
+    zoomed.print(out, "frame while zooming");
     drag.print(out, "frame while the window moves");
     for (auto& [what, figures] : panes)
         figures.print(out, qPrintable(what));
-    hover.print(out, "frame while hovering");
+    hovered.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
     compare(out, session, canvas);
     canvas.settle();

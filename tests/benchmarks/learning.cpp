@@ -27,10 +27,10 @@ double milliseconds(const Work& work)
     return times[times.size() / 2];
 }
 
-app::CostPlan planOf(std::optional<app::Clipper> shown, int cells)
+app::CostPlan planOf(const std::optional<app::Clipper>& shown, int cells)
 {
     app::CostPlan plan = app::usualCostPlan(app::paperWindow);
-    plan.shown = std::move(shown);
+    plan.shown = shown;
     plan.columns = 4 * cells;
     plan.rows = 3 * cells;
     return plan;
