@@ -108,6 +108,19 @@ Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<voi
     return figures;
 }
 
+std::vector<std::pair<QString, Figures>> movedInPanes(app::Session& session, ui::Canvas& canvas)
+{
+    std::vector<std::pair<QString, Figures>> panes;
+    for (const int count : {2, 4, 12, 1}) {
+        app::Panes many = canvas.panes();
+        count > 4 ? many.showAll() : many.show(std::size_t(count));
+        canvas.setPanes(many);
+        panes.emplace_back(QStringLiteral("window moves, panes: %1").arg(count),
+                           moved(session, canvas, [&] { canvas.settle(); }));
+    }
+    return panes;
+}
+
 void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
     app::LiveRace race(session);
@@ -178,15 +191,8 @@ int main(int argc, char** argv)
     for (int i = 0; i < 60; ++i)
         hovered.times.push_back(
             frame(canvas, [&] { hover(surface, QPointF(200 + 7 * i, 300 + 3 * i)); }));
-    std::vector<std::pair<QString, Figures>> panes;
     canvas.fitDrawing();
-    for (const int count : {2, 4, 12, 1}) {
-        app::Panes many = canvas.panes();
-        count > 4 ? many.showAll() : many.show(std::size_t(count));
-        canvas.setPanes(many);
-        panes.emplace_back(QStringLiteral("window moves, panes: %1").arg(count),
-                           moved(session, canvas, [&] { canvas.settle(); }));
-    }
+    auto panes = movedInPanes(session, canvas);
     Figures{clip}.print(out, "clipping of all lines, a frame");
     panned.print(out, "frame while panning");
     zoomed.print(out, "frame while zooming");

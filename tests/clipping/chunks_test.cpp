@@ -64,7 +64,7 @@ private slots:
     void leavesNumbersThatAreNotFiniteToTheClipper()
     {
         auto scene = allInside<double>(1000);
-        scene.segments[70].a.x = NAN;
+        scene.segments[70].a.x = double(NAN);
         scene.segments[200].b.y = INFINITY;
         scene.segments[300].a.y = -INFINITY;
         QCOMPARE(clippedAll(scene).size(), scene.segments.size() - 3);

@@ -74,14 +74,14 @@ private slots:
         for (const Block& block : hardBlocks(question.numbers, 2000))
             compare(question, block);
         const std::size_t wanted = qEnvironmentVariable("CLEARCUT_SEGMENTS", "20000").toULongLong();
-        for (unsigned seed = 0; asked < wanted; ++seed, asked += inABlock)
+        for (unsigned seed = 0; asked_ < wanted; ++seed, asked_ += inABlock)
             compare(question, randomBlock(question.numbers, inABlock, seed));
-        asked = 0;
+        asked_ = 0;
     }
 
 private:
     static constexpr std::size_t inABlock = 10'000;
-    std::size_t asked = 0;
+    std::size_t asked_ = 0;
 
     static void compare(const Question& question, const Block& block)
     {

@@ -107,8 +107,8 @@ private slots:
             QSKIP("There is no objdump (binutils) to look at the machine code with");
         if (QLatin1String(BUILD) != QLatin1String("optimised"))
             QSKIP("The machine code of this build is instrumented or not optimised");
-        library = functionsIn(CLIPPING_ARCHIVE);
-        QVERIFY(fastPath(library).size() > 16);
+        library_ = functionsIn(CLIPPING_ARCHIVE);
+        QVERIFY(fastPath(library_).size() > 16);
     }
 
     void nothingIsCountedOrRecorded()
@@ -118,8 +118,8 @@ private slots:
         static const QRegularExpression prepares("InPolygon|PolylineRuns"); // once a call
         static const QRegularExpression allocates("_Zn[wa]m|^malloc$");
         int reached = 0;
-        for (const QString& name : notEmpty(fastPath(library))) {
-            const QSet<QString> all = reach(library, name);
+        for (const QString& name : notEmpty(fastPath(library_))) {
+            const QSet<QString> all = reach(library_, name);
             QStringList found = QStringList(all.begin(), all.end()).filter(traces);
             if (!name.contains(prepares))
                 found += QStringList(all.begin(), all.end()).filter(allocates);
@@ -129,15 +129,15 @@ private slots:
         qInfo(
             "%lld functions of the fast path refer to %d symbols; none of them counts or records, "
             "and none allocates but for polygons and polylines",
-            qlonglong(fastPath(library).size()), reached);
+            qlonglong(fastPath(library_).size()), reached);
     }
 
     /// The other two uses are seen to do what the fast path does not.
     void countingAndTracingAreSeen()
     {
         int counting = 0, recording = 0;
-        for (auto f = library.begin(); f != library.end(); ++f) {
-            const QSet<QString> all = reach(library, f.key());
+        for (auto f = library_.begin(); f != library_.end(); ++f) {
+            const QSet<QString> all = reach(library_, f.key());
             counting += f.key().contains("9countMany") && all.contains("_ZN8clipping10operationsE");
             recording += f.key().contains("8traceOne") && all.contains("_Znwm");
         }
@@ -153,7 +153,7 @@ private slots:
         int loops = 0, same = 0;
         double most = 0;
         for (const QString& name : fastPath(unwatched).filter("8clipMany")) {
-            const QStringList with = library.value(name).code, without = unwatched[name].code;
+            const QStringList with = library_.value(name).code, without = unwatched[name].code;
             ++loops;
             same += with == without;
             most = std::max(most, double(with.size()) / double(without.size()));
@@ -170,7 +170,7 @@ private slots:
     }
 
 private:
-    Functions library;
+    Functions library_;
 };
 
 QTEST_GUILESS_MAIN(WatchingTest)

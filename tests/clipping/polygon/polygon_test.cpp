@@ -144,9 +144,16 @@ Segment someSegment(Dice& dice, const ConvexPolygon& polygon, double size)
     }
 }
 
-void checkRandom(const PolygonUses& uses, bool decidesExactly, int polygons, int segments,
-                 int corners, double size, std::uint64_t seed)
+struct RandomInputs {
+    int polygons, segments; ///< segments for each polygon
+    int corners;            ///< at most
+    double size;
+    std::uint64_t seed;
+};
+
+void checkRandom(const PolygonUses& uses, bool decidesExactly, const RandomInputs& inputs)
 {
+    const auto& [polygons, segments, corners, size, seed] = inputs;
     Dice dice(seed);
     for (int i = 0; i < polygons && !QTest::currentTestFailed(); ++i) {
         const auto polygon = somePolygon(dice, dice.integer(1, corners), size);
@@ -222,8 +229,8 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        checkRandom(*uses, decidesExactly, 1'000, 20, 12, 1, 1);
-        checkRandom(*uses, decidesExactly, 10, 60, 1'000, 100, 2);
+        checkRandom(*uses, decidesExactly, {1'000, 20, 12, 1, 1});
+        checkRandom(*uses, decidesExactly, {10, 60, 1'000, 100, 2});
     }
 
     void hugeAndTinyPolygons_data() { everyPolygonForm(); }
@@ -233,7 +240,7 @@ private slots:
         QFETCH(bool, decidesExactly);
         for (const double size :
              {0x1p-1070, 0x1p-1022, 0x1p-800, 0x1p-300, 0x1p300, 0x1p800, 0x1p980})
-            checkRandom(*uses, decidesExactly, 200, 10, 12, size, 3);
+            checkRandom(*uses, decidesExactly, {200, 10, 12, size, 3});
     }
 
     void mixedNumbers_data() { everyPolygonForm(); }
