@@ -3,6 +3,7 @@
 #include "app/teaching/trace_file.h"
 
 #include <QFont>
+#include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QTest>
 #include <QXmlStreamReader>

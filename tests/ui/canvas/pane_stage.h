@@ -22,7 +22,7 @@ inline std::vector<app::Shape> steepLines()
     std::mt19937 random(5);
     std::vector<app::Shape> shapes;
     for (int i = 0; i < 300; ++i) {
-        const double x = 20 + random() % 160;
+        const double x = double(20 + random() % 160);
         shapes.push_back(line({x, double(random() % 50)}, {x + 0.5, double(50 + random() % 50)}));
         shapes.back().style.width = 0.5;
     }
