@@ -35,7 +35,7 @@ private slots:
     {
         for (const auto numbers :
              {Numbers::Plane, Numbers::PlaneInFloat, Numbers::Space, Numbers::Polygon})
-            blocks[numbers] = hardBlocks(numbers, segmentsInABlock);
+            blocks_[numbers] = hardBlocks(numbers, segmentsInABlock);
     }
 
     void answersAreAsEver_data()
@@ -50,20 +50,20 @@ private slots:
         for (const Question& question : clipping::questions())
             if (question.name == name.toStdString()) {
                 auto now = fingerprint({});
-                for (const Block& block : blocks[question.numbers])
+                for (const Block& block : blocks_[question.numbers])
                     now = fingerprint(clipping::answers(question, block), now);
-                found[name] = QString::number(now, 16).rightJustified(16, '0');
+                found_[name] = QString::number(now, 16).rightJustified(16, '0');
             }
-        QVERIFY2(was.contains(name), qPrintable(name + " has no fingerprint"));
-        QCOMPARE(found[name], was[name]);
+        QVERIFY2(was_.contains(name), qPrintable(name + " has no fingerprint"));
+        QCOMPARE(found_[name], was_[name]);
     }
 
     /// Only instructions that this processor lacks may be missing.
     void nothingIsLeftOut()
     {
-        QVERIFY(was.size() >= 54);
-        for (const QString& name : was.keys())
-            if (!found.contains(name)) {
+        QVERIFY(was_.size() >= 54);
+        for (const QString& name : was_.keys())
+            if (!found_.contains(name)) {
                 QVERIFY2(name.startsWith("kernel "), qPrintable(name));
                 qInfo("%s: not on this processor", qPrintable(name));
             }
@@ -73,14 +73,14 @@ private slots:
     {
         QFile file(qEnvironmentVariable("CLEARCUT_FINGERPRINTS"));
         if (!file.fileName().isEmpty() && file.open(QIODevice::WriteOnly))
-            for (auto line = found.cbegin(); line != found.cend(); ++line)
+            for (auto line = found_.cbegin(); line != found_.cend(); ++line)
                 file.write((line.key() + ": " + line.value() + '\n').toUtf8());
     }
 
 private:
-    std::map<Numbers, std::vector<Block>> blocks;
-    const QMap<QString, QString> was = kept();
-    QMap<QString, QString> found;
+    std::map<Numbers, std::vector<Block>> blocks_;
+    const QMap<QString, QString> was_ = kept();
+    QMap<QString, QString> found_;
 };
 
 QTEST_GUILESS_MAIN(FingerprintsTest)

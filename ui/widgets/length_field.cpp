@@ -108,7 +108,7 @@ double LengthField::valueFromText(const QString& text) const
 
 QString LengthField::textFromValue(double value) const
 {
-    const QString number = app::numberText(value, decimals());
+    QString number = app::numberText(value, decimals());
     if (!property("withUnit").toBool())
         return number;
     const auto suffix = app::infoOf(unit_).suffix;

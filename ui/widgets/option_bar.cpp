@@ -42,8 +42,8 @@ QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
 } // namespace
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
-                     QAction* exportCut, QWidget* parent)
-    : QToolBar(tr("Tool options"), parent), session_(session), ink_(new QToolButton),
+                     QAction* exportCut)
+    : QToolBar(tr("Tool options")), session_(session), ink_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
       dashes_(new ToolList), magnet_(new QLabel), snapping_(new ToolList),

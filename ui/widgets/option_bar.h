@@ -22,7 +22,7 @@ class OptionBar : public QToolBar {
 
 public:
     OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
-              QAction* exportCut, QWidget* parent = nullptr);
+              QAction* exportCut);
 
 signals:
     void refused(const QString& sentence);

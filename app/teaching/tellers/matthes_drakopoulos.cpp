@@ -14,7 +14,7 @@ QString tr(const char* text) { return QCoreApplication::translate("tellers", tex
 /// Lines 1 and 3: whether both ends are beyond one edge of an axis.
 QString bothBeyond(const Telling& telling)
 {
-    const auto& [a, b] = telling.step.segment;
+    const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
     const auto& window = telling.specimen.window;
     if (telling.holds())
         return tr("Both ends lie %1: %2 and %3.")
@@ -67,7 +67,7 @@ QString wayTo(const Telling& telling, int number)
 /// Line 19: after both axes, only x can still be outside, and only if the line misses.
 QString stillBeyond(const Telling& telling)
 {
-    const auto& [a, b] = telling.step.segment;
+    const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
     const auto& window = telling.specimen.window;
     if (telling.holds())
         return tr("Both ends have arrived %1 (%2 and %3): the line is taken to pass the window by.")

@@ -5,8 +5,6 @@
 
 namespace app {
 
-using clipping::Edge;
-
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("slater-barsky", text); }

@@ -33,9 +33,14 @@ Clipper exhibit(std::size_t index)
     return {findAlgorithm("md"), Form::Published, &app::exhibits()[index]};
 }
 
+struct Tolerance {
+    double ulps;
+    bool eitherWay; ///< the ends may be exchanged
+};
+
 /// Line by line, with the function for one line, and ulps from the exponent.
 std::vector<Difference> byHand(std::span<const Segment> lines, const Window& w, const Clipper& a,
-                               const Clipper& b, double allowed, bool eitherWay)
+                               const Clipper& b, const Tolerance& tolerance)
 {
     std::vector<Difference> found;
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -57,9 +62,9 @@ std::vector<Difference> byHand(std::span<const Segment> lines, const Window& w, 
             continue;
         }
         double ulps = std::fmax(off(one->a, two->a), off(one->b, two->b));
-        if (eitherWay)
+        if (tolerance.eitherWay)
             ulps = std::fmin(ulps, std::fmax(off(one->a, two->b), off(one->b, two->a)));
-        if (ulps > allowed)
+        if (ulps > tolerance.ulps)
             found.push_back({i, Kind::EndsApart, ulps});
     }
     return found;
@@ -87,7 +92,7 @@ private slots:
                     continue;
                 const bool eitherWay = a.form == Form::Published || b.form == Form::Published;
                 const auto found = app::differences(scene, paper, a, b, allowed);
-                QVERIFY2(found == byHand(scene, paper, a, b, allowed, eitherWay),
+                QVERIFY2(found == byHand(scene, paper, a, b, {allowed, eitherWay}),
                          qPrintable(app::nameOf(a) + " against " + app::nameOf(b)));
             }
     }
