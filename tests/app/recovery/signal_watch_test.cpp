@@ -15,6 +15,17 @@
 
 using app::SignalWatch;
 
+namespace {
+
+/// A forked process cannot start threads under ThreadSanitizer.
+#ifdef __SANITIZE_THREAD__
+constexpr bool forksMayStartThreads = false;
+#else
+constexpr bool forksMayStartThreads = true;
+#endif
+
+} // namespace
+
 class SignalWatchTest : public QObject {
     Q_OBJECT
 
@@ -48,6 +59,8 @@ private slots:
     }
     void aSecondWatchSeesItsSignal()
     {
+        if (!forksMayStartThreads)
+            QSKIP("ThreadSanitizer ends a forked process that starts a thread");
         const int status = inAnotherProcess([] {
             {
                 const SignalWatch first([](int) { _exit(1); });
@@ -62,6 +75,8 @@ private slots:
     // 70,000 signals are more than a pipe holds.
     void manySignalsDoNotBlock()
     {
+        if (!forksMayStartThreads)
+            QSKIP("ThreadSanitizer ends a forked process that starts a thread");
         const int status = inAnotherProcess([] {
             const SignalWatch watch([](int) {
                 for (;;)
@@ -76,6 +91,8 @@ private slots:
     }
     void withoutAThreadSignalsEndTheProcessAsEver()
     {
+        if (!forksMayStartThreads)
+            QSKIP("ThreadSanitizer ends a forked process that starts a thread");
         const int status = inAnotherProcess([] {
             pthread_attr_t attributes;
             pthread_attr_init(&attributes);
