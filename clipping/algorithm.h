@@ -87,12 +87,21 @@ struct Algorithm {
     const Uses<Segment3, Window3>* box; ///< in three dimensions; keeps the contract with `boxUlps`
     const Uses<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
     const Uses<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
+    /// The pseudo-code of each form, for people: a line each, without numbers, from line 1 of a
+    /// trace's steps on; empty where there is none.
+    std::string_view correctedCode, publishedCode;
 };
 
 /// What a row does in one form; null if there is no such form.
 constexpr const Uses<Segment, Window>* usesOf(const Algorithm& algorithm, Form form)
 {
     return form == Form::Corrected ? &algorithm.corrected : algorithm.published;
+}
+
+/// The pseudo-code of one form; empty if there is none.
+constexpr std::string_view codeOf(const Algorithm& algorithm, Form form)
+{
+    return form == Form::Corrected ? algorithm.correctedCode : algorithm.publishedCode;
 }
 
 /// Every algorithm, in the order of every menu, table and chart.

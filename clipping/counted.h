@@ -123,5 +123,10 @@ constexpr BasicSegment<double, N> inDouble(const BasicSegment<T, N>& s)
 {
     return {glm::vec<N, double>(s.a), glm::vec<N, double>(s.b)};
 }
+template <class T, glm::length_t N>
+constexpr BasicWindow<double, N> inDouble(const BasicWindow<T, N>& w)
+{
+    return {glm::vec<N, double>(w.min), glm::vec<N, double>(w.max)};
+}
 
 } // namespace clipping

@@ -20,8 +20,6 @@ struct About {
     double ulps;
 };
 
-/// What a test's step is called.
-constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
 /// A test on a line of the pseudo-code, told to the watcher; whether it holds.
 template <class S, class Watch, class... T>
 // NOLINTNEXTLINE(readability-function-size): the test's outcome, and what its step is made of
@@ -80,6 +78,18 @@ BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
     return found;
 }
 
+/// Runs one form of a method: its function of that name, or `clip<form>` where one text is both.
+template <class Method, Form form, class S, class W, class Step>
+constexpr std::optional<S> run(const S& segment, const W& window, Step&& step)
+{
+    if constexpr (requires { Method::template clip<form>(segment, window, step); })
+        return Method::template clip<form>(segment, window, step);
+    else if constexpr (form == Form::Published)
+        return Method::published(segment, window, step);
+    else
+        return Method::corrected(segment, window, step);
+}
+
 template <class Method, Form form, class T, glm::length_t N>
 [[gnu::noinline]] std::optional<BasicSegment<T, N>> clipGiven(const BasicSegment<T, N>& segment,
                                                               const BasicWindow<T, N>& window)
@@ -87,7 +97,7 @@ template <class Method, Form form, class T, glm::length_t N>
     const auto given = givenFor<Method, form>(segment, window);
     if (!given)
         return std::nullopt;
-    auto piece = Method::template clip<form>(given->segment, given->window, Unwatched{});
+    auto piece = run<Method, form>(given->segment, given->window, Unwatched{});
     if (piece)
         piece = answer<Method, form>(*piece, *given, segment, window);
     return piece;
@@ -102,7 +112,7 @@ public:
     std::optional<BasicSegment<T, N>> clip(const BasicSegment<T, N>& segment) const
     {
         if (easy_ && easy(segment)) [[likely]]
-            return Method::template clip<form>(segment, window_, Unwatched{});
+            return run<Method, form>(segment, window_, Unwatched{});
         return clipGiven<Method, form>(segment, window_);
     }
 
@@ -160,8 +170,7 @@ OperationCounts countMany(std::span<const BasicSegment<T, N>> in, const BasicWin
     operations = {};
     for (const BasicSegment<T, N>& segment : in)
         if (const auto given = givenFor<Method, form>(segment, window))
-            Method::template clip<form>(counted(given->segment), counted(given->window),
-                                        Unwatched{});
+            run<Method, form>(counted(given->segment), counted(given->window), Unwatched{});
     return operations;
 }
 
@@ -173,8 +182,9 @@ BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N
         return {};
     operations = {};
     BasicRecorder<N> recorder;
+    recorder.begin(inDouble(given->segment), inDouble(given->window));
     const auto piece =
-        Method::template clip<form>(counted(given->segment), counted(given->window), recorder);
+        run<Method, form>(counted(given->segment), counted(given->window), recorder);
     BasicTrace<N> trace = recorder.take();
     if (piece && trace.outcome != Outcome::DidNotEnd) {
         trace.outcome = Outcome::Visible;
@@ -239,6 +249,18 @@ constexpr const Uses<Segment3, Window3>* boxUses()
         return nullptr;
 }
 
+/// The pseudo-code of a form, as it stands beside its function, without its first line feed.
+template <class Method, Form form>
+constexpr std::string_view codeBeside()
+{
+    std::string_view code;
+    if constexpr (form == Form::Corrected && requires { Method::correctedCode; })
+        code = Method::correctedCode;
+    if constexpr (form == Form::Published && requires { Method::publishedCode; })
+        code = Method::publishedCode;
+    return code.starts_with('\n') ? code.substr(1) : code;
+}
+
 template <class Method>
 Algorithm describe()
 {
@@ -256,7 +278,9 @@ Algorithm describe()
             searchedPolygonOf<Method>(),
             boxUses<Method>(),
             endlessOf<Method, Reach::BothWays>(),
-            endlessOf<Method, Reach::OneWay>()};
+            endlessOf<Method, Reach::OneWay>(),
+            codeBeside<Method, Form::Corrected>(),
+            codeBeside<Method, Form::Published>()};
 }
 
 } // namespace clipping

@@ -113,6 +113,7 @@ Trace traceOneEndless(const Endless<reach>& endless, const Window& w)
         return {};
     operations = {};
     Recorder recorder;
+    recorder.begin(points, w);
     const auto piece = contacted(clipEndlessCounted<Method, reach>(points, w, recorder), points, w);
     Trace trace = recorder.take();
     if (piece) {
@@ -127,11 +128,17 @@ constexpr Uses<Endless<reach>, Window, Segment> endlessUses{
     clipOneEndless<Method, reach>, clipManyEndless<Method, reach>, countManyEndless<Method, reach>,
     traceOneEndless<Method, reach>};
 
-/// The form for lines, or for rays; none unless the row says `endless`.
+/// The form for lines, or for rays; none unless the row names one (algorithms/lines_and_rays/) or
+/// says `endless`.
 template <class Method, Reach reach>
 constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
 {
-    if constexpr (requires { Method::endless; })
+    if constexpr (requires { Method::line; }) {
+        if constexpr (reach == Reach::BothWays)
+            return Method::line;
+        else
+            return Method::ray;
+    } else if constexpr (requires { Method::endless; })
         return &endlessUses<Method, reach>;
     else
         return nullptr;

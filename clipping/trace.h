@@ -3,6 +3,7 @@
 
 #include "clipping/counted.h"
 
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -27,13 +28,19 @@ struct NamedValue {
     ValueKind kind = ValueKind::Number; ///< how it is to be read
 };
 
+/// What a step does: asks a question, gives a variable its value, moves an end of what is left;
+/// or is the last: something is visible, nothing is, a published form went round until it was
+/// stopped.
+enum class What : std::uint8_t { Test, Let, Cut, Accept, Reject, GiveUp };
+
 /// One moment in the run of an algorithm.
 template <glm::length_t N>
 struct BasicStep {
-    std::string_view what; ///< "accept", "reject", "give up"; "cut ..."; of a test on `line`
-                           ///< whether it held: "yes", "no"; or what is found: "outcodes", "t", ...
-    int line; ///< of the algorithm's pseudo-code (resources/algorithms/KEY.md), from 1; 0 for what
-              ///< it does not have, as it is in the plane
+    What what;
+    bool holds;            ///< the answer of a Test; false of other steps
+    std::string_view name; ///< of the variable that gets its value
+    int line; ///< of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for what it does
+              ///< not have, as it is in the plane
     BasicSegment<double, N> segment; ///< what is left
     Edge edge;                       ///< the edge it is about
     std::vector<NamedValue> values;  ///< what the algorithm had at hand
@@ -53,11 +60,60 @@ struct BasicTrace {
 };
 using Trace = BasicTrace<2>;
 
-/// Watches nothing and costs nothing: what the fast path hands to an algorithm.
+/// Tells nobody and costs nothing: what the fast path hands to an algorithm as its `step`.
+///
+/// The words in which an algorithm tells its steps, each with its line of the form's pseudo-code.
+/// They return what they were given, so that a line of the code and its step are one expression:
+/// without a listener `step.test(l, c)` is `(c)`, and `step.let(l, n, v)` is `(v)`.
 struct Unwatched {
     constexpr void operator()(const auto&...) const {} ///< a step
     constexpr void didNotEnd() const {}                ///< the run was stopped
+
+    /// A question about an edge, or about the two edges of an axis; whether the condition holds.
+    constexpr bool test(int, bool condition, Edge = Edge::None, Edge = Edge::None) const
+    {
+        return condition;
+    }
+    /// A variable gets its value, on the way to an edge; the value.
+    template <class T>
+    constexpr T let(int, std::string_view, T value, Edge = Edge::None) const
+    {
+        return value;
+    }
+    /// What a variable is from here on, without a step of its own; the value.
+    template <class T>
+    constexpr T set(std::string_view, T value) const
+    {
+        return value;
+    }
+    /// An end of the segment, 0 for a and 1 for b, moves to a point (or x, y) of an edge.
+    constexpr void cut(int, int, const auto&...) const {}
+    /// What is left is another segment now, with both its ends.
+    constexpr void left(int, const auto&, Edge = Edge::None) const {}
+    /// Nothing is visible.
+    constexpr std::nullopt_t reject(int) const { return std::nullopt; }
+    /// A published form goes round and round, and is stopped.
+    constexpr std::nullopt_t giveUp(int) const { return std::nullopt; }
+    /// A segment is visible; the segment.
+    template <class S>
+    constexpr std::optional<S> accept(int, const S& visible) const
+    {
+        return visible;
+    }
 };
+
+/// What a test's step is called by a row that does not yet tell in the words above.
+constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
+/// What such a row's word means.
+constexpr What whatOf(std::string_view word)
+{
+    return word == "yes" || word == "no" ? What::Test
+           : word.starts_with("cut")     ? What::Cut
+           : word == "accept"            ? What::Accept
+           : word == "reject"            ? What::Reject
+           : word == "give up"           ? What::GiveUp
+                                         : What::Let;
+}
 
 /// A value as an algorithm hands it to its watcher.
 template <class T>
@@ -80,7 +136,9 @@ public:
                     const Named<T>&... values)
     {
         trace_.steps.push_back(
-            {what,
+            {whatOf(what),
+             what == "yes",
+             whatOf(what) == What::Let || what.starts_with("cut ") ? what : std::string_view(),
              line,
              inDouble(plain(segment)),
              edge,
@@ -89,11 +147,92 @@ public:
     }
     /// The run was stopped.
     void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }
+
+    /// What the algorithm begins with.
+    void begin(const BasicSegment<double, N>& segment, const BasicWindow<double, N>& window)
+    {
+        left_ = segment, window_ = window;
+    }
+    /// The words of Unwatched, which are written down here.
+    /// @{
+    bool test(int line, bool condition, Edge edge = Edge::None, Edge other = Edge::None)
+    {
+        if (other != Edge::None) // one of two edges if it holds, else about neither of them
+            edge = !condition ? Edge::None : isBeyond(other) ? other : edge;
+        return tell({What::Test, condition}, line, edge), condition;
+    }
+    template <class T>
+    T let(int line, std::string_view name, T value, Edge edge = Edge::None)
+    {
+        return set(name, value), tell({What::Let, false, name}, line, edge), value;
+    }
+    template <class T>
+    T set(std::string_view name, T value)
+    {
+        new_.push_back({name, plain(value), kindOf<T>});
+        return value;
+    }
+    template <class T>
+    void cut(int line, int end, const glm::vec<N, Counted<T>>& to, Edge edge)
+    {
+        (end == 0 ? left_.a : left_.b) = glm::vec<N, double>(values(to));
+        tell({What::Cut}, line, edge);
+    }
+    template <class T>
+    void cut(int line, int end, T x, T y, Edge edge)
+    {
+        cut(line, end, glm::vec<2, T>(x, y), edge);
+    }
+    template <class S>
+    void left(int line, const S& segment, Edge edge = Edge::None)
+    {
+        left_ = inDouble(plain(segment));
+        tell({What::Let, false, "left"}, line, edge);
+    }
+    std::nullopt_t giveUp(int line)
+    {
+        didNotEnd();
+        return tell({What::GiveUp}, line, Edge::None), std::nullopt;
+    }
+    std::nullopt_t reject(int line)
+    {
+        tell({What::Reject}, line, trace_.steps.empty() ? Edge::None : trace_.steps.back().edge);
+        return std::nullopt;
+    }
+    template <class S>
+    std::optional<S> accept(int line, const S& visible)
+    {
+        left_ = inDouble(plain(visible));
+        return tell({What::Accept}, line, Edge::None), visible;
+    }
+    /// @}
     /// What was written down; the recorder is empty afterwards.
     BasicTrace<N> take() { return std::move(trace_); }
 
 private:
     BasicTrace<N> trace_;
+    BasicSegment<double, N> left_{};
+    BasicWindow<double, N> window_{};
+    std::vector<NamedValue> new_; ///< since the step before
+
+    struct Word {
+        What what;
+        bool holds = false;
+        std::string_view name{};
+    };
+    void tell(Word word, int line, Edge edge)
+    {
+        trace_.steps.push_back({word.what, word.holds, word.name, line, left_, edge,
+                                std::exchange(new_, {}), operations});
+    }
+    /// Whether both ends of what is left are beyond an edge.
+    bool isBeyond(Edge edge) const
+    {
+        const glm::length_t k = axisOf(edge);
+        const double level = levelOf(edge, window_);
+        return edge == lowerEdge(k) ? left_.a[k] < level && left_.b[k] < level
+                                    : left_.a[k] > level && left_.b[k] > level;
+    }
 };
 using Recorder = BasicRecorder<2>;
 

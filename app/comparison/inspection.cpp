@@ -16,6 +16,8 @@
 
 namespace app {
 
+using clipping::What;
+
 using clipping::Edge;
 
 namespace {
@@ -76,7 +78,7 @@ int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, c
 {
     if (value.kind != clipping::ValueKind::Number)
         return 0;
-    if (step.what == "compare"
+    if (step.name == "compare"
         || isAmong(value.name,
                    {"e", "F", "pw", "pxmin", "pxmax", "pymin", "pymax", "dx*(y-y1)", "dy*(x-x1)"}))
         return 2;                               // products of two lengths
@@ -97,9 +99,21 @@ QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
     return outcodeText(unsigned(value.value));
 }
 
+/// What a step does, in a word: the variable that it sets, where it sets one.
+std::string_view wordOf(const clipping::Step& step)
+{
+    static constexpr std::array words{
+        std::pair{What::Test, "test"},     std::pair{What::Let, "set"},
+        std::pair{What::Cut, "cut"},       std::pair{What::Accept, "accept"},
+        std::pair{What::Reject, "reject"}, std::pair{What::GiveUp, "give up"}};
+    if (!step.name.empty())
+        return step.name;
+    return std::ranges::find(words, step.what, &std::pair<What, const char*>::first)->second;
+}
+
 QString stepText(const clipping::Step& step, const Measure& measure)
 {
-    QString text = latin(step.what);
+    QString text = latin(wordOf(step));
     if (const QString edge = edgeName(step.edge); !edge.isEmpty())
         text += QStringLiteral(", ") + edge;
     QStringList values;
@@ -107,7 +121,7 @@ QString stepText(const clipping::Step& step, const Measure& measure)
         values << latin(value.name) + QStringLiteral(" = ") + valueText(step, value, measure);
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
-    if (isAmong(step.what, {"reject", "give up"}))
+    if (step.what == What::Reject || step.what == What::GiveUp)
         return tr("%1\n     leaves nothing").arg(text);
     return tr("%1\n     leaves %2 to %3")
         .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
@@ -215,7 +229,7 @@ QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
     const Measure measure{line.clipper.form, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
-        if (!isAmong(step.what, {"yes", "no"})) // the microscope shows tests
+        if (step.what != What::Test) // the microscope shows tests
             texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
     return texts << endText(line, measure);
 }

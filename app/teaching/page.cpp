@@ -8,6 +8,25 @@
 
 namespace app {
 
+namespace {
+
+QStringList linesOf(std::string_view code)
+{
+    return latin(code).split(u'\n', Qt::SkipEmptyParts);
+}
+
+/// A form's pseudo-code as a page shows it: numbered, in a block.
+QString blockOf(std::string_view code)
+{
+    QString block = QStringLiteral("```\n");
+    int number = 0;
+    for (const QString& line : linesOf(code))
+        block += QStringLiteral("%1  %2\n").arg(++number, 2).arg(line);
+    return block + QStringLiteral("```");
+}
+
+} // namespace
+
 AlgorithmPage pageOf(const clipping::Algorithm& algorithm)
 {
     QFile file(QStringLiteral(":/algorithms/%1.md").arg(latin(algorithm.key)));
@@ -17,8 +36,16 @@ AlgorithmPage pageOf(const clipping::Algorithm& algorithm)
                     .arg(algorithm.year)
                     .arg(latin(algorithm.idea)),
                 {}};
-    const QString markdown = QString::fromUtf8(file.readAll());
+    QString markdown = QString::fromUtf8(file.readAll());
+    markdown.replace(QStringLiteral("{published code}"), blockOf(algorithm.publishedCode));
+    markdown.replace(QStringLiteral("{corrected code}"), blockOf(algorithm.correctedCode));
     return {markdown, pseudoCode(markdown)};
+}
+
+QStringList codeOf(const Clipper& clipper)
+{
+    const auto code = clipping::codeOf(*clipper.algorithm, clipper.form);
+    return code.empty() ? pageOf(*clipper.algorithm).code : linesOf(code);
 }
 
 QStringList pseudoCode(const QString& markdown)

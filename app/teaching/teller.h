@@ -15,15 +15,18 @@ struct Telling {
     const Specimen& specimen;
     const clipping::Step& step;
     const clipping::Step* before; ///< null: it is the first
+    std::span<const Variable> variables{}; ///< all that are known by now
     clipping::Edge edge() const { return step.edge; }
     /// "the top edge".
     QString edgeText() const { return edgeWords(step.edge, specimen.y); }
-    /// A value that the algorithm had at hand; nothing: it has none of that name.
+    /// A value that the step tells; nothing: it tells none of that name.
     std::optional<double> value(std::string_view name) const;
+    /// A variable's value by now; nothing: it has none yet.
+    std::optional<double> known(std::string_view name) const;
     /// The same as text of six digits.
     QString text(std::string_view name) const;
     /// Whether the test held; false for what is no test.
-    bool holds() const { return step.what == "yes"; }
+    bool holds() const { return step.holds; }
 };
 
 /// One row: how an algorithm's steps are said.

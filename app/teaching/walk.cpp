@@ -20,17 +20,16 @@ QString tr(const char* text) { return QCoreApplication::translate("walk", text);
 
 Mark markOf(const Step& step, const clipping::OperationCounts& before)
 {
+    using clipping::What;
     struct Row {
-        std::string_view what;
+        What what;
         Mark mark;
     };
-    static constexpr std::array words{Row{"accept", Mark::Accept}, Row{"reject", Mark::Reject},
-                                      Row{"give up", Mark::GiveUp}, Row{"cut", Mark::Cut}};
-    for (const Row& row : words)
-        if (step.what.starts_with(row.what))
-            return row.mark;
-    if (step.what == "yes" || step.what == "no")
-        return Mark::Compare;
+    static constexpr std::array rows{
+        Row{What::Accept, Mark::Accept}, Row{What::Reject, Mark::Reject},
+        Row{What::GiveUp, Mark::GiveUp}, Row{What::Cut, Mark::Cut}, Row{What::Test, Mark::Compare}};
+    if (const auto row = std::ranges::find(rows, step.what, &Row::what); row != rows.end())
+        return row->mark;
     return step.cost.divisions > before.divisions       ? Mark::Divide
            : step.cost.comparisons > before.comparisons ? Mark::Compare
                                                         : Mark::Look;
@@ -72,22 +71,24 @@ std::optional<Point> candidateOf(const Telling& telling, const Teller* teller)
     return a + *t * (b - a);
 }
 
-Moment momentOf(const Telling& telling, const Teller* teller, const Moment* earlier)
+Moment momentOf(Telling telling, const Teller* teller, const Moment* earlier)
 {
     const Step& step = telling.step;
+    const std::vector<Variable> variables =
+        variablesAfter(step, teller, earlier ? earlier->variables : std::vector<Variable>{});
+    telling.variables = variables;
     Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
                   .line = step.line,
                   .sentence = teller ? teller->sentence(telling) : QString(),
-                  .variables = variablesAfter(
-                      step, teller, earlier ? earlier->variables : std::vector<Variable>{}),
+                  .variables = variables,
                   .left = step.segment,
                   .edge = step.edge,
                   .candidate = candidateOf(telling, teller),
                   .cost = step.cost};
     if (moment.sentence.isEmpty())
         moment.sentence = generalSentence(telling);
-    if (step.what == "yes" || step.what == "no")
-        moment.answer = step.what == "yes";
+    if (step.what == clipping::What::Test)
+        moment.answer = step.holds;
     return moment;
 }
 
@@ -97,6 +98,12 @@ std::optional<double> Telling::value(std::string_view name) const
 {
     const auto found = std::ranges::find(step.values, name, &clipping::NamedValue::name);
     return found == step.values.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::optional<double> Telling::known(std::string_view name) const
+{
+    const auto found = std::ranges::find(variables, latin(name), &Variable::name);
+    return found == variables.end() ? std::nullopt : std::optional(found->value);
 }
 
 QString Telling::text(std::string_view name) const
@@ -128,7 +135,7 @@ QString refusalOf(const Specimen& specimen)
 
 Walk walkOf(const Specimen& specimen)
 {
-    Walk walk{.code = pageOf(*specimen.clipper.algorithm).code, .refusal = refusalOf(specimen)};
+    Walk walk{.code = codeOf(specimen.clipper), .refusal = refusalOf(specimen)};
     if (specimen.clipper.exhibit)
         walk.visible = clipped(specimen.clipper, specimen.line, specimen.window);
     if (!walk.refusal.isEmpty())

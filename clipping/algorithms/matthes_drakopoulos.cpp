@@ -9,6 +9,7 @@
 // from where it was given; whether it is then beyond the bottom or top is asked of the way it has
 // risen, which is accurate, and not of its rounded height; new ends are held inside the window.
 
+#include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -27,132 +28,147 @@ struct MatthesDrakopoulos {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr auto box = &matthesDrakopoulosBox;
+    static constexpr auto line = &matthesDrakopoulosLine;
+    static constexpr auto ray = &matthesDrakopoulosRay;
 
-    static constexpr bool endless = true; // lines and rays too
-
-    /// Pushes one end of `visible` to the edges it is beyond; returns the last of them. An end that
-    /// lies at infinity, before a or behind b, is beyond the sides that the line comes from or goes
-    /// to.
-    template <Form form, bool infinite, class T, class Watch>
-    static constexpr Edge push(glm::vec<2, T> BasicSegment<T>::*end, BasicSegment<T>& visible,
-                               const BasicSegment<T>& s, const glm::vec<2, T>& d,
-                               const BasicWindow<T>& w, Watch& watch)
+    static constexpr std::string_view publishedCode = R"(
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)
+  reject
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)
+  reject
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+for i = 1, 2
+  if x[i] < xmin
+    rise = (y2-y1)/(x2-x1) * (xmin-x1)
+    x[i] = xmin,  y[i] = rise + y1
+  else if x[i] > xmax
+    rise = (y2-y1)/(x2-x1) * (xmax-x1)
+    x[i] = xmax,  y[i] = rise + y1
+  if y[i] < ymin
+    run = (x2-x1)/(y2-y1) * (ymin-y1)
+    y[i] = ymin,  x[i] = run + x1
+  else if y[i] > ymax
+    run = (x2-x1)/(y2-y1) * (ymax-y1)
+    y[i] = ymax,  x[i] = run + x1
+if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)
+  reject
+accept the line from x[1], y[1] to x[2], y[2]
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        const glm::vec<2, T>& from = form == Form::Published ? s.a : s.*end;
-        glm::vec<2, T>& p = visible.*end;
-        const Named number{"i", end == &BasicSegment<T>::a ? 1 : 2};
-        const auto test = [&](bool holds, Edge edge, const auto&... values) {
-            watch(yesOrNo(holds), lineOf(edge), visible, edge, number, values...);
-            return holds;
-        };
-        const bool backwards = infinite && end == &BasicSegment<T>::a;
-        const Edge edge = infinite ? side(d.x, backwards, Edge::Left, Edge::Right)
-                          : test(p.x < w.min.x, Edge::Left)  ? Edge::Left
-                          : test(p.x > w.max.x, Edge::Right) ? Edge::Right
-                                                             : Edge::None;
-        T risen(0);
-        if (edge != Edge::None) {
-            const T x = edge == Edge::Left ? w.min.x : w.max.x;
-            if constexpr (form == Form::Published) {
-                const T slope = (s.b.y - s.a.y) / (s.b.x - s.a.x);
-                risen = slope * (x - from.x);
-                watch("rise", lineOf(edge) + 1, visible, edge, number,
-                      Named{"(y2-y1)/(x2-x1)", slope}, Named{"rise", risen});
-            } else {
-                risen = d.y * (x - from.x) / d.x;
-                watch("rise", lineOf(edge) + 1, visible, edge, number, Named{"rise", risen});
+        const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        if (step.test(1, (x1 < xmin && x2 < xmin) || (x1 > xmax && x2 > xmax), Edge::Left,
+                      Edge::Right))
+            return step.reject(2);
+        if (step.test(3, (y1 < ymin && y2 < ymin) || (y1 > ymax && y2 > ymax), Edge::Bottom,
+                      Edge::Top))
+            return step.reject(4);
+        T x[]{x1, x2}, y[]{y1, y2};
+        for (int i = 0; i < 2; ++i) {
+            step.set("i", i + 1);
+            if (step.test(7, x[i] < xmin, Edge::Left)) {
+                const T rise = step.let(8, "rise", (y2 - y1) / (x2 - x1) * (xmin - x1), Edge::Left);
+                x[i] = xmin, y[i] = rise + y1;
+                step.cut(9, i, x[i], y[i], Edge::Left);
+            } else if (step.test(10, x[i] > xmax, Edge::Right)) {
+                const T rise =
+                    step.let(11, "rise", (y2 - y1) / (x2 - x1) * (xmax - x1), Edge::Right);
+                x[i] = xmax, y[i] = rise + y1;
+                step.cut(12, i, x[i], y[i], Edge::Right);
             }
-            p = {x, risen + from.y};
-            watch("cut", lineOf(edge) + 2, visible, edge, number);
+            if (step.test(13, y[i] < ymin, Edge::Bottom)) {
+                const T run =
+                    step.let(14, "run", (x2 - x1) / (y2 - y1) * (ymin - y1), Edge::Bottom);
+                y[i] = ymin, x[i] = run + x1;
+                step.cut(15, i, x[i], y[i], Edge::Bottom);
+            } else if (step.test(16, y[i] > ymax, Edge::Top)) {
+                const T run = step.let(17, "run", (x2 - x1) / (y2 - y1) * (ymax - y1), Edge::Top);
+                y[i] = ymax, x[i] = run + x1;
+                step.cut(18, i, x[i], y[i], Edge::Top);
+            }
         }
-        const auto isBeyond = [&](Edge next, T level) {
-            const bool low = next == Edge::Bottom;
-            if (form == Form::Published || edge == Edge::None)
-                return test(low ? p.y < level : p.y > level, next);
-            const T gap = level - from.y; // not the rounded height
-            return test(low ? risen < gap : risen > gap, next, Named{"rise", risen},
-                        Named{"gap", gap});
-        };
-        const Edge next = infinite && edge == Edge::None
-                              ? side(d.y, backwards, Edge::Bottom, Edge::Top)
-                          : isBeyond(Edge::Bottom, w.min.y) ? Edge::Bottom
-                          : isBeyond(Edge::Top, w.max.y)    ? Edge::Top
-                                                            : Edge::None;
-        if (next == Edge::None)
-            return edge;
-        const T y = next == Edge::Bottom ? w.min.y : w.max.y;
-        T gone;
-        if constexpr (form == Form::Published) {
-            const T slope = (s.b.x - s.a.x) / (s.b.y - s.a.y);
-            gone = slope * (y - from.y);
-            watch("run", lineOf(next) + 1, visible, next, number, Named{"(x2-x1)/(y2-y1)", slope},
-                  Named{"run", gone});
-        } else {
-            gone = d.x * (y - from.y) / d.y;
-            watch("run", lineOf(next) + 1, visible, next, number, Named{"run", gone});
-        }
-        p = {gone + from.x, y};
-        watch("cut", lineOf(next) + 2, visible, next, number);
-        return next;
-    }
-    /// Where the pseudo-code asks whether an end is beyond the edge: 7, 10, 13, 16.
-    static constexpr int lineOf(Edge edge) { return 4 + 3 * static_cast<int>(edge); }
-
-    /// The side at which infinity lies, along the line or backwards, that runs by d on one axis.
-    template <class T>
-    static constexpr Edge side(T d, bool backwards, Edge low, Edge high)
-    {
-        return d == T(0) ? Edge::None : (d > T(0)) != backwards ? high : low;
+        if (step.test(19, (x[0] < xmin && x[1] < xmin) || (x[0] > xmax && x[1] > xmax), Edge::Left,
+                      Edge::Right))
+            return step.reject(20);
+        return step.accept(21, BasicSegment<T>{{x[0], y[0]}, {x[1], y[1]}});
     }
 
-    /// The edge that it lies wholly beyond, of the two of one axis.
-    template <Reach reach, class T>
-    static constexpr Edge beyond(T a, T b, T low, T high, Edge lowEdge, Edge highEdge)
+    static constexpr std::string_view correctedCode = R"(
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)
+  reject
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)
+  reject
+dx = x2-x1,  dy = y2-y1
+for i = 1, 2
+  moved = false,  x[i] = xi,  y[i] = yi
+  if xi < xmin
+    rise = dy * (xmin-xi) / dx
+    x[i] = xmin,  y[i] = rise + yi,  moved = true
+  else if xi > xmax
+    rise = dy * (xmax-xi) / dx
+    x[i] = xmax,  y[i] = rise + yi,  moved = true
+  if (moved ? rise < ymin-yi : yi < ymin)
+    run = dx * (ymin-yi) / dy
+    y[i] = ymin,  x[i] = run + xi
+  else if (moved ? rise > ymax-yi : yi > ymax)
+    run = dx * (ymax-yi) / dy
+    y[i] = ymax,  x[i] = run + xi
+if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)
+  reject
+hold new ends inside the window
+accept the line from x[1], y[1] to x[2], y[2]
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        bool below, above;
-        if constexpr (reach == Reach::Bounded)
-            below = a < low && b < low, above = !below && a > high && b > high;
-        else if constexpr (reach == Reach::OneWay)
-            below = a < low && b <= a, above = !below && a > high && b >= a;
-        else {
-            if (a != b)
-                return Edge::None;
-            below = a < low, above = !below && a > high;
-        }
-        return below ? lowEdge : above ? highEdge : Edge::None;
-    }
-
-    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
-    {
-        const auto& [a, b] = s;
-        const auto isMissed = [&](int line, const BasicSegment<T>& left, Edge edge) {
-            const bool missed = edge != Edge::None;
-            watch(yesOrNo(missed), line, left, edge);
-            if (missed)
-                watch("reject", line + 1, left, edge);
-            return missed;
-        };
-        if (isMissed(1, s, beyond<reach>(a.x, b.x, w.min.x, w.max.x, Edge::Left, Edge::Right))
-            || isMissed(3, s, beyond<reach>(a.y, b.y, w.min.y, w.max.y, Edge::Bottom, Edge::Top)))
-            return std::nullopt;
-        glm::vec<2, T> d{T(0), T(0)};
-        if constexpr (form == Form::Corrected)
-            d = {b.x - a.x, b.y - a.y};
+        const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        if (step.test(1, (x1 < xmin && x2 < xmin) || (x1 > xmax && x2 > xmax), Edge::Left,
+                      Edge::Right))
+            return step.reject(2);
+        if (step.test(3, (y1 < ymin && y2 < ymin) || (y1 > ymax && y2 > ymax), Edge::Bottom,
+                      Edge::Top))
+            return step.reject(4);
+        const T dx = step.set("dx", x2 - x1), dy = step.let(5, "dy", y2 - y1);
         BasicSegment<T> visible = s;
-        const Edge edgeA =
-            push<form, reach == Reach::BothWays>(&BasicSegment<T>::a, visible, s, d, w, watch);
-        const Edge edgeB =
-            push<form, reach != Reach::Bounded>(&BasicSegment<T>::b, visible, s, d, w, watch);
-        if (isMissed(19, visible,
-                     beyond<Reach::Bounded>(visible.a.x, visible.b.x, w.min.x, w.max.x, Edge::Left,
-                                            Edge::Right)))
-            return std::nullopt;
-        if constexpr (form == Form::Corrected)
-            visible = {clampedAlong(edgeA, visible.a, w), clampedAlong(edgeB, visible.b, w)};
-        watch("accept", 21, visible, Edge::None);
-        return visible;
+        Edge edges[]{Edge::None, Edge::None}; // that cut End 1 and End 2 last
+        for (int i = 0; i < 2; ++i) {
+            step.set("i", i + 1);
+            const T xi = step.set("xi", i == 0 ? x1 : x2), yi = step.set("yi", i == 0 ? y1 : y2);
+            glm::vec<2, T>& p = i == 0 ? visible.a : visible.b;
+            Edge& edge = edges[i];
+            bool moved = step.let(7, "moved", false);
+            T rise(0);
+            if (step.test(8, xi < xmin, Edge::Left)) {
+                rise = step.let(9, "rise", dy * (xmin - xi) / dx, Edge::Left);
+                p = {xmin, rise + yi}, edge = Edge::Left, moved = step.set("moved", true);
+                step.cut(10, i, p, edge);
+            } else if (step.test(11, xi > xmax, Edge::Right)) {
+                rise = step.let(12, "rise", dy * (xmax - xi) / dx, Edge::Right);
+                p = {xmax, rise + yi}, edge = Edge::Right, moved = step.set("moved", true);
+                step.cut(13, i, p, edge);
+            }
+            if (step.test(14, moved ? rise < ymin - yi : yi < ymin, Edge::Bottom)) {
+                const T run = step.let(15, "run", dx * (ymin - yi) / dy, Edge::Bottom);
+                p = {run + xi, ymin}, edge = Edge::Bottom;
+                step.cut(16, i, p, edge);
+            } else if (step.test(17, moved ? rise > ymax - yi : yi > ymax, Edge::Top)) {
+                const T run = step.let(18, "run", dx * (ymax - yi) / dy, Edge::Top);
+                p = {run + xi, ymax}, edge = Edge::Top;
+                step.cut(19, i, p, edge);
+            }
+        }
+        const auto& [a, b] = visible;
+        if (step.test(20, (a.x < xmin && b.x < xmin) || (a.x > xmax && b.x > xmax), Edge::Left,
+                      Edge::Right))
+            return step.reject(21);
+        visible = {clampedAlong(edges[0], a, w), clampedAlong(edges[1], b, w)};
+        step.left(22, visible);
+        return step.accept(23, visible);
     }
 };
 

@@ -117,6 +117,18 @@ std::set<int> linesOfPage(std::string_view key)
     return lines;
 }
 
+/// The numbers of a form's lines of pseudo-code: beside its function, or on its page.
+std::set<int> linesOf(const Algorithm& algorithm, Form form)
+{
+    const std::string_view code = codeOf(algorithm, form);
+    if (code.empty())
+        return linesOfPage(algorithm.key);
+    std::set<int> lines;
+    for (int i = 1; i <= std::ranges::count(code, '\n'); ++i)
+        lines.insert(i);
+    return lines;
+}
+
 } // namespace
 
 class UsesTest : public QObject {
@@ -181,16 +193,17 @@ private slots:
     void everyStepIsALineOfThePage()
     {
         QFETCH(const Algorithm*, algorithm);
-        const auto lines = linesOfPage(algorithm->key);
-        QVERIFY2(!lines.empty(), "no numbered pseudo-code");
-        QCOMPARE(*lines.begin(), 1);
-        QCOMPARE(*lines.rbegin(), int(lines.size()));
-        for (const Form form : formsOf(*algorithm))
+        for (const Form form : formsOf(*algorithm)) {
+            const auto lines = linesOf(*algorithm, form);
+            QVERIFY2(!lines.empty(), "no pseudo-code");
+            QCOMPARE(*lines.begin(), 1);
+            QCOMPARE(*lines.rbegin(), int(lines.size()));
             for (const Input& input : grid())
                 for (const Step& step :
                      usesOf(*algorithm, form)->trace(input.segment, input.window).steps)
                     if (!lines.contains(step.line))
                         QFAIL(qPrintable(QString::number(step.line)));
+        }
     }
 
     void countsAddUp_data() { everyAlgorithm(); }

@@ -63,33 +63,34 @@ QString chosen(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
     const int number = int(telling.value("i").value_or(1));
-    if (what == "accept")
+    if (what == clipping::What::Accept)
         return words::acceptedIfInside(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == "give up")
+    if (what == clipping::What::GiveUp)
         return tr(
             "After 64 cuts no end is in sight: rounding clears one bit and sets another, round and "
             "round. The published form never ends here; it is stopped, and nothing is drawn.");
-    if (what == "outcodes")
+    if (name == "outcodes")
         return outcodes(telling);
-    if (what == "end")
+    if (name == "end")
         return chosen(telling);
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return words::moved(telling, number);
-    if (what == "outcode")
+    if (name == "outcode")
         return tr("There %1 has the outcode %2.")
             .arg(words::end(number),
                  words::codeAndRegion(words::bits(telling, number == 1 ? "code1" : "code2"),
                                       telling.specimen.y));
-    if (what == "run" || what == "rise") {
+    if (name == "run" || name == "rise") {
         const auto& left =
             words::isPublished(telling) ? telling.step.segment : telling.specimen.line;
         const int from = words::isPublished(telling) ? 1 : number;
         return words::way(telling, words::end(from), from == 1 ? left.a : left.b,
-                          telling.value(what).value_or(0));
+                          telling.value(name).value_or(0));
     }
     return asked(telling);
 }

@@ -95,30 +95,31 @@ QString accepted(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
     const QString edge = telling.edgeText();
-    if (what == "accept")
+    if (what == clipping::What::Accept)
         return accepted(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == "D")
+    if (name == "D")
         return tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on its way "
                   "from "
                   "End 1 to End 2.")
             .arg(edge, number(telling, "nx"), number(telling, "ny"), number(telling, "D"));
-    if (what == "N")
+    if (name == "N")
         return tr("Along the same normal End 1 lies N = %1 inside %2 (less than 0: beyond it).")
             .arg(number(telling, "N"), edge);
-    if (what == "t")
+    if (name == "t")
         return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
             .arg(edge, number(telling, "t"));
-    if (what == "entry")
+    if (name == "entry")
         return tr("What is left begins at %1, with tE = %2.").arg(edge, number(telling, "tE"));
-    if (what == "exit")
+    if (name == "exit")
         return tr("What is left ends at %1, with tL = %2.").arg(edge, number(telling, "tL"));
-    if (what == "cut b")
+    if (name == "cut b")
         return words::moved(telling, 2);
-    if (what == "cut a")
+    if (name == "cut a")
         return words::moved(telling, 1);
     return telling.step.line >= 14 ? concluded(telling) : asked(telling);
 }

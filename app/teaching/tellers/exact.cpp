@@ -67,7 +67,7 @@ QString corner(const Telling& telling)
     const bool first = telling.step.line == 5;
     const QString entry = edgeWords(first ? in.x : in.y, specimen.y);
     const QString exit = edgeWords(first ? out.y : out.x, specimen.y);
-    if (telling.step.what == "reject")
+    if (telling.step.what == clipping::What::Reject)
         return tr("The line has passed %1 before it reaches %2: it goes round the corner between "
                   "them, outside. Nothing of it is visible, and that is certain.")
             .arg(exit, entry);
@@ -112,20 +112,22 @@ QString cutWhere(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& [what, line, left, edge, values, cost] = telling.step;
+    const auto what = telling.step.what;
+    const int line = telling.step.line;
+    const auto& left = telling.step.segment;
     const Specimen& specimen = telling.specimen;
-    if (what == "accept")
+    if (what == clipping::What::Accept)
         return words::accepted(telling);
-    if (what == "sides")
+    if (telling.step.name == "sides")
         return tr("%1; %2.").arg(endSaid(entryOf(specimen), 1, specimen.y),
                                  endSaid(exitOf(specimen), 2, specimen.y));
     if (line == 1)
-        return what == "reject"
+        return what == clipping::What::Reject
                    ? tr("Both ends lie %1, and so does all between them: nothing of the line is "
                         "visible.")
                          .arg(words::beyond(commonEdge(specimen), specimen.y))
                    : tr("No edge has both ends beyond it, so the line may meet the window.");
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
             .arg(words::end(line <= 10 ? 1 : 2), telling.edgeText(),
                  words::point(line <= 10 ? left.a : left.b));

@@ -128,17 +128,18 @@ QString cut(const Telling& telling)
 
 QString number(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "m")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (name == "m")
         return tr("The slope of the line: m = %1.").arg(words::value(telling, "m"));
-    if (what == "c")
+    if (name == "c")
         return tr("Where the line meets the y axis: c = %1. From here on the line is y = mx + c.")
             .arg(words::value(telling, "c"));
-    if (what == "dx, dy")
+    if (name == "dx, dy")
         return tr("The slope stays a fraction: dy = %2 over dx = %1, so that nothing is rounded "
                   "yet.")
             .arg(words::value(telling, "dx"), words::value(telling, "dy"));
-    if (what == "rise")
+    if (name == "rise")
         return tr("On its way to %1 the end moves by %2 in y.")
             .arg(telling.edgeText(), words::value(telling, "rise"));
     return tr("On its way to %1 the end moves by %2 in x.")
@@ -156,16 +157,17 @@ QString reject(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "yes" || what == "no")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (what == clipping::What::Test)
         return test(telling);
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return cut(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return isPublished(telling) || telling.edge() != Edge::None
                    ? reject(telling)
                    : tr("Nothing of the line is visible.");
-    if (what == "accept")
+    if (what == clipping::What::Accept)
         return words::acceptedIfInside(telling);
     return number(telling);
 }

@@ -97,29 +97,30 @@ QString needed(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
     const QString edge = telling.edgeText();
-    if (what == "accept")
+    if (what == clipping::What::Accept)
         return words::acceptedIfInside(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == "p and q")
+    if (name == "p and q")
         return tr("The line goes out across %1 at the rate p = %2 (less than 0: it comes in), and "
                   "End 1 "
                   "lies q = %3 inside (less than 0: outside).")
             .arg(edge, number(telling, "p"), number(telling, "q"));
-    if (what == "r")
+    if (name == "r")
         return (telling.step.line == 6
                     ? tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
                     : tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
             .arg(edge, number(telling, "r"));
-    if (what == "start")
+    if (name == "start")
         return tr("What is left begins at %1, with u0 = %2.").arg(edge, number(telling, "u0"));
-    if (what == "stop")
+    if (name == "stop")
         return tr("What is left ends at %1, with u1 = %2.").arg(edge, number(telling, "u1"));
-    if (what == "cut b")
+    if (name == "cut b")
         return words::moved(telling, 2);
-    if (what == "cut a")
+    if (name == "cut a")
         return words::moved(telling, 1);
     const int line = telling.step.line;
     return line >= 16                              ? needed(telling)

@@ -11,7 +11,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// Lines 1 and 3: whether both ends are beyond one edge of an axis.
+/// Whether both ends are beyond one edge of an axis.
 QString bothBeyond(const Telling& telling)
 {
     const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
@@ -32,39 +32,44 @@ QString bothBeyond(const Telling& telling)
                                   "wholly below the window (%3 to %4): y does not rule it out."));
 }
 
-/// Lines 7, 10, 13 and 16: whether one end is beyond an edge.
+/// Whether one end is beyond an edge.
 QString oneBeyond(const Telling& telling, int number)
 {
     const Edge edge = telling.edge();
     const auto& p = number == 1 ? telling.step.segment.a : telling.step.segment.b;
     const QString where = words::beyond(edge, telling.specimen.y), end = words::end(number);
-    const auto rise = telling.value("rise"), gap = telling.value("gap");
-    if (rise && gap) // the corrected form asks of the way, not of the rounded place
+    const auto rise = telling.known("rise");
+    if (rise && telling.known("moved") == 1 && clipping::axisOf(edge) == 1) {
+        // The corrected form asks about the way, not about the rounded place.
+        const auto gap =
+            clipping::levelOf(edge, telling.specimen.window) - telling.known("yi").value_or(0);
         return (telling.holds()
                     ? tr("On its way %1 has passed %2: it has moved by %3 in y, and %2 was %4 away "
                          "(%5). It lies %6.")
                     : tr("On its way %1 has not passed %2: it has moved by %3 in y, and %2 was %4 "
                          "away (%5). It does not lie %6."))
-            .arg(end, telling.edgeText(), words::number(*rise), words::number(*gap),
-                 words::compared(*rise, *gap), where);
+            .arg(end, telling.edgeText(), words::number(*rise), words::number(gap),
+                 words::compared(*rise, gap), where);
+    }
     const QString numbers = words::compared(p, edge, telling.specimen.window);
     return (telling.holds() ? tr("%1 lies %2 (%3), so it has to move along the line to %4.")
                             : tr("%1 does not lie %2 (%3), so %4 does not cut it."))
         .arg(end, where, numbers, telling.edgeText());
 }
 
-/// Lines 8, 11, 14 and 17: how far the line goes on the other axis on its way to the edge.
+/// How far the line goes on the other axis on its way to the edge.
 QString wayTo(const Telling& telling, int number)
 {
     const int from = words::isPublished(telling) ? 1 : number;
     const auto& line = telling.specimen.line;
-    return words::way(
-        telling, words::end(from), from == 1 ? line.a : line.b,
-        telling.value(telling.step.what).value_or(0),
-        telling.value(telling.step.what == "rise" ? "(y2-y1)/(x2-x1)" : "(x2-x1)/(y2-y1)"));
+    const auto [dx, dy] = std::pair(line.b.x - line.a.x, line.b.y - line.a.y);
+    const double slope = telling.step.name == "rise" ? dy / dx : dx / dy;
+    return words::way(telling, words::end(from), from == 1 ? line.a : line.b,
+                      telling.value(telling.step.name).value_or(0),
+                      words::isPublished(telling) ? std::optional(slope) : std::nullopt);
 }
 
-/// Line 19: after both axes, only x can still be outside, and only if the line misses.
+/// After both axes, only x can still be outside, and only if the line misses.
 QString stillBeyond(const Telling& telling)
 {
     const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
@@ -79,9 +84,15 @@ QString stillBeyond(const Telling& telling)
         .arg(words::number(a.x), words::number(b.x));
 }
 
+/// The last test, of line 19 as published, of line 20 as corrected.
+bool isLastTest(const clipping::Step& step, const Telling& telling)
+{
+    return step.line == (words::isPublished(telling) ? 19 : 20);
+}
+
 QString rejected(const Telling& telling)
 {
-    if (telling.step.line == 20)
+    if (telling.before && isLastTest(*telling.before, telling))
         return tr(
             "Had the line met the window, its ends would have arrived there. Nothing of it is "
             "visible.");
@@ -99,27 +110,42 @@ QString accepted(const Telling& telling)
                   "the same side, so the line is drawn all the same: this is wrong.")
             .arg(words::end(words::isOutside(a, window) ? 1 : 2),
                  words::point(words::isOutside(a, window) ? a : b));
-    if (telling.before && telling.before->segment != telling.step.segment)
-        return tr("Rounding had put an end just outside: it is held inside the window. %1")
-            .arg(words::acceptedIfInside(telling));
     return words::acceptedIfInside(telling);
+}
+
+/// The corrected form's line before the last.
+QString held(const Telling& telling)
+{
+    return telling.before && telling.before->segment != telling.step.segment
+               ? tr("Rounding had put an end just outside: it is moved back to the window.")
+               : tr("Rounding has put no end outside the window, so both stay where they are.");
 }
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    const int number = int(telling.value("i").value_or(1));
-    if (what == "accept")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    const int number = int(telling.known("i").value_or(1));
+    if (what == clipping::What::Accept)
         return accepted(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return words::moved(telling, number);
-    if (what == "rise" || what == "run")
+    if (name == "dy")
+        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+            .arg(words::value(telling, "dx"), words::value(telling, "dy"));
+    if (name == "moved")
+        return tr("%1 is where it was given, at %2: it has not been moved yet.")
+            .arg(words::end(number),
+                 words::point(number == 1 ? telling.step.segment.a : telling.step.segment.b));
+    if (name == "left")
+        return held(telling);
+    if (name == "rise" || name == "run")
         return wayTo(telling, number);
-    return telling.step.line == 19  ? stillBeyond(telling)
-           : telling.step.line <= 3 ? bothBeyond(telling)
-                                    : oneBeyond(telling, number);
+    if (telling.step.line <= 3)
+        return bothBeyond(telling);
+    return isLastTest(telling.step, telling) ? stillBeyond(telling) : oneBeyond(telling, number);
 }
 
 } // namespace

@@ -72,19 +72,20 @@ QString asked(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "accept")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (what == clipping::What::Accept)
         return words::acceptedIfInside(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == "outcodes")
+    if (name == "outcodes")
         return outcodes(telling);
-    if (what == "halve")
+    if (name == "halve")
         return halved(telling);
-    if (what == "give up")
+    if (what == clipping::What::GiveUp)
         return tr("Halving does not come to an end with these numbers: it is stopped, and nothing "
                   "is visible.");
-    if (what == "cut") {
+    if (what == clipping::What::Cut) {
         const int number = telling.step.line == 4 ? 2 : 1;
         return tr("There is nothing left to halve: %1 is found at %2, at %3.")
             .arg(words::end(number),

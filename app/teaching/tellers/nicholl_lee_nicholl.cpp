@@ -143,7 +143,7 @@ QString product(const Telling& telling)
 
 QString cut(const Telling& telling)
 {
-    const int end = telling.step.what == "cut a" ? 1 : 2;
+    const int end = telling.step.name == "cut a" ? 1 : 2;
     return tr("%1 moves along the line to %2, to %3. It is certain by now that this end is "
               "visible.")
         .arg(words::end(end), telling.edgeText(), words::point(words::endOf(end, telling)));
@@ -162,19 +162,20 @@ QString extent(const Telling& telling)
 
 QString other(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "dx, dy")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (name == "dx, dy")
         return extent(telling);
-    if (what == "inside")
+    if (name == "inside")
         return tr("End 1 is inside the window: something is visible for certain, and only End 2 is "
                   "in question.");
-    if (what == "beside")
+    if (name == "beside")
         return tr("End 1 is beside the window, neither above nor below it.");
-    if (what == "mirror")
+    if (name == "mirror")
         return tr("The plane is mirrored in a diagonal, so that %1 becomes the left one and the "
                   "same procedure does for it. The picture stays as it is.")
             .arg(telling.edgeText());
-    if (what.starts_with("product"))
+    if (name.starts_with("product"))
         return product(telling);
     return {};
 }
@@ -182,21 +183,21 @@ QString other(const Telling& telling)
 QString sentence(const Telling& telling)
 {
     const auto& step = telling.step;
-    if (step.what == "yes" || step.what == "no") {
+    if (step.what == clipping::What::Test) {
         if (!step.values.empty())
             return passesCorner(telling);
         return step.line <= 4 || step.line == 8 || step.line == 9 ? whereEndOneIs(telling)
                                                                   : whereEndTwoIs(telling);
     }
-    if (step.what == "reject")
+    if (step.what == clipping::What::Reject)
         return step.line == 18 || step.line == 37
                    ? tr("The line misses the window: nothing of it is visible, and nothing had to "
                         "be divided to know that.")
                          + words::lost(telling)
                    : words::bothBeyond(telling);
-    if (step.what.starts_with("cut"))
+    if (step.what == clipping::What::Cut)
         return cut(telling);
-    if (step.what == "accept")
+    if (step.what == clipping::What::Accept)
         return words::acceptedIfInside(telling);
     return other(telling);
 }

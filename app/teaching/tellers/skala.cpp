@@ -129,18 +129,19 @@ QString reject(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "yes" || what == "no")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (what == clipping::What::Test)
         return test(telling);
-    if (what == "outcodes")
+    if (name == "outcodes")
         return words::outcodes(telling);
-    if (what == "line")
+    if (name == "line")
         return line(telling);
-    if (what == "row of the table")
+    if (name == "row of the table")
         return row(telling);
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return cut(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return reject(telling);
     return words::acceptedIfInside(telling);
 }

@@ -20,7 +20,7 @@ int last(const Telling& telling) { return isSwapped(telling) ? 1 : 2; }
 QString order(const Telling& telling)
 {
     const QString relation = words::compared(telling.specimen.line.a.x, telling.specimen.line.b.x);
-    if (telling.step.what == "swap")
+    if (telling.step.name == "swap")
         return tr("The walk begins at End 2, so a is End 2 and b is End 1; the result will be "
                   "turned round again.");
     return telling.holds() ? tr("End 2 lies further left than End 1 (%1), and the walk always goes "
@@ -133,29 +133,30 @@ QString reject(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
-    if (what == "yes" || what == "no")
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
+    if (what == clipping::What::Test)
         return test(telling);
-    if (what == "swap")
+    if (name == "swap")
         return order(telling);
-    if (what == "cell")
+    if (name == "cell")
         return tr("%1 is in cell %2, %3: the walk begins there.")
             .arg(words::end(first(telling)), words::value(telling, "cell"),
                  cellText(telling, int(telling.value("cell").value_or(4))));
-    if (what == "dx, dy")
+    if (name == "dx, dy")
         return tr("How far it is from %1 to %2: dx = %3, dy = %4.")
             .arg(words::end(first(telling)), words::end(last(telling)), words::value(telling, "dx"),
                  words::value(telling, "dy"));
-    if (what == "e")
+    if (name == "e")
         return errorTerm(telling);
-    if (what == "next cell")
+    if (name == "next cell")
         return tr("The walk is in cell %1 now, %2. The next corner ahead gives e = %3.")
             .arg(words::value(telling, "cell"),
                  cellText(telling, int(telling.value("cell").value_or(4))),
                  words::value(telling, "e"));
-    if (what.starts_with("cut"))
+    if (what == clipping::What::Cut)
         return cut(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return reject(telling);
     return words::acceptedIfInside(telling);
 }

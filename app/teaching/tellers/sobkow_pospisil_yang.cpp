@@ -51,21 +51,22 @@ QString cut(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto& what = telling.step.what;
+    const auto what = telling.step.what;
+    const auto& name = telling.step.name;
     const int line = telling.step.line;
-    if (what == "yes" || what == "no")
+    if (what == clipping::What::Test)
         return line != 3         ? question(telling)
                : telling.holds() ? tr("The script of this pair is a cross: both ends lie beyond "
                                       "one edge.")
                                  : tr("The script of this pair is no cross: the line may meet the "
                                       "window.");
-    if (what == "outcodes")
+    if (name == "outcodes")
         return words::outcodes(telling);
-    if (what == "script")
+    if (name == "script")
         return script(telling);
-    if (what == "cut")
+    if (what == clipping::What::Cut)
         return cut(telling);
-    if (what == "reject")
+    if (what == clipping::What::Reject)
         return line == 3
                    ? words::bothBeyond(telling)
                    : tr("The line passes a corner outside the window: nothing of it is visible.")

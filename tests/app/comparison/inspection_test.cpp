@@ -85,7 +85,7 @@ private slots:
             QCOMPARE(line.share, 0.5);
             QVERIFY(line.cost.comparisons > 0);
             const auto tests = std::ranges::count_if(line.trace.steps, [](const auto& step) {
-                return step.what == "yes" || step.what == "no";
+                return step.what == clipping::What::Test;
             });
             QCOMPARE(stepTexts(line).size(), qsizetype(line.trace.steps.size()) - tests + 1);
             QVERIFY(stepTexts(line).last().contains("Visible"));

@@ -59,9 +59,13 @@ void forEachStep(const app::Clipper& clipper, const clipping::Segment& line,
 {
     const app::Specimen specimen{clipper, line, w, y, {}};
     const auto trace = clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, w);
+    const auto walk = app::walkOf(specimen); // no moments for what is refused
     const clipping::Step* before = nullptr;
-    for (const auto& step : notEmpty(trace.steps)) {
-        of(app::Telling{specimen, step, before});
+    for (std::size_t i = 0; i < notEmpty(trace.steps).size(); ++i) {
+        const auto& step = trace.steps[i];
+        of(app::Telling{specimen, step, before,
+                        i < walk.moments.size() ? walk.moments[i].variables
+                                                : std::vector<app::Variable>{}});
         before = &step;
     }
 }
@@ -76,7 +80,7 @@ QByteArray told(const app::Telling& telling, const QString& sentence)
         .arg(b.x, 0, 'g', 17)
         .arg(b.y, 0, 'g', 17)
         .arg(telling.step.line)
-        .arg(QLatin1StringView(telling.step.what.data(), qsizetype(telling.step.what.size())),
+        .arg(QLatin1StringView(telling.step.name.data(), qsizetype(telling.step.name.size())),
              sentence)
         .toUtf8();
 }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Matthes-Drakopoulos (2019) for infinite lines and rays. An end that lies at infinity, before a or
+// behind b, is beyond the sides that the line comes from or goes to. The lines of the steps are
+// those of the corrected pseudo-code for segments.
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
+#include "clipping/clamped.h"
+#include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
+
+namespace clipping {
+namespace {
+
+struct OnLinesAndRays {
+    /// The side at which infinity lies, along the line or backwards, that runs by d on one axis.
+    template <class T>
+    static constexpr Edge side(T d, bool backwards, Edge low, Edge high)
+    {
+        return d == T(0) ? Edge::None : (d > T(0)) != backwards ? high : low;
+    }
+
+    /// Whether it lies wholly below `low` or above `high` on an axis, where a and b are two points.
+    template <Reach reach, class T>
+    static constexpr bool missed(T a, T b, T low, T high)
+    {
+        if constexpr (reach == Reach::OneWay)
+            return (a < low && b <= a) || (a > high && b >= a);
+        else
+            return a == b && (a < low || a > high);
+    }
+
+    /// Pushes end i, given as `from`, to the edges it is beyond; `edge` becomes the last of them.
+    template <bool infinite, class T, class Step>
+    static constexpr glm::vec<2, T> pushed(int i, const glm::vec<2, T>& from,
+                                           const glm::vec<2, T>& d, const BasicWindow<T>& w,
+                                           Edge& edge, Step& step)
+    {
+        const bool backwards = infinite && i == 0;
+        glm::vec<2, T> p = from;
+        T rise(0);
+        edge = infinite ? side(d.x, backwards, Edge::Left, Edge::Right)
+               : step.test(8, p.x < w.min.x, Edge::Left)   ? Edge::Left
+               : step.test(11, p.x > w.max.x, Edge::Right) ? Edge::Right
+                                                           : Edge::None;
+        const bool moved = edge != Edge::None;
+        if (moved) {
+            const T x = edge == Edge::Left ? w.min.x : w.max.x;
+            rise = step.let(edge == Edge::Left ? 9 : 12, "rise", d.y * (x - from.x) / d.x, edge);
+            p = {x, rise + from.y};
+            step.cut(edge == Edge::Left ? 10 : 13, i, p, edge);
+        }
+        const T low = w.min.y, high = w.max.y;
+        const Edge next =
+            infinite && !moved ? side(d.y, backwards, Edge::Bottom, Edge::Top)
+            : step.test(14, moved ? rise < low - from.y : p.y < low, Edge::Bottom) ? Edge::Bottom
+            : step.test(17, moved ? rise > high - from.y : p.y > high, Edge::Top)  ? Edge::Top
+                                                                                   : Edge::None;
+        if (next == Edge::None)
+            return p;
+        edge = next;
+        const T y = next == Edge::Bottom ? low : high;
+        const T run =
+            step.let(next == Edge::Bottom ? 15 : 18, "run", d.x * (y - from.y) / d.y, next);
+        p = {run + from.x, y};
+        step.cut(next == Edge::Bottom ? 16 : 19, i, p, next);
+        return p;
+    }
+
+    template <Form, Reach reach, class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Step&& step)
+    {
+        const auto& [a, b] = s;
+        if (step.test(1, missed<reach>(a.x, b.x, w.min.x, w.max.x), Edge::Left, Edge::Right))
+            return step.reject(2);
+        if (step.test(3, missed<reach>(a.y, b.y, w.min.y, w.max.y), Edge::Bottom, Edge::Top))
+            return step.reject(4);
+        const glm::vec<2, T> d{b.x - a.x, b.y - a.y};
+        Edge edgeOfA, edgeOfB;
+        const auto p = pushed<reach == Reach::BothWays>(0, a, d, w, edgeOfA, step);
+        const auto q = pushed<true>(1, b, d, w, edgeOfB, step);
+        if (step.test(20, (p.x < w.min.x && q.x < w.min.x) || (p.x > w.max.x && q.x > w.max.x),
+                      Edge::Left, Edge::Right))
+            return step.reject(21);
+        return step.accept(
+            23, BasicSegment<T>{clampedAlong(edgeOfA, p, w), clampedAlong(edgeOfB, q, w)});
+    }
+};
+
+} // namespace
+
+const Uses<Line, Window, Segment> matthesDrakopoulosLine =
+    endlessUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> matthesDrakopoulosRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+
+} // namespace clipping

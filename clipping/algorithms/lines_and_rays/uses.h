@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/algorithm.h"
+
+namespace clipping {
+
+// The forms for infinite lines and rays that the rows of the catalogue name, each from the file of
+// its algorithm beside this.
+extern const Uses<Line, Window, Segment> matthesDrakopoulosLine;
+extern const Uses<Ray, Window, Segment> matthesDrakopoulosRay;
+
+} // namespace clipping
