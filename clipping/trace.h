@@ -86,7 +86,8 @@ struct Unwatched {
     {
         return value;
     }
-    /// An end of the segment, 0 for a and 1 for b, moves to a point (or x, y) of an edge.
+    /// An end of the segment, 0 for a and 1 for b, moves to a point (or x, y) of an edge, or of
+    /// the edge at which the variable of a name got its value.
     constexpr void cut(int, int, const auto&...) const {}
     /// What is left is another segment now, with both its ends.
     constexpr void left(int, const auto&, Edge = Edge::None) const {}
@@ -182,6 +183,15 @@ public:
     void cut(int line, int end, T x, T y, Edge edge)
     {
         cut(line, end, glm::vec<2, T>(x, y), edge);
+    }
+    template <class T>
+    void cut(int line, int end, T x, T y, std::string_view variable)
+    {
+        Edge edge = Edge::None;
+        for (const BasicStep<N>& step : trace_.steps)
+            if (step.what == What::Let && step.name == variable)
+                edge = step.edge;
+        cut(line, end, x, y, edge);
     }
     template <class S>
     void left(int line, const S& segment, Edge edge = Edge::None)

@@ -5,13 +5,17 @@
 //   Y.-D. Liang, B. A. Barsky: A New Concept and Method for Line Clipping.
 //   ACM Transactions on Graphics 3(1), 1984, 1-22.
 //
-// Corrected: a new end takes the coordinate of the edge that cut it, and its other coordinate is
-// held inside the window; a single common point is the same point at both ends.
+// Published is the paper's procedure. Corrected: a new end takes the coordinate of the edge that
+// cut it, and its other coordinates are held inside the window; a single common point is the same
+// point at both ends.
 
-#include "clipping/along.h"
+#include "clipping/algorithms/liang_barsky.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/part.h"
 
 namespace clipping {
 
@@ -27,97 +31,133 @@ struct LiangBarsky {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr auto box = &liangBarskyBox;
-    static constexpr bool endless = true; // lines and rays too
+    static constexpr auto line = &liangBarskyLine;
+    static constexpr auto ray = &liangBarskyRay;
 
-    /// The part of the segment that is left: from `start` to `stop`, and the edges that said so.
-    template <class T>
-    struct Part {
-        T start, stop;
-        Edge startEdge = Edge::None, stopEdge = Edge::None;
-    };
+    static constexpr std::string_view publishedCode = R"(
+clipt(p, q):
+  if p < 0
+    r = q/p
+    if r > u1: reject
+    else if r > u0
+      u0 = r
+  else if p > 0
+    r = q/p
+    if r < u0: reject
+    else if r < u1
+      u1 = r
+  else if q < 0: reject
+u0 = 0,  u1 = 1,  dx = x2-x1
+if clipt(-dx, x1-xmin)
+  if clipt(dx, xmax-x1)
+    dy = y2-y1
+    if clipt(-dy, y1-ymin)
+      if clipt(dy, ymax-y1)
+        if u1 < 1
+          x2 = x1 + u1*dx,  y2 = y1 + u1*dy
+        if u0 > 0
+          x1 = x1 + u0*dx,  y1 = y1 + u0*dy
+        accept the line from x1, y1 to x2, y2
+)";
+    static constexpr std::array callLines{0, 14, 15, 17, 18}; // of clipt, by the edge
 
-    /// Cuts the part at one edge; p is how fast the segment leaves that edge's half-plane, q how
-    /// far its first end is from leaving it. False: nothing is left.
-    template <class T, class Watch>
-    static constexpr bool cut(Part<T>& part, T p, T q, Edge edge, const BasicSegment<T>& s,
-                              Watch& watch)
+    /// False: nothing is left.
+    template <class T, class Step>
+    static constexpr bool clipt(T p, T q, T& u0, T& u1, Edge edge, Step& step)
     {
-        watch("p and q", 4, s, edge, Named{"p", p}, Named{"q", q});
-        if (p < T(0)) {
-            watch("yes", 5, s, edge, Named{"p", p});
-            const T r = q / p;
-            watch("r", 6, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
-            if (r > part.stop)
-                return watch("reject", 7, s, edge, Named{"r", r}, Named{"u1", part.stop}), false;
-            watch("no", 7, s, edge, Named{"r", r}, Named{"u1", part.stop});
-            if (r > part.start) {
-                watch("yes", 8, s, edge, Named{"r", r}, Named{"u0", part.start});
-                part.start = r, part.startEdge = edge;
-                watch("start", 9, s, edge, Named{"u0", part.start});
-            } else
-                watch("no", 8, s, edge, Named{"r", r}, Named{"u0", part.start});
-        } else if (p > T(0)) {
-            watch("no", 5, s, edge, Named{"p", p});
-            watch("yes", 10, s, edge, Named{"p", p});
-            const T r = q / p;
-            watch("r", 11, s, edge, Named{"p", p}, Named{"q", q}, Named{"r", r});
-            if (r < part.start)
-                return watch("reject", 12, s, edge, Named{"r", r}, Named{"u0", part.start}), false;
-            watch("no", 12, s, edge, Named{"r", r}, Named{"u0", part.start});
-            if (r < part.stop) {
-                watch("yes", 13, s, edge, Named{"r", r}, Named{"u1", part.stop});
-                part.stop = r, part.stopEdge = edge;
-                watch("stop", 14, s, edge, Named{"u1", part.stop});
-            } else
-                watch("no", 13, s, edge, Named{"r", r}, Named{"u1", part.stop});
-        } else {
-            watch("no", 5, s, edge, Named{"p", p});
-            watch("no", 10, s, edge, Named{"p", p});
-            if (q < T(0))
-                return watch("reject", 15, s, edge, Named{"q", q}), false;
-            watch("no", 15, s, edge, Named{"q", q});
+        step.set("p", p), step.let(callLines[std::size_t(edge)], "q", q, edge);
+        if (step.test(2, p < T(0), edge)) {
+            const T r = step.let(3, "r", q / p, edge);
+            if (step.test(4, r > u1, edge)) {
+                step.reject(4);
+                return false;
+            } else if (step.test(5, r > u0, edge))
+                u0 = step.let(6, "u0", r, edge);
+        } else if (step.test(7, p > T(0), edge)) {
+            const T r = step.let(8, "r", q / p, edge);
+            if (step.test(9, r < u0, edge)) {
+                step.reject(9);
+                return false;
+            } else if (step.test(10, r < u1, edge))
+                u1 = step.let(11, "u1", r, edge);
+        } else if (step.test(12, q < T(0), edge)) {
+            step.reject(12);
+            return false;
         }
         return true;
     }
-
-    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        Part<T> part{beginning<reach, T>(), ending<reach, T>()};
-        const T dx = s.b.x - s.a.x;
-        if (!cut(part, -dx, s.a.x - w.min.x, Edge::Left, s, watch)
-            || !cut(part, dx, w.max.x - s.a.x, Edge::Right, s, watch))
-            return std::nullopt;
-        const T dy = s.b.y - s.a.y;
-        if (!cut(part, -dy, s.a.y - w.min.y, Edge::Bottom, s, watch)
-            || !cut(part, dy, w.max.y - s.a.y, Edge::Top, s, watch))
-            return std::nullopt;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        T u0 = step.set("u0", T(0)), u1 = step.set("u1", T(1));
+        const T dx = step.let(13, "dx", x2 - x1);
+        if (clipt(-dx, x1 - xmin, u0, u1, Edge::Left, step))
+            if (clipt(dx, xmax - x1, u0, u1, Edge::Right, step)) {
+                const T dy = step.let(16, "dy", y2 - y1);
+                if (clipt(-dy, y1 - ymin, u0, u1, Edge::Bottom, step))
+                    if (clipt(dy, ymax - y1, u0, u1, Edge::Top, step)) {
+                        if (step.test(19, u1 < T(1)))
+                            x2 = x1 + u1 * dx, y2 = y1 + u1 * dy, step.cut(20, 1, x2, y2, "u1");
+                        if (step.test(21, u0 > T(0)))
+                            x1 = x1 + u0 * dx, y1 = y1 + u0 * dy, step.cut(22, 0, x1, y1, "u0");
+                        return step.accept(23, BasicSegment<T>{{x1, y1}, {x2, y2}});
+                    }
+            }
+        return std::nullopt;
+    }
 
-        BasicSegment<T> visible = s;
-        if (reach != Reach::Bounded || part.stop < T(1)) {
-            watch("yes", 16, s, part.stopEdge, Named{"u1", part.stop});
-            visible.b = along<form>(s, {dx, dy}, part.stop, part.stopEdge, w);
-            watch("cut b", 17, visible, part.stopEdge, Named{"u1", part.stop});
-        } else {
-            watch("no", 16, s, part.stopEdge, Named{"u1", part.stop});
-            if constexpr (form == Form::Corrected)
-                visible.b = clamped(s.b, w);
+    static constexpr std::string_view correctedCode = R"(
+clipt(p, q):
+  if p < 0
+    r = q/p
+    if r > u1: reject
+    else if r > u0
+      u0 = r
+  else if p > 0
+    r = q/p
+    if r < u0: reject
+    else if r < u1
+      u1 = r
+  else if q < 0: reject
+u0 = 0,  u1 = 1
+dx = x2-x1
+clipt(-dx, x1-xmin)
+clipt(dx, xmax-x1)
+dy = y2-y1
+clipt(-dy, y1-ymin)
+clipt(dy, ymax-y1)
+if u1 < 1
+  x2 = held(x1 + u1*dx),  y2 = held(y1 + u1*dy)
+else
+  x2 = held(x2),  y2 = held(y2)
+if u0 > 0
+  x1 = held(x1 + u0*dx),  y1 = held(y1 + u0*dy)
+  if u1 < 1 and u0 == u1
+    x1 = x2,  y1 = y2
+else
+  x1 = held(x1),  y1 = held(y1)
+accept the line from x1, y1 to x2, y2
+)";
+    template <class T, glm::length_t N, class Step>
+    static constexpr std::optional<BasicSegment<T, N>>
+    corrected(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w, Step&& step)
+    {
+        Part<T> part{T(0), T(1)};
+        step.set("u0", part.start), step.let(13, "u1", part.stop);
+        glm::vec<N, T> d;
+        for (glm::length_t k = 0; k < N; ++k) {
+            const int line = 14 + 3 * k;
+            d[k] = step.let(lineOn(k, line), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
+            if (!clipping::clipt(-d[k], s.a[k] - w.min[k], part, lineOn(k, line + 1), lowerEdge(k),
+                                 step)
+                || !clipping::clipt(d[k], w.max[k] - s.a[k], part, lineOn(k, line + 2),
+                                    upperEdge(k), step))
+                return std::nullopt;
         }
-        if (reach == Reach::BothWays || part.start > T(0)) {
-            watch("yes", 18, visible, part.startEdge, Named{"u0", part.start});
-            visible.a = along<form>(s, {dx, dy}, part.start, part.startEdge, w);
-            if constexpr (form == Form::Corrected)
-                if (part.stopEdge != Edge::None && part.start == part.stop)
-                    visible.a = visible.b;
-            watch("cut a", 19, visible, part.startEdge, Named{"u0", part.start});
-        } else {
-            watch("no", 18, visible, part.startEdge, Named{"u0", part.start});
-            if constexpr (form == Form::Corrected)
-                visible.a = clamped(s.a, w);
-        }
-        watch("accept", 20, visible, Edge::None);
-        return visible;
+        return step.accept(30, endsOf(part, s, d, w, 20, step));
     }
 };
 

@@ -16,6 +16,9 @@ testsOf() { # KEY
     polygon/* | exact/turn*) echo polygon.polygon ;;
     polyline) echo polyline ;;
     halving.h) echo box.box published contract ;;
+    part.h | algorithms/*.h) echo box.box contract uses endless ;;
+    lines-and-rays/*) echo endless ;;
+    liang-barsky | cyrus-beck) echo published contract box.box uses ;;
     *) echo published contract uses endless ;;
     esac
 }
@@ -44,6 +47,7 @@ done
 # The file of a key: an algorithm's, or with its folder and, if a header, its ending.
 fileOf() { # KEY
     local path=${1//-/_}
+    [[ $path != lines_and_rays/* ]] || path=algorithms/$path
     [[ $path == */* || $path == *.h || $path == polyline ]] || path=algorithms/$path
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
@@ -51,11 +55,11 @@ fileOf() { # KEY
 # Compiles a mutant: itself, or what includes it, with it in the place of the header.
 compile() { # FILE
     local source sources=("$work/tree/$1")
-    [[ $1 != *.h ]] || mapfile -t sources < <(grep -l "\"$1\"" "$root"/clipping/*/*.cpp)
+    [[ $1 != *.h ]] || mapfile -t sources < <(grep -rl --include="*.cpp" "\"$1\"" "$root/clipping")
     rm -f "$work"/mutant*.o
     for source in "${sources[@]}"; do
         c++ -std=c++20 -O2 -w -ffp-contract=off -I "$work/tree" -I "$root" -c "$source" \
-            -o "$work/mutant$(basename "$source").o" || return 1
+            -o "$work/mutant${source//\//_}.o" || return 1
     done
 }
 

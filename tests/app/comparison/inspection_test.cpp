@@ -113,7 +113,7 @@ private slots:
         QVERIFY(says(text("cs", line), {"leaves (0.000; 35.000) to (50.000; 45.000)",
                                         "Visible: (0.000; 35.000) to (50.000; 45.000)",
                                         "code1 = 0001, code2 = 0000"}));
-        QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250, r = 0.5", "u0 = 0.5"}));
+        QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250", "r = 0.5", "u0 = 0.5"}));
         QVERIFY(says(text("md", line), {"rise = 10"}));
         QVERIFY(says(text("cb", line), {"D = 100, N = \u221250, t = 0.5"}));
         QVERIFY(says(text("cb", line, clipping::Form::Published),

@@ -308,48 +308,82 @@ private slots:
     void liangBarsky()
     {
         const QString seen(
-            "4: The line goes out across the %1 edge at the rate p = %2 (less than 0: "
-            "it comes in), and End 1 lies q = %3 inside (less than 0: outside).");
+            "%1: The line goes out across the %2 edge at the rate p = %3 (less than 0: "
+            "it comes in), and End 1 lies q = %4 inside (less than 0: outside).");
         compareLists(
             sentences("lb:published", across),
-            {seen.arg("left", "−230", "−60"),
-             "5: p = −230 is less than 0: at the left edge the line comes in.",
-             "6: The line enters across the left edge at r = q/p = 0.26087 (0 is End 1, 1 is End "
+            {"13: The whole line is left, from u0 = 0 (End 1) to u1 = 1 (End 2). From End 1 to End "
+             "2 "
+             "it goes 230 in x.",
+             seen.arg("14", "left", "−230", "−60"),
+             "2: p = −230 is less than 0: at the left edge the line comes in.",
+             "3: The line enters across the left edge at r = q/p = 0.26087 (0 is End 1, 1 is End "
              "2).",
-             "7: It comes in before it goes out (0.26087 < 1), so something may be left.",
-             "8: Of all entries so far, the one at the left edge is the last (0.26087 > 0).",
-             "9: What is left begins at the left edge, with u0 = 0.26087.",
-             seen.arg("right", "230", "260"),
-             "5: p = 230 is not less than 0: at the right edge the line does not come in.",
-             "10: p = 230 is greater than 0: at the right edge the line goes out.",
-             "11: The line leaves across the right edge at r = q/p = 1.13043 (0 is End 1, 1 is End "
+             "4: It comes in before it goes out (0.26087 < 1), so something may be left.",
+             "5: Of all entries so far, the one at the left edge is the last (0.26087 > 0).",
+             "6: What is left begins at the left edge, with u0 = 0.26087.",
+             seen.arg("15", "right", "230", "260"),
+             "2: p = 230 is not less than 0: at the right edge the line does not come in.",
+             "7: p = 230 is greater than 0: at the right edge the line goes out.",
+             "8: The line leaves across the right edge at r = q/p = 1.13043 (0 is End 1, 1 is End "
              "2).",
-             "12: It goes out after it has come in (1.13043 > 0.26087), so something may be left.",
-             "13: The part that is left ends before that (1.13043 > 1): the right edge cuts "
+             "9: It goes out after it has come in (1.13043 > 0.26087), so something may be left.",
+             "10: The part that is left ends before that (1.13043 > 1): the right edge cuts "
              "nothing off.",
-             seen.arg("bottom", "−160", "45"),
-             "5: p = −160 is less than 0: at the bottom edge the line comes in.",
-             "6: The line enters across the bottom edge at r = q/p = −0.28125 (0 is End 1, 1 is "
+             "16: From End 1 to End 2 it goes 160 in y.",
+             seen.arg("17", "bottom", "−160", "45"),
+             "2: p = −160 is less than 0: at the bottom edge the line comes in.",
+             "3: The line enters across the bottom edge at r = q/p = −0.28125 (0 is End 1, 1 is "
              "End 2).",
-             "7: It comes in before it goes out (−0.28125 < 1), so something may be left.",
-             "8: The part that is left begins later than that (−0.28125 < 0.26087): the bottom "
+             "4: It comes in before it goes out (−0.28125 < 1), so something may be left.",
+             "5: The part that is left begins later than that (−0.28125 < 0.26087): the bottom "
              "edge cuts nothing off.",
-             seen.arg("top", "160", "105"),
-             "5: p = 160 is not less than 0: at the top edge the line does not come in.",
-             "10: p = 160 is greater than 0: at the top edge the line goes out.",
-             "11: The line leaves across the top edge at r = q/p = 0.65625 (0 is End 1, 1 is End "
+             seen.arg("18", "top", "160", "105"),
+             "2: p = 160 is not less than 0: at the top edge the line does not come in.",
+             "7: p = 160 is greater than 0: at the top edge the line goes out.",
+             "8: The line leaves across the top edge at r = q/p = 0.65625 (0 is End 1, 1 is End "
              "2).",
-             "12: It goes out after it has come in (0.65625 > 0.26087), so something may be left.",
-             "13: Of all exits so far, the one at the top edge is the first (0.65625 < 1).",
-             "14: What is left ends at the top edge, with u1 = 0.65625.",
-             "16: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
-             "17: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
+             "9: It goes out after it has come in (0.65625 > 0.26087), so something may be left.",
+             "10: Of all exits so far, the one at the top edge is the first (0.65625 < 1).",
+             "11: What is left ends at the top edge, with u1 = 0.65625.",
+             "19: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
+             "20: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
              "gone.",
-             "18: u0 = 0.26087 is greater than 0: End 1 lies outside and has to move.",
-             "19: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
+             "21: u0 = 0.26087 is greater than 0: End 1 lies outside and has to move.",
+             "22: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
              "is gone.",
-             "20: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "23: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
              "is visible."});
+    }
+    /// The corrected form, of a line that touches a corner and of one that is inside.
+    void liangBarskyCorrected()
+    {
+        const auto touching = sentences("lb", {{-200, 25}, {0, 125}});
+        compareLists(
+            touching.last(7),
+            {"20: u1 = 0.5 is less than 1: End 2 lies outside and has to move.",
+             "21: End 2 moves along the line to the top edge, to (−100, 75). What lay "
+             "beyond is gone.",
+             "24: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
+             "25: End 1 moves along the line to the left edge, to (−100, 75). What lay "
+             "beyond is gone.",
+             "26: What is left begins where it ends (0.5 = 0.5): the line only touches the "
+             "window.",
+             "27: End 1 becomes the same point as End 2, (−100, 75).",
+             "30: The line meets the window in a single point, (−100, 75): that point is "
+             "visible."});
+        const auto inside = sentences("lb", {{0, 0}, {50, 50}});
+        compareLists(inside.last(5),
+                     {"20: u1 = 1: End 2 is inside and stays.",
+                      "23: End 2 lies in the window, at (50, 50): it stays where it is.",
+                      "24: u0 = 0: End 1 is inside and stays.",
+                      "29: End 1 lies in the window, at (0, 0): it stays where it is.",
+                      "30: Both ends lie inside the window, so all of the line is visible."});
+        const auto missing = sentences("lb:published", {{-200, 50}, {0, 150}});
+        compareLists(missing.last(2),
+                     {"9: It has gone out at the top edge before it comes in at another edge (0.25 "
+                      "< 0.5).",
+                      "9: Nothing of the line is visible."});
     }
     /// The published normals are as long as the edges, 200 and 150.
     void cyrusBeck()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/part.h"
+
+namespace clipping {
+
+/// Cuts a part at one edge, as Liang and Barsky's `clipt` does, and remembers the edge: p is how
+/// fast the segment leaves that edge's half-plane, q how far its a is from leaving it. False:
+/// nothing is left. Its steps are lines 1 to 12 of the pseudo-code; `line` is that of the call.
+template <class T, class Step>
+constexpr bool clipt(T p, T q, Part<T>& part, int line, Edge edge, Step& step)
+{
+    step.set("p", p), step.let(line, "q", q, edge);
+    if (step.test(2, p < T(0), edge)) {
+        const T r = step.let(3, "r", q / p, edge);
+        if (step.test(4, r > part.stop, edge)) {
+            step.reject(4);
+            return false;
+        }
+        if (step.test(5, r > part.start, edge))
+            part.start = step.let(6, "u0", r, edge), part.startEdge = edge;
+    } else if (step.test(7, p > T(0), edge)) {
+        const T r = step.let(8, "r", q / p, edge);
+        if (step.test(9, r < part.start, edge)) {
+            step.reject(9);
+            return false;
+        }
+        if (step.test(10, r < part.stop, edge))
+            part.stop = step.let(11, "u1", r, edge), part.stopEdge = edge;
+    } else if (step.test(12, q < T(0), edge)) {
+        step.reject(12);
+        return false;
+    }
+    return true;
+}
+
+} // namespace clipping

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Liang-Barsky (1984) for infinite lines and rays: what is left begins at -infinity or at a, and
+// ends at infinity. The lines of the steps are those of the corrected pseudo-code for segments.
+
+#include "clipping/algorithms/liang_barsky.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
+#include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/part.h"
+
+namespace clipping {
+namespace {
+
+struct OnLinesAndRays {
+    template <Form, Reach reach, class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Step&& step)
+    {
+        Part<T> part{beginning<reach, T>(), ending<reach, T>()};
+        step.set("u0", part.start), step.let(13, "u1", part.stop);
+        const T dx = step.let(14, "dx", s.b.x - s.a.x);
+        if (!clipt(-dx, s.a.x - w.min.x, part, 15, Edge::Left, step)
+            || !clipt(dx, w.max.x - s.a.x, part, 16, Edge::Right, step))
+            return std::nullopt;
+        const T dy = step.let(17, "dy", s.b.y - s.a.y);
+        if (!clipt(-dy, s.a.y - w.min.y, part, 18, Edge::Bottom, step)
+            || !clipt(dy, w.max.y - s.a.y, part, 19, Edge::Top, step))
+            return std::nullopt;
+        return step.accept(30, endsOf<reach>(part, s, {dx, dy}, w, 20, step));
+    }
+};
+
+} // namespace
+
+const Uses<Line, Window, Segment> liangBarskyLine = endlessUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> liangBarskyRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+
+} // namespace clipping

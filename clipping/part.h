@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/along.h"
+#include "clipping/endless.h"
+
+#include <array>
+#include <string_view>
+
+namespace clipping {
+
+/// What edges leave of a segment: from `start` to `stop` (0 at a, 1 at b), and the edges that cut
+/// it there.
+template <class T>
+struct Part {
+    T start, stop;
+    Edge startEdge = Edge::None, stopEdge = Edge::None;
+};
+
+/// What the pseudo-codes call b - a on an axis.
+inline constexpr std::array<std::string_view, 3> extentNames{"dx", "dy", "dz"};
+/// A line of a pseudo-code for the plane, which has none for the third axis.
+constexpr int lineOn(glm::length_t axis, int line) { return axis < 2 ? line : 0; }
+
+/// The ends of a part of `s`; d is b - a. Its steps are ten lines of pseudo-code, from `line` on:
+///
+///     if stop < 1
+///       x2 = held(x1 + stop*dx),  y2 = held(y1 + stop*dy)
+///     else
+///       x2 = held(x2),  y2 = held(y2)
+///     if start > 0
+///       x1 = held(x1 + start*dx),  y1 = held(y1 + start*dy)
+///       if stop < 1 and start == stop
+///         x1 = x2,  y1 = y2
+///     else
+///       x1 = held(x1),  y1 = held(y1)
+///
+/// The ends of what has none beyond b, or beyond both, are cut without asking.
+template <Reach reach = Reach::Bounded, class T, glm::length_t N, class Step>
+constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N>& s,
+                                    const glm::vec<N, T>& d, const BasicWindow<T, N>& w, int line,
+                                    Step& step)
+{
+    BasicSegment<T, N> visible = s;
+    if (reach != Reach::Bounded || step.test(line, part.stop < T(1), part.stopEdge)) {
+        visible.b = along<Form::Corrected>(s, d, part.stop, part.stopEdge, w);
+        step.cut(line + 1, 1, visible.b, part.stopEdge);
+    } else {
+        visible.b = clamped(s.b, w);
+        step.left(line + 3, visible);
+    }
+    if (reach == Reach::BothWays || step.test(line + 4, part.start > T(0), part.startEdge)) {
+        visible.a = along<Form::Corrected>(s, d, part.start, part.startEdge, w);
+        step.cut(line + 5, 0, visible.a, part.startEdge);
+        if (step.test(line + 6, part.stopEdge != Edge::None && part.start == part.stop)) {
+            visible.a = visible.b; // a single common point
+            step.cut(line + 7, 0, visible.a, part.startEdge);
+        }
+    } else {
+        visible.a = clamped(s.a, w);
+        step.left(line + 9, visible);
+    }
+    return visible;
+}
+
+} // namespace clipping
