@@ -73,6 +73,12 @@ bool isAmong(std::string_view name, std::initializer_list<std::string_view> name
     return std::ranges::find(names, name) != names.end();
 }
 
+/// Whether a value is a place on an axis, such as xv; it is counted from the origin.
+bool isCoordinate(const clipping::NamedValue& value)
+{
+    return value.name.starts_with('x') || value.name.starts_with('y');
+}
+
 /// Of which power of lengths a value is: what the pseudo-codes' names stand for.
 int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, clipping::Form form)
 {
@@ -81,10 +87,14 @@ int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, c
     if (step.name == "compare"
         || isAmong(value.name,
                    {"e", "F", "pw", "pxmin", "pxmax", "pymin", "pymax", "dx*(y-y1)", "dy*(x-x1)"}))
-        return 2;                               // products of two lengths
-    if (value.name == "D" || value.name == "N") // the published normals are as long as the edges
-        return form == clipping::Form::Published ? 2 : 1;
-    return isAmong(value.name, {"p", "q", "rise", "run", "gap", "dx", "dy", "px", "py", "c"});
+        return 2;                                                   // products of two lengths
+    const int ofNormal = form == clipping::Form::Published ? 1 : 0; // as long as the edge, or 1
+    if (value.name == "D" || value.name == "N")
+        return ofNormal + 1;
+    if (value.name == "nx" || value.name == "ny")
+        return ofNormal;
+    return isAmong(value.name, {"p", "q", "rise", "run", "gap", "dx", "dy", "px", "py", "c"})
+           || isCoordinate(value);
 }
 
 QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
@@ -92,6 +102,8 @@ QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
 {
     if (value.kind != clipping::ValueKind::Bits) {
         double number = value.value;
+        if (isCoordinate(value))
+            number -= value.name.starts_with('x') ? measure.origin.x : measure.origin.y;
         for (int power = dimensionOf(step, value, measure.form); power > 0; --power)
             number = measure.inUnit(number);
         return shortNumber(number);

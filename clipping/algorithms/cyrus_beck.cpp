@@ -7,15 +7,17 @@
 //
 // Corrected: the inner normals have length 1, so that a window without height or width keeps
 // them and no triple product arises; a new end takes the coordinate of the edge that cut it, and
-// its other coordinate is held inside the window.
+// its other coordinates are held inside the window. In three dimensions the edges are the planes
+// of the box.
 
-#include "clipping/along.h"
+#include "clipping/algorithms/cyrus_beck.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/part.h"
 #include "clipping/polygon/uses.h"
-
-#include <array>
 
 namespace clipping {
 
@@ -30,101 +32,114 @@ struct CyrusBeck {
             "last entry and the first exit bound what is visible.",
         .ulps = 24, // README.md, "How far off"
     };
-    static constexpr bool endless = true; // lines and rays too
     static constexpr const auto* polygon = &cyrusBeckPolygon;
     static constexpr auto box = &cyrusBeckBox;
-    static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
+    static constexpr auto line = &cyrusBeckLine;
+    static constexpr auto ray = &cyrusBeckRay;
 
-    template <class T>
-    using Corners = std::array<glm::vec<2, T>, 4>;
-
-    /// The normal of edge i of the polygon, pointing inside.
-    template <Form form, class T>
-    static constexpr glm::vec<2, T> innerNormal(const Corners<T>& corners, std::size_t i)
+    static constexpr std::string_view publishedCode = R"(
+tE = 0,  tL = 1,  dx = x2-x1,  dy = y2-y1
+for each edge, from a corner (xv, yv) to the next one (xw, yw)
+  nx = yv-yw,  ny = xw-xv
+  D = nx*dx + ny*dy
+  N = nx*(x1-xv) + ny*(y1-yv)
+  if D == 0
+    if N < 0: reject
+  else
+    t = -N/D
+    if D > 0
+      if t > tE
+        tE = t
+    else if t < tL
+      tL = t
+if tE > tL: reject
+if tL < 1
+  x2 = x1 + tL*dx,  y2 = y1 + tL*dy
+if tE > 0
+  x1 = x1 + tE*dx,  y1 = y1 + tE*dy
+accept the line from x1, y1 to x2, y2
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        const auto& from = corners[i];
-        const auto& to = corners[(i + 1) % 4];
-        if constexpr (form == Form::Published)
-            return {from.y - to.y, to.x - from.x};
-        constexpr Corners<int> unit{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
-        return {T(unit[i].x), T(unit[i].y)};
-    }
-
-    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
-    // NOLINTNEXTLINE(readability-function-size): line by line as the source has it
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
-    {
-        const Corners<T> corners{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
-        const T dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
-        T entry = beginning<reach, T>(), exit = ending<reach, T>();
-        Edge entryEdge = Edge::None, exitEdge = Edge::None;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto normal = innerNormal<form>(corners, i);
-            const T speed = normal.x * dx + normal.y * dy;
-            watch("D", 3, s, edges[i], Named{"nx", normal.x}, Named{"ny", normal.y},
-                  Named{"D", speed});
-            const T depth = normal.x * (s.a.x - corners[i].x) + normal.y * (s.a.y - corners[i].y);
-            watch("N", 4, s, edges[i], Named{"N", depth});
-            if (speed == T(0)) {
-                watch("yes", 5, s, edges[i], Named{"D", speed});
-                if (depth < T(0)) {
-                    watch("reject", 6, s, edges[i], Named{"D", speed}, Named{"N", depth});
-                    return std::nullopt;
-                }
-                watch("no", 6, s, edges[i], Named{"N", depth});
+        T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        T tE = step.set("tE", T(0)), tL = step.set("tL", T(1));
+        const T dx = step.set("dx", x2 - x1), dy = step.let(1, "dy", y2 - y1);
+        const std::array<glm::vec<2, T>, 4> corners{
+            {w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Edge edge = edgesInTurn[i];
+            const auto &from = corners[i], &to = corners[(i + 1) % 4];
+            const T xv = step.set("xv", from.x), yv = step.set("yv", from.y);
+            const T xw = step.set("xw", to.x), yw = step.set("yw", to.y);
+            const T nx = step.set("nx", yv - yw), ny = step.let(3, "ny", xw - xv, edge);
+            const T D = step.let(4, "D", nx * dx + ny * dy, edge);
+            const T N = step.let(5, "N", nx * (x1 - xv) + ny * (y1 - yv), edge);
+            if (step.test(6, D == T(0), edge)) {
+                if (step.test(7, N < T(0), edge))
+                    return step.reject(7);
                 continue;
             }
-            watch("no", 5, s, edges[i], Named{"D", speed});
-            const T t = -depth / speed;
-            watch("t", 8, s, edges[i], Named{"D", speed}, Named{"N", depth}, Named{"t", t});
-            if (speed > T(0)) {
-                watch("yes", 9, s, edges[i], Named{"D", speed});
-                if (t > entry) {
-                    watch("yes", 10, s, edges[i], Named{"t", t}, Named{"tE", entry});
-                    entry = t, entryEdge = edges[i];
-                    watch("entry", 11, s, edges[i], Named{"tE", entry});
-                } else
-                    watch("no", 10, s, edges[i], Named{"t", t}, Named{"tE", entry});
-            } else {
-                watch("no", 9, s, edges[i], Named{"D", speed});
-                if (t < exit) {
-                    watch("yes", 12, s, edges[i], Named{"t", t}, Named{"tL", exit});
-                    exit = t, exitEdge = edges[i];
-                    watch("exit", 13, s, edges[i], Named{"tL", exit});
-                } else
-                    watch("no", 12, s, edges[i], Named{"t", t}, Named{"tL", exit});
-            }
+            const T t = step.let(9, "t", -N / D, edge);
+            if (step.test(10, D > T(0), edge)) {
+                if (step.test(11, t > tE, edge))
+                    tE = step.let(12, "tE", t, edge);
+            } else if (step.test(13, t < tL, edge))
+                tL = step.let(14, "tL", t, edge);
         }
-        if (entry > exit) {
-            watch("reject", 14, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
-            return std::nullopt;
-        }
-        watch("no", 14, s, Edge::None, Named{"tE", entry}, Named{"tL", exit});
-        BasicSegment<T> visible = s;
-        if (reach != Reach::Bounded || exit < T(1)) {
-            watch("yes", 15, s, exitEdge, Named{"tL", exit});
-            visible.b = along<form>(s, {dx, dy}, exit, exitEdge, w);
-            watch("cut b", 16, visible, exitEdge, Named{"tL", exit});
-        } else {
-            watch("no", 15, s, exitEdge, Named{"tL", exit});
-            if constexpr (form == Form::Corrected)
-                visible.b = clamped(s.b, w);
-        }
-        if (reach == Reach::BothWays || entry > T(0)) {
-            watch("yes", 17, visible, entryEdge, Named{"tE", entry});
-            visible.a = along<form>(s, {dx, dy}, entry, entryEdge, w);
-            if constexpr (form == Form::Corrected)
-                if (exitEdge != Edge::None && entry == exit)
-                    visible.a = visible.b;
-            watch("cut a", 18, visible, entryEdge, Named{"tE", entry});
-        } else {
-            watch("no", 17, visible, entryEdge, Named{"tE", entry});
-            if constexpr (form == Form::Corrected)
-                visible.a = clamped(s.a, w);
-        }
-        watch("accept", 19, visible, Edge::None);
-        return visible;
+        if (step.test(15, tE > tL))
+            return step.reject(15);
+        if (step.test(16, tL < T(1)))
+            x2 = x1 + tL * dx, y2 = y1 + tL * dy, step.cut(17, 1, x2, y2, "tL");
+        if (step.test(18, tE > T(0)))
+            x1 = x1 + tE * dx, y1 = y1 + tE * dy, step.cut(19, 0, x1, y1, "tE");
+        return step.accept(20, BasicSegment<T>{{x1, y1}, {x2, y2}});
+    }
+
+    static constexpr std::string_view correctedCode = R"(
+tE = 0,  tL = 1,  dx = x2-x1,  dy = y2-y1
+for each edge, with a corner (xv, yv) and an inner normal (nx, ny)
+  D = nx*dx + ny*dy
+  N = nx*(x1-xv) + ny*(y1-yv)
+  if D == 0
+    if N < 0: reject
+  else
+    t = -N/D
+    if D > 0
+      if t > tE
+        tE = t
+    else if t < tL
+      tL = t
+if tE > tL: reject
+if tL < 1
+  x2 = held(x1 + tL*dx),  y2 = held(y1 + tL*dy)
+else
+  x2 = held(x2),  y2 = held(y2)
+if tE > 0
+  x1 = held(x1 + tE*dx),  y1 = held(y1 + tE*dy)
+  if tL < 1 and tE == tL
+    x1 = x2,  y1 = y2
+else
+  x1 = held(x1),  y1 = held(y1)
+accept the line from x1, y1 to x2, y2
+)";
+    template <class T, glm::length_t dimensions, class Step>
+    static constexpr std::optional<BasicSegment<T, dimensions>>
+    corrected(const BasicSegment<T, dimensions>& s, const BasicWindow<T, dimensions>& w,
+              Step&& step)
+    {
+        Part<T> part{T(0), T(1)};
+        step.set("tE", part.start), step.set("tL", part.stop);
+        glm::vec<dimensions, T> d;
+        for (glm::length_t k = 0; k < dimensions; ++k)
+            d[k] = step.let(lineOn(k, 1), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
+        for (std::size_t i = 0; i < 2 * dimensions; ++i)
+            if (!cutAt(edgesInTurn[i], part, s, d, w, step))
+                return std::nullopt;
+        if (step.test(14, part.start > part.stop))
+            return step.reject(14);
+        return step.accept(25, endsOf(part, s, d, w, 15, step));
     }
 };
 

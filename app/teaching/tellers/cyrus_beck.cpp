@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/tellers/ends.h"
+#include "app/teaching/tellers/part.h"
 
 #include <QCoreApplication>
 
@@ -9,76 +10,83 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-QString number(const Telling& telling, const char* name)
-{
-    return words::number(telling.value(name).value_or(0));
-}
+using words::knownCompared;
+using words::knownNumber;
 
-QString compared(const Telling& telling, const char* one, const char* other)
+/// The line of the corrected form that does what the step's line does: published, line 3 computes
+/// the normal.
+int lineOf(const Telling& telling)
 {
-    return words::compared(telling.value(one).value_or(0), telling.value(other).value_or(0));
+    return telling.step.line - (words::isPublished(telling) ? 1 : 0);
 }
 
 /// Lines 5 to 12: what one edge says.
 QString asked(const Telling& telling)
 {
     const QString edge = telling.edgeText();
-    switch (telling.step.line) {
+    switch (lineOf(telling)) {
     case 5:
         return (telling.holds()
                     ? tr("D = %2: the line runs along %1 and never crosses it.")
                     : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
-            .arg(edge, number(telling, "D"));
+            .arg(edge, knownNumber(telling, "D"));
     case 6:
-        return tr("End 1 is not beyond %1 (N = %2, not less than 0), and neither is the rest of "
-                  "the "
-                  "line: this edge cuts nothing.")
-            .arg(edge, number(telling, "N"));
+        return (telling.holds()
+                    ? tr("The line runs along %1, beyond it (N = %2 is less than 0).")
+                    : tr("End 1 is not beyond %1 (N = %2, not less than 0), and neither is the "
+                         "rest of the line: this edge cuts nothing."))
+            .arg(edge, knownNumber(telling, "N"));
     case 9:
         return (telling.holds() ? tr("D = %1 is greater than 0: at %2 the line comes in.")
                                 : tr("D = %1 is less than 0: at %2 the line goes out."))
-            .arg(number(telling, "D"), edge);
+            .arg(knownNumber(telling, "D"), edge);
     case 10:
         return (telling.holds()
                     ? tr("Of all entries so far, the one at %1 is the last (%2).")
                     : tr("What is left begins no earlier than that (%2): %1 cuts nothing off."))
-            .arg(edge, compared(telling, "t", "tE"));
+            .arg(edge, knownCompared(telling, "t", "tE"));
     default:
         return (telling.holds()
                     ? tr("Of all exits so far, the one at %1 is the first (%2).")
                     : tr("What is left ends no later than that (%2): %1 cuts nothing off."))
-            .arg(edge, compared(telling, "t", "tL"));
+            .arg(edge, knownCompared(telling, "t", "tL"));
     }
 }
 
-/// Lines 14, 15 and 17: what is left when all edges have been asked.
+/// Line 14: what is left when all edges have been asked.
 QString concluded(const Telling& telling)
 {
-    switch (telling.step.line) {
-    case 14:
-        return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): what lies "
-                  "between them is visible.")
-            .arg(number(telling, "tE"), number(telling, "tL"));
-    case 15:
-        return (telling.holds() ? tr("tL = %1 is less than 1: End 2 lies outside and has to move.")
-                                : tr("tL = %1: End 2 is inside and stays."))
-            .arg(number(telling, "tL"));
-    default:
-        return (telling.holds()
-                    ? tr("tE = %1 is greater than 0: End 1 lies outside and has to move.")
-                    : tr("tE = %1: End 1 is inside and stays."))
-            .arg(number(telling, "tE"));
-    }
+    if (telling.holds())
+        return tr("The line goes out before it comes in (tE > tL: %1).")
+            .arg(knownCompared(telling, "tE", "tL"));
+    return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): what lies "
+              "between them is visible.")
+        .arg(knownNumber(telling, "tE"), knownNumber(telling, "tL"));
 }
 
-QString rejected(const Telling& telling)
+/// A variable gets its value at an edge.
+QString given(const Telling& telling)
 {
-    if (telling.step.line == 6)
-        return tr("The line runs along %1, beyond it (N = %2 is less than 0): nothing of it is "
-                  "visible.")
-            .arg(telling.edgeText(), number(telling, "N"));
-    return tr("The line goes out before it comes in (tE > tL: %1): nothing of it is visible.")
-        .arg(compared(telling, "tE", "tL"));
+    const auto& name = telling.step.name;
+    const QString edge = telling.edgeText();
+    const auto normal = [&](const QString& text) {
+        return text.arg(edge, knownNumber(telling, "nx"), knownNumber(telling, "ny"));
+    };
+    if (name == "ny")
+        return normal(tr("The inner normal of %1 is (%2, %3), which is as long as that edge."));
+    if (name == "D")
+        return normal(tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on "
+                         "its way from End 1 to End 2."))
+            .arg(knownNumber(telling, "D"));
+    if (name == "N")
+        return tr("Along the same normal End 1 lies N = %1 inside %2 (less than 0: beyond it).")
+            .arg(knownNumber(telling, "N"), edge);
+    if (name == "t")
+        return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
+            .arg(edge, knownNumber(telling, "t"));
+    if (name == "tE")
+        return tr("What is left begins at %1, with tE = %2.").arg(edge, knownNumber(telling, "tE"));
+    return tr("What is left ends at %1, with tL = %2.").arg(edge, knownNumber(telling, "tL"));
 }
 
 QString accepted(const Telling& telling)
@@ -96,32 +104,17 @@ QString accepted(const Telling& telling)
 QString sentence(const Telling& telling)
 {
     const auto what = telling.step.what;
-    const auto& name = telling.step.name;
-    const QString edge = telling.edgeText();
+    const words::PartNames names{"tE", "tL", words::isPublished(telling) ? 16 : 15};
     if (what == clipping::What::Accept)
         return accepted(telling);
     if (what == clipping::What::Reject)
-        return rejected(telling) + words::lost(telling);
-    if (name == "D")
-        return tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on its way "
-                  "from "
-                  "End 1 to End 2.")
-            .arg(edge, number(telling, "nx"), number(telling, "ny"), number(telling, "D"));
-    if (name == "N")
-        return tr("Along the same normal End 1 lies N = %1 inside %2 (less than 0: beyond it).")
-            .arg(number(telling, "N"), edge);
-    if (name == "t")
-        return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
-            .arg(edge, number(telling, "t"));
-    if (name == "entry")
-        return tr("What is left begins at %1, with tE = %2.").arg(edge, number(telling, "tE"));
-    if (name == "exit")
-        return tr("What is left ends at %1, with tL = %2.").arg(edge, number(telling, "tL"));
-    if (name == "cut b")
-        return words::moved(telling, 2);
-    if (name == "cut a")
-        return words::moved(telling, 1);
-    return telling.step.line >= 14 ? concluded(telling) : asked(telling);
+        return tr("Nothing of the line is visible.") + words::lost(telling);
+    if (telling.step.line >= names.line)
+        return words::endsOfPart(telling, names);
+    if (what == clipping::What::Let)
+        return telling.edge() == clipping::Edge::None ? words::wholeLine(telling, names)
+                                                      : given(telling);
+    return lineOf(telling) == 14 ? concluded(telling) : asked(telling);
 }
 
 } // namespace

@@ -115,9 +115,10 @@ private slots:
                                         "code1 = 0001, code2 = 0000"}));
         QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250", "r = 0.5", "u0 = 0.5"}));
         QVERIFY(says(text("md", line), {"rise = 10"}));
-        QVERIFY(says(text("cb", line), {"D = 100, N = \u221250, t = 0.5"}));
+        QVERIFY(says(text("cb", line),
+                     {"xv = 0, yv = 50, nx = 1, ny = 0, D = 100", "N = \u221250", "t = 0.5"}));
         QVERIFY(says(text("cb", line, clipping::Form::Published),
-                     {"D = 5,000, N = \u22122,500, t = 0.5"}));
+                     {"nx = 50, ny = 0", "D = 5,000", "N = \u22122,500", "t = 0.5"}));
         QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2", "c = 35"}));
         QVERIFY(says(text("kwc", line), {"dx = 100, dy = 20"}));
         // Areas: beyond the corner (0, 10), 4 * 20 and 10 * 12 units.

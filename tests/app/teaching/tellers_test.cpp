@@ -391,50 +391,56 @@ private slots:
         const auto edge = [](const char* name, const char* normal, const char* d, const char* n,
                              const char* t) {
             return QStringList{
-                QString("3: The inner normal of the %1 edge is (%2). Along it the line gains D = "
+                QString(
+                    "3: The inner normal of the %1 edge is (%2), which is as long as that edge.")
+                    .arg(name, normal),
+                QString("4: The inner normal of the %1 edge is (%2). Along it the line gains D = "
                         "%3 on its way from End 1 to End 2.")
                     .arg(name, normal, d),
-                QString("4: Along the same normal End 1 lies N = %2 inside the %1 edge (less than "
+                QString("5: Along the same normal End 1 lies N = %2 inside the %1 edge (less than "
                         "0: beyond it).")
                     .arg(name, n),
-                QString("5: D = %2 is not 0: the line, taken as endless, crosses the %1 edge "
+                QString("6: D = %2 is not 0: the line, taken as endless, crosses the %1 edge "
                         "somewhere.")
                     .arg(name, d),
-                QString("8: The line crosses the %1 edge at t = −N/D = %2 (0 is End 1, 1 is End "
+                QString("9: The line crosses the %1 edge at t = −N/D = %2 (0 is End 1, 1 is End "
                         "2).")
                     .arg(name, t)};
         };
         compareLists(
             sentences("cb:published", across),
-            edge("bottom", "0, 200", "32000", "9000", "−0.28125")
-                + QStringList{"9: D = 32000 is greater than 0: at the bottom edge the line comes "
+            QStringList{
+                "1: The whole line is left, from tE = 0 (End 1) to tL = 1 (End 2). From End "
+                "1 to End 2 it goes 230 in x and 160 in y."}
+                + edge("bottom", "0, 200", "32000", "9000", "−0.28125")
+                + QStringList{"10: D = 32000 is greater than 0: at the bottom edge the line comes "
                               "in.",
-                              "10: What is left begins no earlier than that (−0.28125 < 0): the "
+                              "11: What is left begins no earlier than that (−0.28125 < 0): the "
                               "bottom edge cuts nothing off."}
                 + edge("right", "−150, 0", "−34500", "39000", "1.13043")
-                + QStringList{"9: D = −34500 is less than 0: at the right edge the line goes out.",
-                              "12: What is left ends no later than that (1.13043 > 1): the right "
+                + QStringList{"10: D = −34500 is less than 0: at the right edge the line goes out.",
+                              "13: What is left ends no later than that (1.13043 > 1): the right "
                               "edge cuts nothing off."}
                 + edge("top", "0, −200", "−32000", "21000", "0.65625")
-                + QStringList{"9: D = −32000 is less than 0: at the top edge the line goes out.",
-                              "12: Of all exits so far, the one at the top edge is the first "
+                + QStringList{"10: D = −32000 is less than 0: at the top edge the line goes out.",
+                              "13: Of all exits so far, the one at the top edge is the first "
                               "(0.65625 < 1).",
-                              "13: What is left ends at the top edge, with tL = 0.65625."}
+                              "14: What is left ends at the top edge, with tL = 0.65625."}
                 + edge("left", "150, 0", "34500", "−9000", "0.26087")
                 + QStringList{
-                    "9: D = 34500 is greater than 0: at the left edge the line comes in.",
-                    "10: Of all entries so far, the one at the left edge is the last (0.26087 > "
+                    "10: D = 34500 is greater than 0: at the left edge the line comes in.",
+                    "11: Of all entries so far, the one at the left edge is the last (0.26087 > "
                     "0).",
-                    "11: What is left begins at the left edge, with tE = 0.26087.",
-                    "14: The last entry comes no later than the first exit (tE = 0.26087, tL = "
+                    "12: What is left begins at the left edge, with tE = 0.26087.",
+                    "15: The last entry comes no later than the first exit (tE = 0.26087, tL = "
                     "0.65625): what lies between them is visible.",
-                    "15: tL = 0.65625 is less than 1: End 2 lies outside and has to move.",
-                    "16: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
+                    "16: tL = 0.65625 is less than 1: End 2 lies outside and has to move.",
+                    "17: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
                     "beyond is gone.",
-                    "17: tE = 0.26087 is greater than 0: End 1 lies outside and has to move.",
-                    "18: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
+                    "18: tE = 0.26087 is greater than 0: End 1 lies outside and has to move.",
+                    "19: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
                     "beyond is gone.",
-                    "19: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+                    "20: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
                     "window: it is visible."});
     }
     void cyrusBeckSaysThatTheWindowHasNoArea()

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/part.h"
+
+namespace clipping {
+
+/// The edges in the order in which Cyrus-Beck asks them: once round, then the two of a box alone.
+inline constexpr std::array edgesInTurn{Edge::Bottom, Edge::Right, Edge::Top,
+                                        Edge::Left,   Edge::Near,  Edge::Far};
+
+/// The normal of an edge that points inside and has length 1.
+template <class T, glm::length_t dimensions>
+constexpr glm::vec<dimensions, T> innerNormal(Edge edge)
+{
+    glm::vec<dimensions, T> normal;
+    for (glm::length_t k = 0; k < dimensions; ++k)
+        normal[k] = T(edge == lowerEdge(k) ? 1 : edge == upperEdge(k) ? -1 : 0);
+    return normal;
+}
+
+/// A corner on an edge: in the plane the one where the edge begins, once round.
+template <class T>
+constexpr glm::vec<2, T> cornerOn(Edge edge, const BasicWindow<T>& w)
+{
+    return {edge == Edge::Right || edge == Edge::Top ? w.max.x : w.min.x,
+            edge == Edge::Left || edge == Edge::Top ? w.max.y : w.min.y};
+}
+template <class T>
+constexpr glm::vec<3, T> cornerOn(Edge edge, const BasicWindow<T, 3>& w)
+{
+    return edge == lowerEdge(axisOf(edge)) ? w.min : w.max;
+}
+
+/// The sum of the products of the coordinates.
+template <class T, glm::length_t dimensions>
+constexpr T dot(const glm::vec<dimensions, T>& u, const glm::vec<dimensions, T>& v)
+{
+    T sum = u[0] * v[0];
+    for (glm::length_t k = 1; k < dimensions; ++k)
+        sum = sum + u[k] * v[k];
+    return sum;
+}
+
+/// Cuts a part at one edge: a turn of Cyrus and Beck's loop, lines 3 to 13 of the corrected
+/// pseudo-code; d is b - a. False: nothing is left.
+template <class T, glm::length_t dimensions, class Step>
+constexpr bool cutAt(Edge edge, Part<T>& part, const BasicSegment<T, dimensions>& s,
+                     const glm::vec<dimensions, T>& d, const BasicWindow<T, dimensions>& w,
+                     Step& step)
+{
+    const auto v = cornerOn(edge, w), n = innerNormal<T, dimensions>(edge);
+    step.set("xv", v.x), step.set("yv", v.y), step.set("nx", n.x), step.set("ny", n.y);
+    const T D = step.let(3, "D", dot(n, d), edge);
+    const T N = step.let(4, "N", dot(n, s.a - v), edge);
+    if (step.test(5, D == T(0), edge)) {
+        if (step.test(6, N < T(0), edge)) {
+            step.reject(6);
+            return false;
+        }
+    } else {
+        const T t = step.let(8, "t", -N / D, edge);
+        if (step.test(9, D > T(0), edge)) {
+            if (step.test(10, t > part.start, edge))
+                part.start = step.let(11, "tE", t, edge), part.startEdge = edge;
+        } else if (step.test(12, t < part.stop, edge))
+            part.stop = step.let(13, "tL", t, edge), part.stopEdge = edge;
+    }
+    return true;
+}
+
+} // namespace clipping

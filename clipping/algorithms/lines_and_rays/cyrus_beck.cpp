@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Cyrus-Beck (1978) for infinite lines and rays: what is left begins at -infinity or at a, and ends
+// at infinity. The lines of the steps are those of the corrected pseudo-code for segments.
+
+#include "clipping/algorithms/cyrus_beck.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
+#include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/part.h"
+
+namespace clipping {
+namespace {
+
+struct OnLinesAndRays {
+    template <Form, Reach reach, class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Step&& step)
+    {
+        Part<T> part{beginning<reach, T>(), ending<reach, T>()};
+        step.set("tE", part.start), step.set("tL", part.stop);
+        const T dx = step.let(1, "dx", s.b.x - s.a.x), dy = step.let(1, "dy", s.b.y - s.a.y);
+        for (const Edge edge : {Edge::Bottom, Edge::Right, Edge::Top, Edge::Left})
+            if (!cutAt(edge, part, s, {dx, dy}, w, step))
+                return std::nullopt;
+        if (step.test(14, part.start > part.stop))
+            return step.reject(14);
+        return step.accept(25, endsOf<reach>(part, s, {dx, dy}, w, 15, step));
+    }
+};
+
+} // namespace
+
+const Uses<Line, Window, Segment> cyrusBeckLine = endlessUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> cyrusBeckRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+
+} // namespace clipping
