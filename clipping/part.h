@@ -43,14 +43,14 @@ constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N
 {
     BasicSegment<T, N> visible = s;
     if (reach != Reach::Bounded || step.test(line, part.stop < T(1), part.stopEdge)) {
-        visible.b = along<Form::Corrected>(s, d, part.stop, part.stopEdge, w);
+        visible.b = along(s, d, part.stop, part.stopEdge, w);
         step.cut(line + 1, 1, visible.b, part.stopEdge);
     } else {
         visible.b = clamped(s.b, w);
         step.left(line + 3, visible);
     }
     if (reach == Reach::BothWays || step.test(line + 4, part.start > T(0), part.startEdge)) {
-        visible.a = along<Form::Corrected>(s, d, part.start, part.startEdge, w);
+        visible.a = along(s, d, part.start, part.startEdge, w);
         step.cut(line + 5, 0, visible.a, part.startEdge);
         if (step.test(line + 6, part.stopEdge != Edge::None && part.start == part.stop)) {
             visible.a = visible.b; // a single common point

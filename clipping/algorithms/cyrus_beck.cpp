@@ -143,6 +143,8 @@ accept the line from x1, y1 to x2, y2
     }
 };
 
+const Uses<Segment3, Window3> cyrusBeckBox = uses<CyrusBeck, Form::Corrected, double, 3>;
+
 template Algorithm describe<CyrusBeck>();
 
 } // namespace clipping

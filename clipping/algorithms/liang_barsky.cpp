@@ -161,6 +161,8 @@ accept the line from x1, y1 to x2, y2
     }
 };
 
+const Uses<Segment3, Window3> liangBarskyBox = uses<LiangBarsky, Form::Corrected, double, 3>;
+
 template Algorithm describe<LiangBarsky>();
 
 } // namespace clipping

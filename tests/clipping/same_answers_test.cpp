@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/clipping/answers.h"
 #include "tests/clipping/blocks.h"
@@ -15,6 +16,25 @@ Answers answers(const Question& question, const Block& block);
 } // namespace before
 
 namespace {
+
+/// Questions whose answers are counted in another way than before, and why.
+constexpr std::array<std::string_view, 2> countedAnew{
+    // In space they ask what they ask in the plane: whether u1 (tL) is less than 1, and u0 (tE)
+    // greater than 0. That is two comparisons more for what is visible.
+    "liang-barsky box",
+    "cyrus-beck box",
+};
+constexpr std::size_t bytesOfCounts = 5 * sizeof(std::uint64_t); // at the end of the answers
+
+/// Whether old and new give the same answers, except for the counts where they are made anew.
+bool agree(const Question& question, const Block& block)
+{
+    Answers old = before::answers(question, block), now = clipping::answers(question, block);
+    if (std::ranges::count(countedAnew, question.name) != 0)
+        for (Answers* answers : {&old, &now})
+            answers->resize(answers->size() - bytesOfCounts);
+    return old == now;
+}
 
 /// Numbers of a window or of a segment, which read back as they are.
 QString text(const double* begin, std::size_t count)
@@ -33,7 +53,7 @@ QString firstDifference(const Question& question, const Block& block)
         const Block one{block.name,
                         block.window,
                         {block.segments.begin() + long(i), block.segments.begin() + long(i + n)}};
-        if (before::answers(question, one) != clipping::answers(question, one))
+        if (!agree(question, one))
             return QString("%1, %2, window %3, segment %4")
                 .arg(question.name.c_str(), block.name.c_str(),
                      text(block.window.data(), block.window.size()), text(&block.segments[i], n));
@@ -85,7 +105,7 @@ private:
 
     static void compare(const Question& question, const Block& block)
     {
-        if (before::answers(question, block) != clipping::answers(question, block))
+        if (!agree(question, block))
             QFAIL(qPrintable(firstDifference(question, block)));
     }
 };
