@@ -3,7 +3,6 @@
 
 #include "app/teaching/walk.h"
 
-#include <array>
 #include <span>
 
 // How the steps of one algorithm are said: a file in tellers/ and a line in tellers/catalogue.cpp.
@@ -34,8 +33,6 @@ struct Teller {
     std::string_view key;                        ///< of the algorithm
     QString (*sentence)(const Telling& telling); ///< empty: the general words will do
     std::string_view parameter{}; ///< the value that says how far along the line a cut may be
-    /// What the pseudo-code calls the coordinates of the ends of what is left.
-    std::array<const char*, 4> ends{"x1", "y1", "x2", "y2"};
 };
 std::span<const Teller> tellers();
 

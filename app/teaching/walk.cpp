@@ -6,6 +6,7 @@
 #include "app/teaching/teller.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -35,8 +36,19 @@ Mark markOf(const Step& step, const clipping::OperationCounts& before)
                                                         : Mark::Look;
 }
 
+/// What a pseudo-code calls the coordinates of the ends of what is left, where it accepts them.
+QStringList endsIn(const QStringList& code)
+{
+    static const QRegularExpression accepts(
+        QStringLiteral("accept the line from (\\S+), (\\S+) to (\\S+), (\\S+)$"));
+    for (const QString& line : code)
+        if (const auto found = accepts.match(line); found.hasMatch())
+            return found.capturedTexts().sliced(1);
+    return {QStringLiteral("x1"), QStringLiteral("y1"), QStringLiteral("x2"), QStringLiteral("y2")};
+}
+
 /// What is known after a step: what was, with what is new.
-std::vector<Variable> variablesAfter(const Step& step, const Teller* teller,
+std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
                                      const std::vector<Variable>& earlier)
 {
     std::vector<Variable> variables = earlier;
@@ -51,10 +63,9 @@ std::vector<Variable> variablesAfter(const Step& step, const Teller* teller,
     };
     const auto& [a, b] = step.segment;
     constexpr auto number = clipping::ValueKind::Number;
-    const auto ends = teller ? teller->ends : Teller{}.ends;
     const std::array coordinates{a.x, a.y, b.x, b.y};
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        put(QLatin1StringView(ends[i]), coordinates[i], number);
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+        put(ends[qsizetype(i)], coordinates[i], number);
     for (const auto& value : step.values)
         put(latin(value.name), value.value, value.kind);
     return variables;
@@ -71,11 +82,12 @@ std::optional<Point> candidateOf(const Telling& telling, const Teller* teller)
     return a + *t * (b - a);
 }
 
-Moment momentOf(Telling telling, const Teller* teller, const Moment* earlier)
+Moment momentOf(Telling telling, const Teller* teller, const QStringList& ends,
+                const Moment* earlier)
 {
     const Step& step = telling.step;
     const std::vector<Variable> variables =
-        variablesAfter(step, teller, earlier ? earlier->variables : std::vector<Variable>{});
+        variablesAfter(step, ends, earlier ? earlier->variables : std::vector<Variable>{});
     telling.variables = variables;
     Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
                   .line = step.line,
@@ -148,10 +160,11 @@ Walk walkOf(const Specimen& specimen)
     const auto rows = tellers();
     const auto row = std::ranges::find(rows, specimen.clipper.algorithm->key, &Teller::key);
     const Teller* teller = row == rows.end() ? nullptr : &*row;
+    const QStringList ends = endsIn(walk.code);
     const Step* before = nullptr;
     for (const Step& step : trace.steps) {
         const Moment* earlier = walk.moments.empty() ? nullptr : &walk.moments.back();
-        Moment moment = momentOf({specimen, step, before}, teller, earlier);
+        Moment moment = momentOf({specimen, step, before}, teller, ends, earlier);
         walk.moments.push_back(std::move(moment));
         before = &step;
     }

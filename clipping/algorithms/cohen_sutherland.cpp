@@ -4,16 +4,19 @@
 // form that J. Foley, A. van Dam, S. Feiner and J. Hughes print (Computer Graphics: Principles and
 // Practice, 2nd edition, 1990, section 3.12).
 //
-// Corrected: the printed form takes the outcode of a rounded point, which can clear one bit and
-// set another for ever. Here a side that has cut an end never cuts it again, so that four cuts are
-// the most; each end is cut from where it was given, not from where rounding has left it; and its
-// new outcode compares the way it has moved with the way to each edge, both of them accurate.
+// Published is that form, and is given up after 64 cuts: it takes the outcode of a rounded point,
+// which can clear one bit and set another for ever. Corrected: an edge that has cut an end never
+// cuts it again, so that four cuts an end are the most; each end is cut from where it was given;
+// and its new outcode compares the way it has moved with the way to each edge, both of them
+// accurate.
 
 #include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
+
+#include <array>
 
 namespace clipping {
 
@@ -30,8 +33,32 @@ struct CohenSutherland {
     static constexpr auto box = &cohenSutherlandBox;
     static constexpr int mostCuts = 64; // where the published form is given up
 
-    /// The edge that an end with this outcode is cut at first, its bit, and the pseudo-code's line
-    /// that asks for it.
+    /// The bit of an outcode that stands for an edge.
+    static constexpr unsigned bitOf(Edge edge) { return 1U << (static_cast<int>(edge) - 1); }
+
+    static constexpr std::string_view publishedCode = R"(
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
+repeat
+  if code1 | code2 == 0000
+    accept the line from x1, y1 to x2, y2
+  if code1 & code2 != 0000
+    reject
+  give up after 64 cuts
+  codeOut = code1 != 0000 ? code1 : code2
+  if codeOut & TOP != 0000
+    x = x1 + (x2-x1) * (ymax-y1) / (y2-y1),  y = ymax
+  else if codeOut & BOTTOM != 0000
+    x = x1 + (x2-x1) * (ymin-y1) / (y2-y1),  y = ymin
+  else if codeOut & RIGHT != 0000
+    y = y1 + (y2-y1) * (xmax-x1) / (x2-x1),  x = xmax
+  else
+    y = y1 + (y2-y1) * (xmin-x1) / (x2-x1),  x = xmin
+  if codeOut == code1
+    x1 = x,  y1 = y,  code1 = outcode(x1, y1)
+  else
+    x2 = x,  y2 = y,  code2 = outcode(x2, y2)
+)";
+    /// The edge at which an end with this outcode is cut.
     static constexpr Edge edgeToCut(unsigned code)
     {
         return code & outcode::top      ? Edge::Top
@@ -39,102 +66,160 @@ struct CohenSutherland {
                : code & outcode::right  ? Edge::Right
                                         : Edge::Left;
     }
-    static constexpr unsigned bitOf(Edge edge) { return 1U << (static_cast<int>(edge) - 1); }
-    static constexpr int lineOf(Edge edge)
-    {
-        return 18 - 3 * static_cast<int>(edge);
-    } // 6, 9, 12, 15
 
-    /// What a cut gives: the new end, the sides that it is beyond, and how far it has gone on the
-    /// other axis.
-    template <class T>
-    struct Cut {
-        glm::vec<2, T> at;
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
+    {
+        using namespace outcode;
+        T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        const auto outcode = [&](T x, T y) { return outcodeOf(glm::vec<2, T>(x, y), w); };
+        unsigned code1 = step.set("code1", outcode(x1, y1));
+        unsigned code2 = step.let(1, "code2", outcode(x2, y2));
+        for (int cuts = 0;; ++cuts) {
+            if (step.test(3, (code1 | code2) == 0))
+                return step.accept(4, BasicSegment<T>{{x1, y1}, {x2, y2}});
+            if (step.test(5, (code1 & code2) != 0))
+                return step.reject(6);
+            if (cuts == mostCuts)
+                return step.giveUp(7);
+            const unsigned codeOut = step.let(8, "codeOut", code1 != 0 ? code1 : code2);
+            T x, y;
+            if (step.test(9, (codeOut & top) != 0, Edge::Top)) {
+                x = step.set("x", x1 + (x2 - x1) * (ymax - y1) / (y2 - y1));
+                y = step.let(10, "y", ymax, Edge::Top);
+            } else if (step.test(11, (codeOut & bottom) != 0, Edge::Bottom)) {
+                x = step.set("x", x1 + (x2 - x1) * (ymin - y1) / (y2 - y1));
+                y = step.let(12, "y", ymin, Edge::Bottom);
+            } else if (step.test(13, (codeOut & right) != 0, Edge::Right)) {
+                y = step.set("y", y1 + (y2 - y1) * (xmax - x1) / (x2 - x1));
+                x = step.let(14, "x", xmax, Edge::Right);
+            } else {
+                y = step.set("y", y1 + (y2 - y1) * (xmin - x1) / (x2 - x1));
+                x = step.let(16, "x", xmin, Edge::Left);
+            }
+            if (step.test(17, codeOut == code1)) {
+                x1 = x, y1 = y, code1 = step.set("code1", outcode(x1, y1));
+                step.cut(18, 0, x1, y1, edgeToCut(codeOut));
+            } else {
+                x2 = x, y2 = y, code2 = step.set("code2", outcode(x2, y2));
+                step.cut(20, 1, x2, y2, edgeToCut(codeOut));
+            }
+        }
+    }
+
+    static constexpr std::string_view correctedCode = R"(
+code[1] = outcode(x1, y1),  code[2] = outcode(x2, y2)
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+done[1] = 0000,  done[2] = 0000
+while code[1] | code[2] != 0000
+  if code[1] & code[2] != 0000
+    reject
+  if code[1] != 0000
+    i = 1,  xi = x1,  yi = y1
+  else
+    i = 2,  xi = x2,  yi = y2
+  if code[i] & TOP != 0000
+    run = (x2-x1) * (ymax-yi) / (y2-y1)
+    x[i] = xi + run,  y[i] = ymax,  done[i] = done[i] | TOP
+    code[i] = run < xmin-xi ? LEFT : run > xmax-xi ? RIGHT : 0000
+  else if code[i] & BOTTOM != 0000
+    run = (x2-x1) * (ymin-yi) / (y2-y1)
+    x[i] = xi + run,  y[i] = ymin,  done[i] = done[i] | BOTTOM
+    code[i] = run < xmin-xi ? LEFT : run > xmax-xi ? RIGHT : 0000
+  else if code[i] & RIGHT != 0000
+    rise = (y2-y1) * (xmax-xi) / (x2-x1)
+    y[i] = yi + rise,  x[i] = xmax,  done[i] = done[i] | RIGHT
+    code[i] = rise < ymin-yi ? BOTTOM : rise > ymax-yi ? TOP : 0000
+  else
+    rise = (y2-y1) * (xmin-xi) / (x2-x1)
+    y[i] = yi + rise,  x[i] = xmin,  done[i] = done[i] | LEFT
+    code[i] = rise < ymin-yi ? BOTTOM : rise > ymax-yi ? TOP : 0000
+  code[i] = code[i] & ~done[i]
+hold new ends inside the window
+accept the line from x[1], y[1] to x[2], y[2]
+)";
+    /// An end on its way to the window; i is 0 for a and 1 for b.
+    template <class T, glm::length_t N>
+    struct End {
+        int i;
+        const glm::vec<N, T>& given;
         unsigned code;
-        T way;
+        unsigned done = 0;                ///< the edges that have cut it
+        glm::vec<N, T> at = given, way{}; ///< where it is, and how far it has moved
+        Edge edge = Edge::None;           ///< that has cut it last
     };
 
-    /// The end `p` of `s`, cut at the bottom or top edge, which is at height y.
-    template <Form form, class T>
-    static constexpr Cut<T> cutAtHeight(const BasicSegment<T>& s, const glm::vec<2, T>& p, T y,
-                                        const BasicWindow<T>& w)
+    /// The line that asks whether an end is to be cut at an edge, or one of the three after it; 0
+    /// for Near and Far, which the plane does not have.
+    static constexpr int lineOf(Edge edge, int after = 0)
     {
-        const T run = (s.b.x - s.a.x) * (y - p.y) / (s.b.y - s.a.y);
-        const glm::vec<2, T> at{p.x + run, y};
-        if constexpr (form == Form::Published)
-            return {at, outcodeOf(at, w), run};
-        else if (run < w.min.x - p.x)
-            return {at, outcode::left, run};
-        else
-            return {at, run > w.max.x - p.x ? outcode::right : 0, run};
+        return edge <= Edge::Top ? 27 - 4 * static_cast<int>(edge) + after : 0;
     }
 
-    /// The end `p` of `s`, cut at the left or right edge, which is at x.
-    template <Form form, class T>
-    static constexpr Cut<T> cutAtWidth(const BasicSegment<T>& s, const glm::vec<2, T>& p, T x,
-                                       const BasicWindow<T>& w)
+    /// Cuts an end at an edge, and asks which edges of the other axes it is beyond then.
+    template <Edge edge, class T, glm::length_t N, class Step>
+    static constexpr void cutAt(End<T, N>& end, const BasicSegment<T, N>& s,
+                                const BasicWindow<T, N>& w, Step& step)
     {
-        const T rise = (s.b.y - s.a.y) * (x - p.x) / (s.b.x - s.a.x);
-        const glm::vec<2, T> at{x, p.y + rise};
-        if constexpr (form == Form::Published)
-            return {at, outcodeOf(at, w), rise};
-        else if (rise < w.min.y - p.y)
-            return {at, outcode::bottom, rise};
-        else
-            return {at, rise > w.max.y - p.y ? outcode::top : 0, rise};
+        constexpr std::array ways{"run", "rise", "way"};
+        constexpr std::array codes{"code[1]", "code[2]"}, done{"done[1]", "done[2]"};
+        constexpr glm::length_t axis = axisOf(edge);
+        const T across = levelOf(edge, w) - end.given[axis], length = s.b[axis] - s.a[axis];
+        for (glm::length_t k = 0; k < N; ++k)
+            end.way[k] = k == axis ? across
+                                   : step.let(lineOf(edge, 1), ways[k],
+                                              (s.b[k] - s.a[k]) * across / length, edge);
+        for (glm::length_t k = 0; k < N; ++k)
+            end.at[k] = k == axis ? levelOf(edge, w) : end.given[k] + end.way[k];
+        end.done = step.set(done[end.i], end.done | bitOf(edge)), end.edge = edge;
+        step.cut(lineOf(edge, 2), end.i, end.at, edge);
+        end.code = 0;
+        for (glm::length_t k = 0; k < N; ++k)
+            if (k != axis)
+                end.code |= end.way[k] < w.min[k] - end.given[k]   ? bitOf(lowerEdge(k))
+                            : end.way[k] > w.max[k] - end.given[k] ? bitOf(upperEdge(k))
+                                                                   : 0;
+        end.code = step.let(lineOf(edge, 3), codes[end.i], end.code, edge);
+        end.code = step.let(27, codes[end.i], end.code & ~end.done);
     }
 
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    /// Cuts an end at the last edge that its outcode names, `edge` or one before it.
+    template <Edge edge, class T, glm::length_t N, class Step>
+    static constexpr void cut(End<T, N>& end, const BasicSegment<T, N>& s,
+                              const BasicWindow<T, N>& w, Step& step)
     {
-        BasicSegment<T> visible = s;
-        unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        unsigned doneA = 0, doneB = 0; // the sides that have cut an end
-        Edge lastA = Edge::None, lastB = Edge::None;
-        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-        for (int cuts = 0; (codeA | codeB) != 0; ++cuts) {
-            watch("no", 3, visible, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-            if ((codeA & codeB) != 0) {
-                watch("reject", 4, visible, Edge::None, Named{"code1", codeA},
-                      Named{"code2", codeB});
-                return std::nullopt;
+        if constexpr (edge == Edge::Left)
+            cutAt<edge>(end, s, w, step);
+        else if (step.test(lineOf(edge), (end.code & bitOf(edge)) != 0, edge))
+            cutAt<edge>(end, s, w, step);
+        else
+            cut<static_cast<Edge>(static_cast<int>(edge) - 1)>(end, s, w, step);
+    }
+
+    template <class T, glm::length_t N, class Step>
+    static constexpr std::optional<BasicSegment<T, N>>
+    corrected(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w, Step&& step)
+    {
+        End<T, N> one{0, s.a, step.set("code[1]", outcodeOf(s.a, w))};
+        End<T, N> two{1, s.b, step.let(1, "code[2]", outcodeOf(s.b, w))};
+        step.set("done[1]", one.done), step.set("done[2]", two.done);
+        while (step.test(4, (one.code | two.code) != 0)) {
+            if (step.test(5, (one.code & two.code) != 0))
+                return step.reject(6);
+            if (step.test(7, one.code != 0)) {
+                step.set("xi", s.a.x), step.set("yi", s.a.y), step.let(8, "i", 1);
+                cut<upperEdge(N - 1)>(one, s, w, step);
+            } else {
+                step.set("xi", s.b.x), step.set("yi", s.b.y), step.let(10, "i", 2);
+                cut<upperEdge(N - 1)>(two, s, w, step);
             }
-            watch("no", 4, visible, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-            if (cuts == mostCuts) {
-                watch("give up", 19, visible, Edge::None, Named{"code1", codeA},
-                      Named{"code2", codeB});
-                watch.didNotEnd();
-                return std::nullopt;
-            }
-            const bool first = codeA != 0;
-            const unsigned code = first ? codeA : codeB;
-            const Named number{"i", first ? 1 : 2};
-            watch("end", 5, visible, Edge::None, number, Named{"code", code});
-            const BasicSegment<T>& line = form == Form::Published ? visible : s;
-            const glm::vec<2, T>& from = form == Form::Published || first ? line.a : line.b;
-            const Edge edge = edgeToCut(code);
-            watch("yes", lineOf(edge), visible, edge, number, Named{"code", code});
-            const Cut<T> cut = edge == Edge::Top      ? cutAtHeight<form>(line, from, w.max.y, w)
-                               : edge == Edge::Bottom ? cutAtHeight<form>(line, from, w.min.y, w)
-                               : edge == Edge::Right  ? cutAtWidth<form>(line, from, w.max.x, w)
-                                                      : cutAtWidth<form>(line, from, w.min.x, w);
-            watch(axisOf(edge) == 1 ? "run" : "rise", lineOf(edge) + 1, visible, edge, number,
-                  Named{axisOf(edge) == 1 ? "run" : "rise", cut.way});
-            (first ? visible.a : visible.b) = cut.at;
-            (first ? lastA : lastB) = edge;
-            (first ? doneA : doneB) |= bitOf(edge);
-            (first ? codeA : codeB) = cut.code;
-            watch("cut", lineOf(edge) + 2, visible, edge, number);
-            if constexpr (form == Form::Corrected)
-                (first ? codeA : codeB) &= ~(first ? doneA : doneB);
-            watch("outcode", 18, visible, edge, number, Named{"code1", codeA},
-                  Named{"code2", codeB});
         }
-        if constexpr (form == Form::Corrected)
-            visible = {clampedAlong(lastA, visible.a, w), clampedAlong(lastB, visible.b, w)};
-        watch("accept", 3, visible, Edge::None);
-        return visible;
+        BasicSegment<T, N> visible{clampedAlong(one.edge, one.at, w),
+                                   clampedAlong(two.edge, two.at, w)};
+        step.left(28, visible);
+        return step.accept(29, visible);
     }
 };
 

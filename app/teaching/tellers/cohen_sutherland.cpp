@@ -3,96 +3,202 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace app {
+
+using clipping::What;
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-QString withCodes(const Telling& telling, const QString& text, unsigned result)
+unsigned known(const Telling& telling, const char* name)
 {
-    return text.arg(outcodeText(words::bits(telling, "code1")),
-                    outcodeText(words::bits(telling, "code2")), outcodeText(result));
+    return unsigned(telling.known(name).value_or(0));
+}
+
+/// The outcode of an end by now.
+unsigned codeOf(const Telling& telling, int number)
+{
+    if (words::isPublished(telling))
+        return known(telling, number == 1 ? "code1" : "code2");
+    return known(telling, number == 1 ? "code[1]" : "code[2]");
+}
+
+QString codeText(const Telling& telling, int number)
+{
+    return outcodeText(codeOf(telling, number));
+}
+QString codeAndRegion(const Telling& telling, int number)
+{
+    return words::codeAndRegion(codeOf(telling, number), telling.specimen.y);
+}
+
+/// The end that is cut: End 1 as long as it is outside.
+int endOutside(const Telling& telling)
+{
+    return words::isPublished(telling) ? (codeOf(telling, 1) != 0 ? 1 : 2)
+                                       : int(known(telling, "i"));
 }
 
 QString outcodes(const Telling& telling)
 {
-    const auto y = telling.specimen.y;
     return tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
-        .arg(words::codeAndRegion(words::bits(telling, "code1"), y),
-             words::codeAndRegion(words::bits(telling, "code2"), y));
+        .arg(codeAndRegion(telling, 1), codeAndRegion(telling, 2));
+}
+
+/// Whether an end is outside.
+QString anyOutside(const Telling& telling, bool outside)
+{
+    const unsigned either = codeOf(telling, 1) | codeOf(telling, 2);
+    return (outside ? tr("Not both ends are inside, for %1 | %2 = %3 is not 0000: the line cannot "
+                         "be accepted yet.")
+                    : tr("Both ends are inside, for %1 | %2 = %3: the line can be accepted."))
+        .arg(codeText(telling, 1), codeText(telling, 2), outcodeText(either));
+}
+
+/// Whether both ends are beyond one edge.
+QString bothBeyond(const Telling& telling)
+{
+    const unsigned common = codeOf(telling, 1) & codeOf(telling, 2);
+    if (!telling.holds())
+        return tr("No edge has both ends beyond it, for %1 & %2 = %3: the line cannot be rejected "
+                  "yet.")
+            .arg(codeText(telling, 1), codeText(telling, 2), outcodeText(common));
+    return tr("Both ends lie %4, for %1 & %2 = %3 is not 0000.")
+        .arg(codeText(telling, 1), codeText(telling, 2), outcodeText(common),
+             words::beyond(words::edgeOf(common), telling.specimen.y));
 }
 
 QString rejected(const Telling& telling)
 {
-    const unsigned common = words::bits(telling, "code1") & words::bits(telling, "code2");
-    return withCodes(telling,
-                     tr("Both ends lie %4, for %1 & %2 = %3, and so does all between them: nothing "
-                        "of the line is visible."),
-                     common)
+    const unsigned common = codeOf(telling, 1) & codeOf(telling, 2);
+    return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+              "visible.")
         .arg(words::beyond(words::edgeOf(common), telling.specimen.y));
 }
 
-QString asked(const Telling& telling)
-{
-    const unsigned one = words::bits(telling, "code1"), two = words::bits(telling, "code2");
-    if (telling.step.line == 3)
-        return withCodes(telling,
-                         tr("Not both ends are inside, for %1 | %2 = %3 is not 0000: the line "
-                            "cannot be accepted yet."),
-                         one | two);
-    if (telling.step.line == 4)
-        return withCodes(telling,
-                         tr("No edge has both ends beyond it, for %1 & %2 = %3: the line cannot be "
-                            "rejected yet."),
-                         one & two);
-    return tr("The first bit that is set in %1 is the one for %2: %3 lies %4 and is cut there.")
-        .arg(outcodeText(words::bits(telling, "code")), telling.edgeText(),
-             words::end(int(telling.value("i").value_or(1))),
-             words::beyond(telling.edge(), telling.specimen.y));
-}
-
+/// Which end is to be cut.
 QString chosen(const Telling& telling)
 {
-    const QString code = words::codeAndRegion(words::bits(telling, "code"), telling.specimen.y);
-    return (telling.value("i") == 1.0
-                ? tr("End 1 is outside, with %1: it is the one to be cut.")
-                : tr("End 1 is inside, End 2 is outside, with %1: it is the one to be cut."))
-        .arg(code);
+    return codeOf(telling, 1) != 0
+               ? tr("End 1 is outside, with %1: it is the one to be cut.")
+                     .arg(codeAndRegion(telling, 1))
+               : tr("End 1 is inside, End 2 is outside, with %1: it is the one to be cut.")
+                     .arg(codeAndRegion(telling, 2));
+}
+
+/// Whether the end is cut at the step's edge.
+QString cutThere(const Telling& telling)
+{
+    const int number = endOutside(telling);
+    const QString code = codeText(telling, number), end = words::end(number);
+    if (!telling.holds())
+        return tr("The bit of %1 is not set in %2: %3 is not cut there now.")
+            .arg(telling.edgeText(), code, end);
+    return tr("The bit of %1 is set in %2: %3 lies %4 and is cut there.")
+        .arg(telling.edgeText(), code, end, words::beyond(telling.edge(), telling.specimen.y));
+}
+
+/// As published: the point at which the line meets the edge.
+QString meets(const Telling& telling)
+{
+    const int along = clipping::axisOf(telling.edge());
+    const auto& window = telling.specimen.window;
+    const double level = clipping::levelOf(telling.edge(), window);
+    const double there = telling.value(along == 0 ? "y" : "x").value_or(0);
+    if (!std::isfinite(there))
+        return tr("The numbers are too large: their product overflows, %1 becomes %2, and what "
+                  "comes of it means nothing any more.")
+            .arg(along == 0 ? QStringLiteral("y") : QStringLiteral("x"), words::number(there));
+    return tr("From End 1 to %1 it is %2 in %3. There the line is at %4.")
+        .arg(telling.edgeText(), words::number(level - telling.step.segment.a[along]),
+             words::axisName(telling.edge()),
+             words::point(along == 0 ? Point{level, there} : Point{there, level}));
+}
+
+/// As corrected: how far the end moves, from where it was given.
+QString way(const Telling& telling)
+{
+    const int number = endOutside(telling);
+    const auto& line = telling.specimen.line;
+    return words::way(telling, words::end(number), number == 1 ? line.a : line.b,
+                      telling.value(telling.step.name).value_or(0));
+}
+
+QString moved(const Telling& telling)
+{
+    if (!words::isPublished(telling))
+        return words::moved(telling, endOutside(telling));
+    const int number = telling.value("code1") ? 1 : 2;
+    return words::moved(telling, number) + u' '
+           + tr("Its outcode is now %1.").arg(codeAndRegion(telling, number));
+}
+
+/// The corrected form's new outcode, before and after the edges are left out that have cut the end.
+QString newCode(const Telling& telling)
+{
+    const int number = endOutside(telling);
+    if (telling.edge() != clipping::Edge::None)
+        return tr("The way that %1 has moved, compared with the ways to the other edges, gives the "
+                  "outcode %2.")
+            .arg(words::end(number), codeAndRegion(telling, number));
+    const unsigned done = known(telling, number == 1 ? "done[1]" : "done[2]");
+    return tr("An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
+              "left "
+              "out, so the outcode is %3.")
+        .arg(words::end(number), outcodeText(done), codeAndRegion(telling, number));
+}
+
+/// The tests that are about no edge.
+QString decided(const Telling& telling)
+{
+    const bool published = words::isPublished(telling);
+    switch (telling.step.line) {
+    case 3:
+        return anyOutside(telling, !telling.holds());
+    case 4:
+        return anyOutside(telling, telling.holds());
+    case 5:
+        return bothBeyond(telling);
+    default:
+        return !published        ? chosen(telling)
+               : telling.holds() ? tr("The outcode is that of End 1, so End 1 is cut.")
+                                 : tr("The outcode is not that of End 1, so End 2 is cut.");
+    }
 }
 
 QString sentence(const Telling& telling)
 {
     const auto what = telling.step.what;
     const auto& name = telling.step.name;
-    const int number = int(telling.value("i").value_or(1));
-    if (what == clipping::What::Accept)
+    if (what == What::Accept)
         return words::acceptedIfInside(telling);
-    if (what == clipping::What::Reject)
+    if (what == What::Reject)
         return rejected(telling) + words::lost(telling);
-    if (what == clipping::What::GiveUp)
+    if (what == What::GiveUp)
         return tr(
             "After 64 cuts no end is in sight: rounding clears one bit and sets another, round and "
             "round. The published form never ends here; it is stopped, and nothing is drawn.");
-    if (name == "outcodes")
+    if (what == What::Cut)
+        return moved(telling);
+    if (what == What::Test)
+        return telling.edge() == clipping::Edge::None ? decided(telling) : cutThere(telling);
+    if (telling.step.line == 1)
         return outcodes(telling);
-    if (name == "end")
+    if (name == "left")
+        return words::held(telling);
+    if (name == "codeOut")
         return chosen(telling);
-    if (what == clipping::What::Cut)
-        return words::moved(telling, number);
-    if (name == "outcode")
-        return tr("There %1 has the outcode %2.")
-            .arg(words::end(number),
-                 words::codeAndRegion(words::bits(telling, number == 1 ? "code1" : "code2"),
-                                      telling.specimen.y));
-    if (name == "run" || name == "rise") {
-        const auto& left =
-            words::isPublished(telling) ? telling.step.segment : telling.specimen.line;
-        const int from = words::isPublished(telling) ? 1 : number;
-        return words::way(telling, words::end(from), from == 1 ? left.a : left.b,
-                          telling.value(name).value_or(0));
-    }
-    return asked(telling);
+    if (name == "i")
+        return tr("%1 is cut from where it was given, %2.")
+            .arg(words::end(endOutside(telling)),
+                 words::point(endOutside(telling) == 1 ? telling.specimen.line.a
+                                                       : telling.specimen.line.b));
+    if (name == "x" || name == "y")
+        return meets(telling);
+    return name == "run" || name == "rise" ? way(telling) : newCode(telling);
 }
 
 } // namespace

@@ -105,6 +105,13 @@ QString value(const Telling& telling, std::string_view name)
     return value ? number(*value) : QString();
 }
 
+QString held(const Telling& telling)
+{
+    return telling.before && telling.before->segment != telling.step.segment
+               ? tr("Rounding had put an end just outside: it is moved back to the window.")
+               : tr("Rounding has put no end outside the window, so both stay where they are.");
+}
+
 QString acceptedIfInside(const Telling& telling)
 {
     for (const int end : {1, 2})

@@ -26,6 +26,8 @@ QString outcodes(const Telling& telling);
 /// A value that the algorithm had at hand, in six digits; empty: it has none of that name.
 QString value(const Telling& telling, std::string_view name);
 
+/// A corrected form's line before the last: whether it moves an end back into the window.
+QString held(const Telling& telling);
 /// What is visible at the end, and whether a published form has left an end outside the window.
 QString acceptedIfInside(const Telling& telling);
 /// To be added to a rejection: that it is wrong, where a published form loses what is visible.

@@ -113,14 +113,6 @@ QString accepted(const Telling& telling)
     return words::acceptedIfInside(telling);
 }
 
-/// The corrected form's line before the last.
-QString held(const Telling& telling)
-{
-    return telling.before && telling.before->segment != telling.step.segment
-               ? tr("Rounding had put an end just outside: it is moved back to the window.")
-               : tr("Rounding has put no end outside the window, so both stay where they are.");
-}
-
 QString sentence(const Telling& telling)
 {
     const auto what = telling.step.what;
@@ -140,7 +132,7 @@ QString sentence(const Telling& telling)
             .arg(words::end(number),
                  words::point(number == 1 ? telling.step.segment.a : telling.step.segment.b));
     if (name == "left")
-        return held(telling);
+        return words::held(telling);
     if (name == "rise" || name == "run")
         return wayTo(telling, number);
     if (telling.step.line <= 3)
@@ -151,7 +143,6 @@ QString sentence(const Telling& telling)
 } // namespace
 
 extern const Teller matthesDrakopoulosTeller;
-const Teller matthesDrakopoulosTeller{
-    .key = "matthes-drakopoulos", .sentence = sentence, .ends = {"x[1]", "y[1]", "x[2]", "y[2]"}};
+const Teller matthesDrakopoulosTeller{.key = "matthes-drakopoulos", .sentence = sentence};
 
 } // namespace app

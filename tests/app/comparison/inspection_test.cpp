@@ -70,7 +70,7 @@ private slots:
         const auto line = app::inspect(session, 0);
         QCOMPARE(line.from.outcode(), "0101");
         const QString first = stepTexts(line).front();
-        QVERIFY2(first.contains("code1 = 0101, code2 = 0010"), qPrintable(first));
+        QVERIFY2(first.contains("code[1] = 0101, code[2] = 0010"), qPrintable(first));
     }
     void whatIsLeftAndWhatItCosts()
     {
@@ -112,7 +112,7 @@ private slots:
         const clipping::Segment line{{-10, 5}, {10, 9}};
         QVERIFY(says(text("cs", line), {"leaves (0.000; 35.000) to (50.000; 45.000)",
                                         "Visible: (0.000; 35.000) to (50.000; 45.000)",
-                                        "code1 = 0001, code2 = 0000"}));
+                                        "code[1] = 0001, code[2] = 0000"}));
         QVERIFY(says(text("lb", line), {"p = \u2212100, q = \u221250", "r = 0.5", "u0 = 0.5"}));
         QVERIFY(says(text("md", line), {"rise = 10"}));
         QVERIFY(says(text("cb", line),

@@ -3,6 +3,7 @@
 #include "app/overlays/overlay.h"
 #include "app/teaching/page.h"
 
+#include <QMap>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -77,6 +78,15 @@ QString variable(const app::Moment& moment, const char* name)
     return {};
 }
 
+/// The one of these variables that a form has.
+QString variableAmong(const app::Moment& moment, std::initializer_list<const char*> names)
+{
+    for (const char* name : names)
+        if (const QString value = variable(moment, name); !value.isEmpty())
+            return value;
+    return {};
+}
+
 app::Walk walkOf(std::string_view algorithm, clipping::Form form, const Point& a, const Point& b)
 {
     return app::walkOf(
@@ -112,8 +122,8 @@ private slots:
                     for (const Point& b : points()) {
                         const app::Walk walk = walkOf(key, form, a, b);
                         const app::Moment& first = walk.moments.front();
-                        QCOMPARE(variable(first, "code1"), codeByThePage(a));
-                        QCOMPARE(variable(first, "code2"), codeByThePage(b));
+                        QCOMPARE(variableAmong(first, {"code1", "code[1]"}), codeByThePage(a));
+                        QCOMPARE(variableAmong(first, {"code2", "code[2]"}), codeByThePage(b));
                         QVERIFY2(first.sentence.contains(codeByThePage(a)),
                                  qPrintable(first.sentence));
                         ++shown;
@@ -133,7 +143,11 @@ private slots:
     }
     void theLineOfThePseudoCodeIsThatOfTheBit()
     {
-        static const QRegularExpression asks(QStringLiteral("code has the bit (.*)$"));
+        static const QRegularExpression asks(QStringLiteral("code(?:Out|\\[i\\]) & (\\w+) "));
+        const QMap<QString, QString> bits{{"TOP", "y > ymax"},
+                                          {"BOTTOM", "y < ymin"},
+                                          {"RIGHT", "x > xmax"},
+                                          {"LEFT", "x < xmin"}};
         int tests = 0;
         for (const clipping::Form form : {clipping::Form::Corrected, clipping::Form::Published})
             for (const Point& a : points())
@@ -143,9 +157,15 @@ private slots:
                         const auto asked = asks.match(walk.code.value(moment.line - 1));
                         if (!moment.answer || !asked.hasMatch())
                             continue;
-                        const auto digit = bitsOfThePage().indexOf(asked.captured(1));
+                        const QString bit = bits[asked.captured(1)];
+                        const auto digit = bitsOfThePage().indexOf(bit);
                         QVERIFY2(digit >= 0, qPrintable(asked.captured(1)));
-                        QCOMPARE(variable(moment, "code")[digit] == u'1', *moment.answer);
+                        const QString i = variable(moment, "i");
+                        const QString code =
+                            variable(moment, i.isEmpty() ? "codeOut"
+                                             : i == u'1' ? "code[1]"
+                                                         : "code[2]");
+                        QCOMPARE(code[digit] == u'1', *moment.answer);
                         ++tests;
                     }
                 }
