@@ -239,12 +239,17 @@ constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
         return nullptr;
 }
 
-/// The form in three dimensions; none unless the row names one (box/).
+/// The form in three dimensions: what the row names (box/), or its corrected function if that is for
+/// any number of axes; else none.
 template <class Method>
 constexpr const Uses<Segment3, Window3>* boxUses()
 {
     if constexpr (requires { Method::box; })
         return Method::box;
+    else if constexpr (requires(const Segment3& s, const Window3& w) {
+                           Method::corrected(s, w, Unwatched{});
+                       })
+        return &uses<Method, Form::Corrected, double, 3>;
     else
         return nullptr;
 }

@@ -8,9 +8,8 @@
 // which can clear one bit and set another for ever. Corrected: an edge that has cut an end never
 // cuts it again, so that four cuts an end are the most; each end is cut from where it was given;
 // and its new outcode compares the way it has moved with the way to each edge, both of them
-// accurate.
+// accurate. In three dimensions there are six edges, Near and Far being the last two.
 
-#include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
@@ -30,7 +29,6 @@ struct CohenSutherland {
                 "another until its number tells.",
         .ulps = 24, // README.md, "How far off"
     };
-    static constexpr auto box = &cohenSutherlandBox;
     static constexpr int mostCuts = 64; // where the published form is given up
 
     /// The bit of an outcode that stands for an edge.
@@ -198,6 +196,18 @@ accept the line from x[1], y[1] to x[2], y[2]
             cut<static_cast<Edge>(static_cast<int>(edge) - 1)>(end, s, w, step);
     }
 
+    /// Whether the first end, cut at one edge, has moved just as far as to the edge of the second:
+    /// in space both are one point then, which each may have rounded in its own way.
+    template <class T, glm::length_t N>
+    static constexpr bool meet(const End<T, N>& one, const End<T, N>& two,
+                               const BasicWindow<T, N>& w)
+    {
+        if (one.edge == Edge::None || two.edge == Edge::None)
+            return false;
+        const glm::length_t axis = axisOf(two.edge);
+        return one.way[axis] == levelOf(two.edge, w) - one.given[axis];
+    }
+
     template <class T, glm::length_t N, class Step>
     static constexpr std::optional<BasicSegment<T, N>>
     corrected(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w, Step&& step)
@@ -218,6 +228,9 @@ accept the line from x[1], y[1] to x[2], y[2]
         }
         BasicSegment<T, N> visible{clampedAlong(one.edge, one.at, w),
                                    clampedAlong(two.edge, two.at, w)};
+        if constexpr (N > 2)
+            if (meet(one, two, w))
+                visible.a = visible.b;
         step.left(28, visible);
         return step.accept(29, visible);
     }

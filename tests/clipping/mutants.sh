@@ -18,7 +18,7 @@ testsOf() { # KEY
     halving.h) echo box.box published contract ;;
     part.h | algorithms/*.h) echo box.box contract uses endless ;;
     lines-and-rays/*) echo endless ;;
-    liang-barsky | cyrus-beck) echo published contract box.box uses ;;
+    cohen-sutherland | liang-barsky | cyrus-beck) echo published contract box.box uses ;;
     *) echo published contract uses endless ;;
     esac
 }
