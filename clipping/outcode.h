@@ -12,28 +12,30 @@ namespace outcode {
 inline constexpr unsigned left = 1, right = 2, bottom = 4, top = 8; // 16 and 32 on the third axis
 } // namespace outcode
 
-/// At most two comparisons an axis: a point beyond one side is not asked about the other.
+/// The side of an axis that a number is strictly beyond: `left` below `low`, `right` above `high`.
+/// At most two comparisons.
+template <class T>
+constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
+{
+    return v < low ? outcode::left : v > high ? outcode::right : 0;
+}
+
+/// The same for plain numbers, without a branch, which nothing would foretell.
+template <std::floating_point T>
+constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
+{
+    const unsigned below = v < low ? 1 : 0;
+    const unsigned above = v > high ? 1 : 0;
+    return below | (above & ~below) << 1;
+}
+
 template <class T, glm::length_t N>
 constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
 {
     unsigned code = 0;
     for (glm::length_t k = 0; k < N; ++k)
-        code |= p[k] < w.min[k]   ? outcode::left << 2 * k
-                : p[k] > w.max[k] ? outcode::right << 2 * k
-                                  : 0;
+        code |= sideBeyond(p[k], w.min[k], w.max[k]) << 2 * k;
     return code;
-}
-
-/// The same for plain numbers in the plane, without a branch, which nothing would foretell.
-template <std::floating_point T>
-constexpr unsigned outcodeOf(const glm::vec<2, T>& p, const BasicWindow<T, 2>& w)
-{
-    const auto axis = [](T v, T low, T high) {
-        const unsigned below = v < low ? 1 : 0;
-        const unsigned above = v > high ? 1 : 0;
-        return below | (above & ~below) << 1;
-    };
-    return axis(p.x, w.min.x, w.max.x) | axis(p.y, w.min.y, w.max.y) << 2;
 }
 
 } // namespace clipping

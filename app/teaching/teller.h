@@ -3,6 +3,7 @@
 
 #include "app/teaching/walk.h"
 
+#include <array>
 #include <span>
 
 // How the steps of one algorithm are said: a file in tellers/ and a line in tellers/catalogue.cpp.
@@ -33,6 +34,7 @@ struct Teller {
     std::string_view key;                        ///< of the algorithm
     QString (*sentence)(const Telling& telling); ///< empty: the general words will do
     std::string_view parameter{}; ///< the value that says how far along the line a cut may be
+    std::array<std::string_view, 2> middle{}; ///< or the two that are the point itself
 };
 std::span<const Teller> tellers();
 

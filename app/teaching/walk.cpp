@@ -75,6 +75,9 @@ std::optional<Point> candidateOf(const Telling& telling, const Teller* teller)
 {
     if (!teller || teller->parameter.empty())
         return std::nullopt;
+    const auto x = telling.value(teller->middle[0]), y = telling.value(teller->middle[1]);
+    if (x && y && std::isfinite(*x) && std::isfinite(*y))
+        return Point{*x, *y};
     const auto t = telling.value(teller->parameter);
     if (!t || !std::isfinite(*t))
         return std::nullopt;

@@ -21,10 +21,14 @@
 // and the 5 of a way that is added, 4 + 12 + 5 = 21.
 
 #include "clipping/box/uses.h"
+#include "clipping/clamped.h"
 #include "clipping/describe.h"
-#include "clipping/halving.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
+
+#include <array>
+#include <bit>
+#include <limits>
 
 namespace clipping {
 
@@ -42,101 +46,292 @@ struct MidpointSubdivision {
     /// Where the published form is given up; from 2^1024 to 2^-1074 it takes 2098.
     static constexpr int mostHalvings = 2200;
 
-    /// The points of a segment, as published: what halving leaves, rounded.
-    template <class T>
-    class Points {
-    public:
-        using Place = glm::vec<2, T>;
-        static constexpr int most = mostHalvings;
-
-        constexpr Points(const BasicSegment<T>& s, const BasicWindow<T>& w)
-            : segment_(s), window_(w)
-        {
-        }
-        constexpr const Place& first() const { return segment_.a; }
-        constexpr const Place& last() const { return segment_.b; }
-        constexpr unsigned code(const Place& p) const { return outcodeOf(p, window_); }
-        static constexpr Place middle(const Place& p, const Place& q)
-        {
-            return {(p.x + q.x) * T(0.5), (p.y + q.y) * T(0.5)};
-        }
-        static constexpr bool same(const Place& p, const Place& q)
-        {
-            return p.x == q.x && p.y == q.y;
-        }
-        constexpr const Place& at(const Place& p, unsigned) const { return p; }
-        constexpr BasicSegment<T> between(const Place& p, const Place& q) const { return {p, q}; }
-
-    private:
-        const BasicSegment<T>& segment_;
-        const BasicWindow<T>& window_;
-    };
-
+    /// An edge that a point with this outcode is beyond.
     static constexpr Edge edgeOf(unsigned code)
     {
-        return code & outcode::left     ? Edge::Left
-               : code & outcode::right  ? Edge::Right
-               : code & outcode::bottom ? Edge::Bottom
-                                        : Edge::Top;
+        return static_cast<Edge>(std::countr_zero(code) + 1);
     }
 
-    template <Form form, class T, class Watch>
-    // NOLINTNEXTLINE(readability-function-size): line by line as the source has it
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    static constexpr std::string_view publishedCode = R"(
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
+if code1 & code2 != 0000
+  reject
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+if code2 != 0000
+  seek(x1, y1, code1, x2, y2, code2)
+  x[2] = xn,  y[2] = yn
+if code1 != 0000
+  seek(x2, y2, code2, x1, y1, code1)
+  x[1] = xn,  y[1] = yn
+accept the line from x[1], y[1] to x[2], y[2]
+seek(xn, yn, near, xf, yf, far):
+  repeat
+    if near & far != 0000
+      reject
+    give up after 2200 halvings
+    xm = (xn + xf) * 0.5,  ym = (yn + yf) * 0.5
+    if xm == xn and ym == yn or xm == xf and ym == yf
+      if near != 0000
+        reject
+      return
+    M = outcode(xm, ym)
+    if M & far != 0000
+      xf = xm,  yf = ym,  far = M
+    else
+      xn = xm,  yn = ym,  near = M
+)";
+    /// A point with its outcode.
+    template <class T>
+    struct Point {
+        glm::vec<2, T> at;
+        unsigned code;
+    };
+    /// Two neighbours, the visible point that is next to the far end and the one behind it.
+    template <class T>
+    struct Found {
+        Point<T> near, far;
+    };
+
+    /// `line` calls it.
+    template <class T, class Step>
+    static constexpr std::optional<Found<T>>
+    seek(int line, const Point<T>& from, const Point<T>& to, const BasicWindow<T>& w, Step& step)
     {
-        const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-        if ((codeA & codeB) != 0) {
-            watch("reject", 2, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-            return std::nullopt;
-        }
-        watch("no", 2, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-        BasicSegment<T> visible = s;
-        if ((codeA | codeB) != 0) {
-            using Places = std::conditional_t<form == Form::Published, Points<T>, Fractions<T, 2>>;
-            using Ends = Bracket<typename Places::Place>;
-            const Places places(s, w);
-            std::optional<Ends> other; // the end that was found before
-            for (const bool last : {true, false}) {
-                if ((last ? codeB : codeA) == 0) {
-                    watch("no", last ? 3 : 5, visible, Edge::None, Named{"code1", codeA},
-                          Named{"code2", codeB});
-                    continue;
-                }
-                watch("yes", last ? 3 : 5, visible, Edge::None, Named{"code1", codeA},
-                      Named{"code2", codeB});
-                const auto found =
-                    halved<form>(places,
-                                 last ? Ends{places.first(), places.last(), codeA, codeB}
-                                      : Ends{places.last(), places.first(), codeB, codeA},
-                                 watch);
-                if (!found)
-                    return std::nullopt;
-                const auto& [near, far, nearCode, farCode] = *found;
-                if (form == Form::Published && nearCode != 0) {
-                    watch("reject", 11, s, Edge::None);
-                    return std::nullopt;
-                }
-                bool contact = nearCode != 0;
-                unsigned codes = found->codes();
-                if constexpr (form == Form::Corrected)
-                    if (other && Places::areNeighbours(near, other->near)) {
-                        contact = true;
-                        codes |= other->codes();
-                    }
-                other = found;
-                const glm::vec<2, T> end = places.at(near, codes);
-                (last ? visible.b : visible.a) = end;
-                watch("cut", last ? 4 : 6, visible, edgeOf(farCode));
-                if (contact) {
-                    visible = {end, end};
-                    break;
-                }
+        T xn = step.set("xn", from.at.x), yn = step.set("yn", from.at.y);
+        unsigned near = step.set("near", from.code);
+        T xf = step.set("xf", to.at.x), yf = step.set("yf", to.at.y);
+        unsigned far = step.let(line, "far", to.code);
+        for (int halvings = 0;; ++halvings) {
+            if (step.test(14, (near & far) != 0))
+                return step.reject(15);
+            if (halvings == mostHalvings)
+                return step.giveUp(16);
+            const T xm = step.set("xm", (xn + xf) * T(0.5));
+            const T ym = step.let(17, "ym", (yn + yf) * T(0.5));
+            if (step.test(18, (xm == xn && ym == yn) || (xm == xf && ym == yf))) {
+                if (step.test(19, near != 0))
+                    return step.reject(20);
+                return Found<T>{{{xn, yn}, near}, {{xf, yf}, far}};
+            }
+            const unsigned M = step.let(22, "M", outcodeOf(glm::vec<2, T>(xm, ym), w));
+            if (step.test(23, (M & far) != 0)) {
+                xf = step.set("xf", xm), yf = step.set("yf", ym);
+                far = step.let(24, "far", M);
+            } else {
+                xn = step.set("xn", xm), yn = step.set("yn", ym);
+                near = step.let(26, "near", M);
             }
         }
-        watch("accept", 7, visible, Edge::None);
-        return visible;
+    }
+
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
+    {
+        const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
+        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
+        if (step.test(2, (code1 & code2) != 0))
+            return step.reject(3);
+        const Point<T> end1{s.a, code1}, end2{s.b, code2};
+        BasicSegment<T> visible = s;
+        if (step.test(5, code2 != 0)) {
+            const auto found = seek(6, end1, end2, w, step);
+            if (!found)
+                return std::nullopt;
+            visible.b = found->near.at;
+            step.cut(7, 1, visible.b, edgeOf(found->far.code));
+        }
+        if (step.test(8, code1 != 0)) {
+            const auto found = seek(9, end2, end1, w, step);
+            if (!found)
+                return std::nullopt;
+            visible.a = found->near.at;
+            step.cut(10, 0, visible.a, edgeOf(found->far.code));
+        }
+        return step.accept(11, visible);
+    }
+
+    static constexpr std::string_view correctedCode = R"(
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
+if code1 & code2 != 0000
+  reject
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+contact = false
+if code1 | code2 != 0000
+  dx = x2-x1,  toLeft = xmin-x1,  toRight = xmax-x1
+  dy = y2-y1,  toBottom = ymin-y1,  toTop = ymax-y1
+if code2 != 0000
+  seek(0, code1, 1, code2)
+  place(n, near | far)
+  x[2] = x,  y[2] = y,  last = n,  sides = near | far
+  if near != 0000
+    x[1] = x,  y[1] = y,  contact = true
+if code1 != 0000 and not contact
+  seek(1, code2, 0, code1)
+  contact = near != 0000
+  if code2 != 0000 and last - n <= 1/9007199254740992
+    contact = true,  near = near | sides
+  place(n, near | far)
+  x[1] = x,  y[1] = y
+  if contact
+    x[2] = x,  y[2] = y
+accept the line from x[1], y[1] to x[2], y[2]
+seek(n, near, f, far):
+  halvings = 0
+  while near & far == 0000 and halvings < 53
+    t = (n + f) * 0.5,  halvings = halvings + 1
+    M = t*dx < toLeft ? LEFT : t*dx > toRight ? RIGHT : 0000
+    M = M | (t*dy < toBottom ? BOTTOM : t*dy > toTop ? TOP : 0000)
+    if M & far != 0000
+      f = t,  far = M
+    else
+      n = t,  near = M
+  if near & far != 0000
+    reject
+place(t, s):
+  x = t < 1 ? x1 + t*dx : x2,  y = t < 1 ? y1 + t*dy : y2
+  x = s & LEFT ? xmin : s & RIGHT ? xmax : min(max(x, xmin), xmax)
+  y = s & BOTTOM ? ymin : s & TOP ? ymax : min(max(y, ymin), ymax)
+)";
+    /// The ways from a to b and to each side of the window.
+    template <class T, glm::length_t N>
+    struct Ways {
+        glm::vec<N, T> d, low, high;
+    };
+    /// Two points of the segment by the fraction of it that lies before them, with their outcodes.
+    /// The end that is sought lies between them.
+    template <class T>
+    struct Bracket {
+        T near;
+        unsigned nearCode;
+        T far;
+        unsigned farCode;
+        constexpr unsigned codes() const { return nearCode | farCode; }
+    };
+
+    template <class T>
+    struct DigitsOf : std::numeric_limits<T> {
+    };
+    template <class T>
+    struct DigitsOf<Counted<T>> : std::numeric_limits<T> {
+    };
+    template <class T>
+    static constexpr int steps = DigitsOf<T>::digits; ///< halvings until nothing is left to halve
+
+    /// A line for the x axis or its next for the y axis; the plane has none for the third.
+    static constexpr int lineOf(int line, glm::length_t axis) { return axis < 2 ? line + axis : 0; }
+
+    template <class T, glm::length_t N, class Step>
+    static constexpr Ways<T, N> waysOf(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w,
+                                       Step& step)
+    {
+        constexpr std::array d{"dx", "dy", "dz"}, low{"toLeft", "toBottom", "toNear"},
+            high{"toRight", "toTop", "toFar"};
+        Ways<T, N> ways;
+        for (glm::length_t k = 0; k < N; ++k) {
+            ways.d[k] = step.set(d[k], s.b[k] - s.a[k]);
+            ways.low[k] = step.set(low[k], w.min[k] - s.a[k]);
+            ways.high[k] = step.let(lineOf(7, k), high[k], w.max[k] - s.a[k]);
+        }
+        return ways;
+    }
+
+    /// Halves a bracket until two neighbours are left; nothing if they are beyond one edge. Line
+    /// `line` calls it.
+    template <class T, glm::length_t N, class Step>
+    static constexpr std::optional<Bracket<T>> seek(int line, Bracket<T> bracket,
+                                                    const Ways<T, N>& ways, Step& step)
+    {
+        auto& [n, near, f, far] = bracket;
+        step.set("n", n), step.set("near", near), step.set("f", f);
+        step.let(line, "far", far);
+        int halvings = step.let(26, "halvings", 0);
+        while (step.test(27, (near & far) == 0 && halvings < steps<T>)) {
+            const T t = step.set("t", (n + f) * T(0.5));
+            step.let(28, "halvings", ++halvings);
+            unsigned M = 0;
+            for (glm::length_t k = 0; k < N; ++k) {
+                M |= sideBeyond(t * ways.d[k], ways.low[k], ways.high[k]) << 2 * k;
+                step.let(lineOf(29, k), "M", M);
+            }
+            if (step.test(31, (M & far) != 0)) {
+                f = step.set("f", t);
+                far = step.let(32, "far", M);
+            } else {
+                n = step.set("n", t);
+                near = step.let(34, "near", M);
+            }
+        }
+        if (step.test(35, (near & far) != 0))
+            return step.reject(36);
+        return bracket;
+    }
+
+    /// The point at t, which lies on the sides that `sides` names. Line `line` calls it.
+    template <class T, glm::length_t N, class Step>
+    static constexpr glm::vec<N, T> place(int line, const T& t, unsigned sides,
+                                          const BasicSegment<T, N>& s, const BasicWindow<T, N>& w,
+                                          const Ways<T, N>& ways, Step& step)
+    {
+        constexpr std::array names{"x", "y", "z"};
+        step.set("t", t), step.let(line, "s", sides);
+        glm::vec<N, T> p = s.b;
+        if (t < T(1))
+            for (glm::length_t k = 0; k < N; ++k)
+                p[k] = s.a[k] + t * ways.d[k];
+        step.set("x", p.x), step.let(38, "y", p.y);
+        for (glm::length_t k = 0; k < N; ++k) {
+            const unsigned side = sides >> 2 * k;
+            p[k] = side & outcode::left    ? w.min[k]
+                   : side & outcode::right ? w.max[k]
+                                           : clamped(p[k], w.min[k], w.max[k]);
+            step.let(lineOf(39, k), names[k], p[k]);
+        }
+        return p;
+    }
+
+    template <class T, glm::length_t N, class Step>
+    static constexpr std::optional<BasicSegment<T, N>>
+    corrected(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w, Step&& step)
+    {
+        const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
+        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
+        if (step.test(2, (code1 & code2) != 0))
+            return step.reject(3);
+        bool contact = step.let(5, "contact", false);
+        Ways<T, N> ways{};
+        if (step.test(6, (code1 | code2) != 0))
+            ways = waysOf(s, w, step);
+        BasicSegment<T, N> visible = s;
+        std::optional<Bracket<T>> last, first;
+        if (step.test(9, code2 != 0)) {
+            if (!(last = seek(10, {T(0), code1, T(1), code2}, ways, step)))
+                return std::nullopt;
+            visible.b = place(11, last->near, last->codes(), s, w, ways, step);
+            step.set("last", last->near), step.set("sides", last->codes());
+            step.cut(12, 1, visible.b, edgeOf(last->farCode));
+            if (step.test(13, last->nearCode != 0)) {
+                visible.a = visible.b, contact = step.set("contact", true);
+                step.cut(14, 0, visible.a, edgeOf(last->nearCode));
+            }
+        }
+        if (step.test(15, code1 != 0 && !contact)) {
+            if (!(first = seek(16, {T(1), code2, T(0), code1}, ways, step)))
+                return std::nullopt;
+            contact = step.let(17, "contact", first->nearCode != 0);
+            const T least(1.0 / double(1ULL << steps<T>)); // between two points
+            if (step.test(18, last && last->near - first->near <= least)) {
+                contact = step.set("contact", true);
+                first->nearCode = step.let(19, "near", first->nearCode | last->codes());
+            }
+            visible.a = place(20, first->near, first->codes(), s, w, ways, step);
+            step.cut(21, 0, visible.a, edgeOf(first->farCode));
+            if (step.test(22, contact)) {
+                visible.b = visible.a;
+                step.cut(23, 1, visible.b, edgeOf(first->nearCode));
+            }
+        }
+        return step.accept(24, visible);
     }
 };
 

@@ -36,6 +36,24 @@ std::optional<std::pair<unsigned, unsigned>> codesIn(const clipping::Trace& trac
     return std::pair(codes[0], codes[1]);
 }
 
+/// The outcodes of the near and the far point after each halving.
+std::vector<std::pair<unsigned, unsigned>> codesAfterHalvings(const clipping::Trace& trace)
+{
+    std::vector<std::pair<unsigned, unsigned>> all;
+    std::pair<unsigned, unsigned> codes; // near, far
+    for (const clipping::Step& step : trace.steps) {
+        int told = 0; // both where a search begins
+        for (const clipping::NamedValue& value : step.values)
+            if (value.name == "near" || value.name == "far") {
+                (value.name == "near" ? codes.first : codes.second) = unsigned(value.value);
+                ++told;
+            }
+        if (told == 1)
+            all.push_back(codes);
+    }
+    return all;
+}
+
 /// As Sobkow, Pospisil and Yang name a region.
 QString nameOf(unsigned code)
 {
@@ -205,13 +223,13 @@ private slots:
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
             const auto trace = traceOf(ms, line, w);
-            const auto near = valuesNamed(trace, "near"), far = valuesNamed(trace, "far");
+            const auto codes = codesAfterHalvings(trace);
             const auto mine = app::halvings(line, w, 5);
             for (std::size_t k = 0; k < std::min<std::size_t>(mine.size(), 5); ++k) {
                 if (mine[k].forB != mine[0].forB)
                     break; // the library's first search goes on
-                QVERIFY2(mine[k].nearCode == unsigned(near.at(k)), said(ms, w, line));
-                QVERIFY2(mine[k].farCode == unsigned(far.at(k)), said(ms, w, line));
+                QVERIFY2(mine[k].nearCode == codes.at(k).first, said(ms, w, line));
+                QVERIFY2(mine[k].farCode == codes.at(k).second, said(ms, w, line));
                 ++compared;
             }
         }

@@ -520,20 +520,31 @@ private slots:
     {
         const auto said = sentences("ms:published", across);
         compareLists(
-            said.first(5),
+            said.first(14),
             {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
              "(above).",
              "2: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line may meet the "
              "window.",
-             "3: End 2 is outside (1000): the visible point nearest to it is sought, by halving.",
-             "13: The middle, at (−45, 50), has the outcode 0000 (inside) and shares no edge with "
-             "the far point: the end that is sought lies between them, and the near half is "
-             "settled.",
-             "12: The middle, at (12.5, 90), has the outcode 1000 (above) and lies beyond the same "
-             "edge as the far point: the half between them holds nothing and is dropped."});
-        QVERIFY(said.contains("4: There is nothing left to halve: End 2 is found at (−9.0625, 75), "
+             "5: End 2 is outside (1000): the visible point nearest to it is sought, by halving.",
+             "6: The near point has the outcode 0001 (left), the far point 1000 (above).",
+             "14: The near point (0001) and the far point (1000) share no edge: the end that is "
+             "sought lies between them.",
+             "17: The middle of the near and the far point is (−45, 50).",
+             "18: The middle lies between the two points: it halves what is between them.",
+             "22: The outcode of the middle is 0000 (inside).",
+             "23: The middle, with 0000 (inside), shares no edge with the far point: the end that "
+             "is sought lies between them, and the near half is settled.",
+             "26: The middle is now the near point, with 0000 (inside).",
+             "14: The near point (0000) and the far point (1000) share no edge: the end that is "
+             "sought lies between them.",
+             "17: The middle of the near and the far point is (12.5, 90).",
+             "18: The middle lies between the two points: it halves what is between them.",
+             "22: The outcode of the middle is 1000 (above)."});
+        QVERIFY(said.contains("23: The middle, with 1000 (above), and the far point lie beyond the "
+                              "same edge: the half between them holds nothing and is dropped."));
+        QVERIFY(said.contains("7: There is nothing left to halve: End 2 is found at (−9.0625, 75), "
                               "at the top edge."));
-        QVERIFY(said.contains("5: End 1 is outside (0001): the visible point nearest to it is "
+        QVERIFY(said.contains("8: End 1 is outside (0001): the visible point nearest to it is "
                               "sought, by halving."));
         const auto lost = sentences("ms:published", {{-1, -4}, {6, 45}}, {{0, 0}, {3, 3}});
         QVERIFY2(lost.last().contains("That is wrong: the line touches the window at (0, 3)."),
