@@ -18,9 +18,9 @@
 // How far off: two points of the last step are 2^-53*D apart, 2 units of README.md, which stands
 // where it has the two differences that one multiplies and divides; so its k = 24 holds here too.
 // An outcode is wrong within 3e, 6 units: a contact of two ends is off by both steps, both outcodes
-// and the 5 of a way that is added, 4 + 12 + 5 = 21.
+// and the 5 of a way that is added, 4 + 12 + 5 = 21. So it is in three dimensions, where this is
+// far below the k of README.md, "Boxes".
 
-#include "clipping/box/uses.h"
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
@@ -42,7 +42,6 @@ struct MidpointSubdivision {
                 "halve the other, until there is nothing left to halve.",
         .ulps = 24,
     };
-    static constexpr auto box = &midpointSubdivisionBox;
     /// Where the published form is given up; from 2^1024 to 2^-1074 it takes 2098.
     static constexpr int mostHalvings = 2200;
 
@@ -323,6 +322,8 @@ place(t, s):
             if (step.test(18, last && last->near - first->near <= least)) {
                 contact = step.set("contact", true);
                 first->nearCode = step.let(19, "near", first->nearCode | last->codes());
+                if constexpr (N > 2) // the neighbour that was found first; in the plane the other
+                    first->near = last->near;
             }
             visible.a = place(20, first->near, first->codes(), s, w, ways, step);
             step.cut(21, 0, visible.a, edgeOf(first->farCode));

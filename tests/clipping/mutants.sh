@@ -15,10 +15,9 @@ testsOf() { # KEY
     box/*) echo box.box ;;
     polygon/* | exact/turn*) echo polygon.polygon ;;
     polyline) echo polyline ;;
-    halving.h) echo box.box published contract ;;
     part.h | algorithms/*.h) echo box.box contract uses endless ;;
     lines-and-rays/*) echo endless ;;
-    cohen-sutherland | liang-barsky | cyrus-beck) echo published contract box.box uses ;;
+    cohen-sutherland | liang-barsky | cyrus-beck | midpoint-subdivision) echo published contract box.box uses ;;
     *) echo published contract uses endless ;;
     esac
 }

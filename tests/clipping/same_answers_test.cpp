@@ -18,12 +18,13 @@ Answers answers(const Question& question, const Block& block);
 namespace {
 
 /// Questions whose answers are counted in another way than before, and why.
-constexpr std::array<std::string_view, 3> countedAnew{
+constexpr std::array<std::string_view, 4> countedAnew{
     "cohen-sutherland box", // it moves an end on the two other axes only, as in the plane
     // In space they ask what they ask in the plane: whether u1 (tL) is less than 1, and u0 (tE)
     // greater than 0. That is two comparisons more for what is visible.
     "liang-barsky box",
     "cyrus-beck box",
+    "midpoint-subdivision box", // the differences to the sides are taken only where a code is not 0
 };
 constexpr std::size_t bytesOfCounts = 5 * sizeof(std::uint64_t); // at the end of the answers
 
