@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/trace.h"
+
+#include "tests/clipping/formulas/code.h"
+#include "tests/clipping/formulas/evaluate.h"
+
+namespace formulas {
+
+/// Where a step says something else than the line that it lights.
+struct Fault {
+    int line;              ///< from 1
+    std::string text;      ///< the line's
+    std::string variables; ///< what was known
+    std::string found;     ///< by the formula, or what is wrong
+    std::string told;      ///< by the step
+};
+std::string text(const Fault& fault); ///< in several lines
+
+/// Follows a run through its pseudo-code, and evaluates every line that is lit.
+class Checker {
+public:
+    explicit Checker(const Code& code) : code_(code), evaluated_(code.formulas) {}
+
+    /// The first fault of a run. `operations`: what the run costs in all.
+    std::optional<Fault> check(const clipping::Segment& segment, const clipping::Window& window,
+                               const clipping::Trace& trace,
+                               const clipping::OperationCounts& operations);
+
+    /// The formulas that no run so far has evaluated.
+    std::vector<Place> notEvaluated() const;
+
+private:
+    const Code& code_;
+    std::vector<char> evaluated_;
+};
+
+} // namespace formulas

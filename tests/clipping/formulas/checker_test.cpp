@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run that says what its pseudo-code says has no fault; each thing that it says otherwise is one.
+#include <QTest>
+
+#include <functional>
+
+#include "tests/clipping/formulas/checker.h"
+
+using namespace formulas;
+using clipping::Edge;
+using clipping::Step;
+using clipping::What;
+
+namespace {
+
+constexpr const char* code = "dx = x2-x1,  half = dx/2\n"
+                             "for i = 1, 2\n"
+                             "  moved = false\n"
+                             "  if move(dx*2, xi): reject\n"
+                             "  x[i] = held(x1 - dx),  y[i] = held(y1)\n"
+                             "move(p, q):\n"
+                             "  if p < q and not moved\n"
+                             "    reject\n"
+                             "    give up after a while\n"
+                             "hold the ends inside the window\n"
+                             "accept the line from x[1], y[1] to x[2], y[2]\n";
+const clipping::Segment given{{-3, 1}, {5, 1}};
+const clipping::Window window{{0, 0}, {4, 4}};
+const clipping::Segment cut{{0, 1}, {5, 1}}, held{{0, 1}, {4, 1}};
+
+/// A run without fault.
+std::vector<Step> goodRun()
+{
+    return {
+        {What::Let, false, "half", 1, given, Edge::None, {{"dx", 8}, {"half", 4}}, {1, 0, 1, 0, 0}},
+        {What::Let,
+         false,
+         "q",
+         4,
+         given,
+         Edge::None,
+         {{"i", 1}, {"xi", -3}, {"moved", 0}, {"p", 16}, {"q", -3}},
+         {1, 1, 1, 0, 0}},
+        {What::Test, false, "", 7, given, Edge::None, {}, {1, 1, 1, 1, 0}},
+        {What::Cut, false, "", 5, cut, Edge::Left, {}, {1, 1, 1, 3, 0}},
+        {What::Let, false, "left", 10, held, Edge::None, {}, {1, 1, 1, 9, 0}},
+        {What::Accept, false, "", 11, held, Edge::None, {}, {1, 1, 1, 9, 0}},
+    };
+}
+
+std::optional<Fault> faultOf(const std::vector<Step>& steps,
+                             clipping::OperationCounts operations = {1, 1, 1, 9, 0})
+{
+    const Code parsed = read(code);
+    Checker checker(parsed);
+    return checker.check(given, window, {steps, clipping::Outcome::Visible, held}, operations);
+}
+
+} // namespace
+
+class CheckerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noFault()
+    {
+        const auto fault = faultOf(goodRun());
+        QVERIFY2(!fault, fault ? text(*fault).c_str() : "");
+    }
+
+    void faults_data()
+    {
+        using Change = std::function<void(std::vector<Step>&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<int>("line");
+        const auto row = [](const char* name, int line, const Change& change) {
+            QTest::newRow(name) << change << line;
+        };
+        row("a value", 1, [](auto& s) { s[0].values[1].value = 4.5; });
+        row("a second value", 1, [](auto& s) { s[0].values[0].value = 8.5; });
+        row("a zero's sign", 4, [](auto& s) { s[1].values[2].value = -0.0; });
+        row("a name", 1, [](auto& s) { s[0].values[1].name = "third"; });
+        row("a value of another line", 4, [](auto& s) { s[1].values.push_back({"half", 5}); });
+        row("a turn of the loop", 4, [](auto& s) { s[1].values[0].value = 3; });
+        row("a given end", 4, [](auto& s) { s[1].values[1].value = 5; });
+        row("an argument", 4, [](auto& s) { s[1].values[3].value = 17; });
+        row("a variable that the line has not", 4, [](auto& s) { s[1].name = "moved"; });
+        row("a condition", 7, [](auto& s) { s[2].holds = true; });
+        row("no condition", 8, [](auto& s) { s[2].line = 8; });
+        row("no such line", 12, [](auto& s) { s[2].line = 12; });
+        row("line 0", 0, [](auto& s) { s[2].line = 0; });
+        row("an end", 5, [](auto& s) { s[3].segment.a.x = 1; });
+        row("the other end", 5, [](auto& s) { s[3].segment.b.y = 2; });
+        row("an edge", 5, [](auto& s) { s[3].edge = Edge::Right; });
+        row("an end moves in a test", 7, [](auto& s) { s[2].segment = cut; });
+        row("a line that cuts nothing", 1, [](auto& s) { s[3].line = 1; });
+        row("an end outside the window", 10, [](auto& s) { s[4].segment = cut; });
+        row("another segment is accepted", 11, [](auto& s) { s[5].segment = given; });
+        row("no accept", 7, [](auto& s) { s[5].line = 7; });
+        row("no reject", 11, [](auto& s) { s[5].what = What::Reject; });
+        row("no give up", 11, [](auto& s) { s[5].what = What::GiveUp; });
+        row("an addition", 7, [](auto& s) { s[2].cost.additions = 2; });
+        row("a multiplication", 7, [](auto& s) { s[2].cost.multiplications = 2; });
+        row("a division", 7, [](auto& s) { s[2].cost.divisions = 2; });
+        row("a comparison", 7, [](auto& s) { s[2].cost.comparisons = 2; });
+        row("a change of sign", 7, [](auto& s) { s[2].cost.negations = 1; });
+        row("operations after the last step", 11, [](auto& s) { s[5].cost.comparisons = 8; });
+        row("no step of a value", 7, [](auto& s) { s[1].values.resize(4), s[1].name = "p"; });
+    }
+    void faults()
+    {
+        QFETCH(std::function<void(std::vector<Step>&)>, change);
+        QFETCH(int, line);
+        auto steps = goodRun();
+        change(steps);
+        const auto fault = faultOf(steps);
+        QVERIFY(fault.has_value());
+        QVERIFY2(fault->line == line, text(*fault).c_str());
+    }
+
+    void theReport()
+    {
+        auto steps = goodRun();
+        steps[0].values[1].value = 4.5;
+        QCOMPARE(text(*faultOf(steps)).c_str(),
+                 "line 1: dx = x2-x1,  half = dx/2\n"
+                 "  variables: x1 = -3, y1 = 1, x2 = 5, y2 = 1, xmin = 0, ymin = 0, xmax = 4, "
+                 "ymax = 4, dx = 8, x[1] = -3, x[2] = 5, y[1] = 1, y[2] = 1\n"
+                 "  found: half = 4\n"
+                 "  told: 4.5");
+    }
+
+    void notEvaluated()
+    {
+        const Code parsed = read(code);
+        Checker checker(parsed);
+        QCOMPARE(checker.notEvaluated().size(), 6U); // dx, half, dx*2, two held ends, a condition
+        auto steps = goodRun();
+        steps.resize(3);
+        QVERIFY(!checker.check(given, window, {steps, {}, {}}, {1, 1, 1, 1, 0}));
+        const auto left = checker.notEvaluated();
+        QCOMPARE(left.size(), 2U);
+        QCOMPARE(left[0].line, 5U);
+    }
+};
+
+QTEST_GUILESS_MAIN(CheckerTest)
+#include "checker_test.moc"

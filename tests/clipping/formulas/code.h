@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/counted.h"
+
+#include <array>
+#include <optional>
+#include <set>
+
+#include "tests/clipping/formulas/expression.h"
+
+namespace formulas {
+
+/// A formula with its number in the code, so that it can be said which were evaluated.
+struct Formula {
+    Expression expression;
+    std::size_t number = 0;
+};
+
+/// `target = value`, in a line of its own or of several.
+struct Assignment {
+    Expression target;
+    Formula value;
+};
+
+/// f(p, q): the parameters of a definition, or the arguments of a call.
+struct Parameters {
+    std::string of;
+    std::vector<int> variables;
+};
+struct Arguments {
+    std::string of;
+    std::vector<Formula> values;
+};
+
+/// One line of the pseudo-code, read.
+struct Line {
+    std::string text;
+    bool accepts = false, rejects = false, givesUp = false, holds = false; ///< its words
+    std::optional<Formula> condition{};
+    std::vector<Assignment> assignments{};
+    std::vector<Arguments> calls{};
+    std::optional<Parameters> definition{};
+    int loop = -1;                   ///< the variable of a `for` line
+    std::vector<Expression> turns{}; ///< the values that it gets, one after another
+    std::vector<int> ofEach{};       ///< names in a `for each` line
+    std::vector<Formula> accepted{}; ///< the four coordinates after "accept the line from"
+    clipping::OperationCounts mostOperations{}; ///< that its formulas can cost
+};
+
+/// The pseudo-code of one form.
+struct Code {
+    Names names;
+    std::vector<Line> lines;
+    std::array<int, 4> ends{-1, -1, -1, -1}; ///< the names of what is left, as slots: x, y, x, y
+    std::size_t formulas = 0;                ///< how many there are, copies among them
+    std::set<std::string> loops;             ///< the variables of `for` lines
+};
+
+/// Reads a pseudo-code. Throws Unreadable, which says in which line.
+Code read(std::string_view code);
+
+/// What a formula can cost at most, whichever way its conditions go.
+clipping::OperationCounts mostOperationsOf(const Expression& e);
+
+/// Each formula that computes something, with its line, from 1.
+struct Place {
+    std::size_t line;
+    const Formula* formula;
+};
+std::vector<Place> formulasOf(const Code& code);
+
+} // namespace formulas

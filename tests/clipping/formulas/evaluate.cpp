@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/clipping/formulas/evaluate.h"
+
+#include "clipping/clamped.h"
+#include "clipping/outcode.h"
+
+#include <bit>
+#include <cmath>
+
+namespace formulas {
+
+namespace {
+
+unsigned bits(double value) { return unsigned(static_cast<std::int64_t>(value)); }
+
+/// The edge's own coordinate across it; elsewhere the one of the window that is nearest.
+double held(double value, const Scope& scope)
+{
+    if (scope.axis < 0)
+        throw Unreadable("held(...) is no coordinate here");
+    const clipping::Window w = scope.window();
+    if (scope.edge != clipping::Edge::None && clipping::axisOf(scope.edge) == scope.axis)
+        return clipping::levelOf(scope.edge, w);
+    return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
+}
+
+double valueOfFunction(const Expression& e, const Scope& scope)
+{
+    const double first = valueOf(e.parts[0], scope);
+    if (e.name == "abs")
+        return std::abs(first);
+    if (e.name == "held")
+        return held(first, scope);
+    const double second = valueOf(e.parts[1], scope);
+    if (e.name == "min")
+        return std::min(first, second);
+    if (e.name == "max")
+        return std::max(first, second);
+    return double(clipping::outcodeOf(glm::dvec2{first, second}, scope.window()));
+}
+
+/// Of two operands that are both looked at.
+double combined(Kind kind, double a, double b)
+{
+    switch (kind) {
+    case Kind::Sum:
+        return a + b;
+    case Kind::Difference:
+        return a - b;
+    case Kind::Product:
+        return a * b;
+    case Kind::Quotient:
+        return a / b;
+    case Kind::BitAnd:
+        return double(bits(a) & bits(b));
+    case Kind::BitOr:
+        return double(bits(a) | bits(b));
+    case Kind::Less:
+        return a < b;
+    case Kind::Greater:
+        return a > b;
+    case Kind::AtMost:
+        return a <= b;
+    case Kind::AtLeast:
+        return a >= b;
+    case Kind::Equal:
+        return a == b;
+    default:
+        return a != b;
+    }
+}
+
+} // namespace
+
+int slotOf(const Expression& variable, const Scope& scope)
+{
+    if (variable.kind == Kind::Name)
+        return variable.variables[0];
+    const double index = valueOf(variable.parts[0], scope);
+    if (!(index >= 0 && index < 10))
+        throw Unreadable("an index is " + text(index));
+    return variable.variables[std::size_t(index)];
+}
+
+double valueOf(const Expression& e, const Scope& scope)
+{
+    const auto part = [&](std::size_t i) { return valueOf(e.parts[i], scope); };
+    switch (e.kind) {
+    case Kind::Number:
+        return e.number;
+    case Kind::Name:
+    case Kind::Element:
+        return scope.value(slotOf(e, scope));
+    case Kind::Negative:
+        return -part(0);
+    case Kind::Complement:
+        return double(~bits(part(0)));
+    case Kind::Not:
+        return part(0) == 0;
+    case Kind::And:
+        return part(0) != 0 && part(1) != 0;
+    case Kind::Or:
+        return part(0) != 0 || part(1) != 0;
+    case Kind::Choice:
+        return part(0) != 0 ? part(1) : part(2);
+    case Kind::Function:
+        return valueOfFunction(e, scope);
+    case Kind::Call:
+        throw Unreadable(e.name + "(...) has no value of its own: tell what its lines do");
+    default:
+        return combined(e.kind, part(0), part(1));
+    }
+}
+
+bool same(double a, double b)
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b)
+           || (std::isnan(a) && std::isnan(b));
+}
+
+} // namespace formulas

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/geometry.h"
+
+#include "tests/clipping/formulas/expression.h"
+
+namespace formulas {
+
+/// What formulas are evaluated with.
+class Scope {
+public:
+    Scope(const Names& names, const clipping::Segment& segment, const clipping::Window& window);
+
+    bool isKnown(int slot) const { return known_[std::size_t(slot)] != 0; }
+    double value(int slot) const; ///< throws Unreadable if it is not known
+    void set(int slot, double value);
+    clipping::Window window() const; ///< of xmin, ymin, xmax, ymax
+    std::string text() const;        ///< every known variable with its value
+
+    clipping::Edge edge = clipping::Edge::None; ///< that the step is about
+    int axis = -1; ///< of the coordinate that gets the value; -1: it is none
+
+private:
+    const Names& names_;
+    std::vector<double> values_;
+    std::vector<char> known_;
+};
+
+/// The slot of a Name or an Element.
+int slotOf(const Expression& variable, const Scope& scope);
+
+/// The value in double, from left to right; a truth is 1 or 0. Throws Unreadable.
+double valueOf(const Expression& e, const Scope& scope);
+
+/// A number that reads back as it is.
+std::string text(double value);
+
+/// Whether they are the same bits, or both not a number.
+bool same(double a, double b);
+
+} // namespace formulas

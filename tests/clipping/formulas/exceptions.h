@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+#include <vector>
+
+// What formulas_test does not ask of a row; it fails for a line here that is not needed any more.
+
+namespace formulas {
+
+/// Rows whose pseudo-code is not yet beside their functions.
+// clang-format off
+inline const std::vector<std::string_view> notYetTold{
+    "cohen-sutherland",
+    "liang-barsky",
+    "cyrus-beck",
+    "midpoint-subdivision",
+    "sobkow-pospisil-yang",
+    "slater-barsky",
+    "kodituwakku-wijeweera-chamikara",
+    "nicholl-lee-nicholl",
+    "skala",
+    "exact",
+};
+// clang-format on
+
+/// Formulas that none of the lines evaluates, and why.
+struct NotEvaluated {
+    std::string_view key;
+    clipping::Form form;
+    std::string_view line; ///< its text, without indentation
+    std::string_view reason;
+};
+
+/// One row each: {"key", clipping::Form::Corrected, "line", "reason"}.
+inline const std::vector<NotEvaluated> notEvaluated{};
+
+/// Alterations that none of the lines can tell from the code, and why.
+struct NotObservable {
+    std::string_view key;
+    clipping::Form form;
+    std::string_view line, change; ///< as Altered has them
+    std::string_view reason;
+};
+
+/// One row each: {"key", clipping::Form::Corrected, "line", "change", "reason"}.
+inline const std::vector<NotObservable> notObservable{};
+
+} // namespace formulas

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/clipping/formulas/step_check.h"
+
+#include "clipping/clamped.h"
+
+#include <algorithm>
+
+namespace formulas {
+
+using clipping::What;
+
+namespace {
+
+std::array<double, 4> coordinates(const clipping::Segment& s)
+{
+    return {s.a.x, s.a.y, s.b.x, s.b.y};
+}
+
+/// Whether both ends, or one, are said to be new.
+bool movesEnds(const clipping::Step& step)
+{
+    return step.what == What::Cut || (step.what == What::Let && step.name == "left");
+}
+
+std::string text(bool truth) { return truth ? "true" : "false"; }
+
+} // namespace
+
+StepCheck::StepCheck(const Code& code, std::vector<char>& evaluated,
+                     const clipping::Segment& segment, const clipping::Window& window)
+    : code_(code), evaluated_(evaluated), scope_(code.names, segment, window),
+      ends_(coordinates(segment))
+{
+    setEnds();
+}
+
+void StepCheck::step(const clipping::Step& step)
+{
+    if (step.line < 1 || step.line > int(code_.lines.size()))
+        throw Wrong{"the code has " + std::to_string(code_.lines.size()) + " lines",
+                    "line " + std::to_string(step.line)};
+    line_ = &code_.lines[std::size_t(step.line) - 1];
+    scope_.edge = step.edge;
+    next_ = ends_, assignsEnds_ = false;
+    words(step.what);
+    takeFromOtherLines(step);
+    if (step.what == What::Test)
+        condition(step.holds);
+    if (step.what == What::Let && !movesEnds(step))
+        nameOfLet(step);
+    assignments(step);
+    arguments(step);
+    ends(step);
+    cost(step);
+}
+
+void StepCheck::words(What what) const
+{
+    const auto must = [](bool has, const char* word) {
+        if (!has)
+            throw Wrong{std::string("the line does not say \"") + word + '"', word};
+    };
+    must(what != What::Accept || line_->accepts, "accept");
+    must(what != What::Reject || line_->rejects, "reject");
+    must(what != What::GiveUp || line_->givesUp, "give up");
+    must(what != What::Test || line_->condition.has_value(), "if");
+}
+
+void StepCheck::condition(bool holds)
+{
+    const bool found = valueOf(*line_->condition) != 0;
+    if (found != holds)
+        throw Wrong{text(found), text(holds)};
+}
+
+void StepCheck::assignments(const clipping::Step& step)
+{
+    for (const Assignment& assignment : line_->assignments) {
+        const int slot = slotOf(assignment.target, scope_);
+        const auto end = std::ranges::find(code_.ends, slot) - code_.ends.begin();
+        const bool isEnd = end < 4 && movesEnds(step);
+        const auto value = told(step, slot);
+        if (!isEnd && !value)
+            continue;
+        scope_.axis = end < 4 ? int(end % 2) : axisOf(slot);
+        const double found = valueOf(assignment.value);
+        scope_.axis = -1;
+        if (value && !same(found, *value))
+            throw Wrong{code_.names.at(slot) + " = " + formulas::text(found),
+                        formulas::text(*value)};
+        scope_.set(slot, found);
+        if (isEnd)
+            next_[std::size_t(end)] = found, assignsEnds_ = true;
+    }
+}
+
+void StepCheck::ends(const clipping::Step& step)
+{
+    if (movesEnds(step) && !assignsEnds_) {
+        if (!line_->holds)
+            throw Wrong{"the line gives no end a new coordinate", "new ends"};
+        const auto [a, b] =
+            std::pair(glm::dvec2{ends_[0], ends_[1]}, glm::dvec2{ends_[2], ends_[3]});
+        const auto w = scope_.window();
+        next_ = coordinates({clipping::clamped(a, w), clipping::clamped(b, w)});
+    }
+    if (step.what == What::Accept)
+        for (std::size_t k = 0; k < line_->accepted.size(); ++k)
+            next_[k] = valueOf(line_->accepted[k]);
+    const Ends now = coordinates(step.segment);
+    for (std::size_t k = 0; k < 4; ++k)
+        if (!same(next_[k], now[k]))
+            throw Wrong{std::string(k % 2 ? "y" : "x") + " of End " + (k < 2 ? "1" : "2") + " = "
+                            + formulas::text(next_[k]),
+                        formulas::text(now[k])};
+    ends_ = now;
+    setEnds();
+}
+
+} // namespace formulas
