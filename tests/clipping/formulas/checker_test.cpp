@@ -23,6 +23,7 @@ constexpr const char* code = "dx = x2-x1,  half = dx/2\n"
                              "    reject\n"
                              "    give up after a while\n"
                              "hold the ends inside the window\n"
+                             "for each edge, of normal nx\n"
                              "accept the line from x[1], y[1] to x[2], y[2]\n";
 const clipping::Segment given{{-3, 1}, {5, 1}};
 const clipping::Window window{{0, 0}, {4, 4}};
@@ -43,8 +44,8 @@ std::vector<Step> goodRun()
          {1, 1, 1, 0, 0}},
         {What::Test, false, "", 7, given, Edge::None, {}, {1, 1, 1, 1, 0}},
         {What::Cut, false, "", 5, cut, Edge::Left, {}, {1, 1, 1, 3, 0}},
-        {What::Let, false, "left", 10, held, Edge::None, {}, {1, 1, 1, 9, 0}},
-        {What::Accept, false, "", 11, held, Edge::None, {}, {1, 1, 1, 9, 0}},
+        {What::Let, false, "left", 10, held, Edge::None, {{"nx", -1}}, {1, 1, 1, 9, 0}},
+        {What::Accept, false, "", 12, held, Edge::None, {}, {1, 1, 1, 9, 0}},
     };
 }
 
@@ -83,11 +84,12 @@ private slots:
         row("a value of another line", 4, [](auto& s) { s[1].values.push_back({"half", 5}); });
         row("a turn of the loop", 4, [](auto& s) { s[1].values[0].value = 3; });
         row("a given end", 4, [](auto& s) { s[1].values[1].value = 5; });
+        row("a normal", 10, [](auto& s) { s[4].values[0].value = 2; });
         row("an argument", 4, [](auto& s) { s[1].values[3].value = 17; });
         row("a variable that the line has not", 4, [](auto& s) { s[1].name = "moved"; });
         row("a condition", 7, [](auto& s) { s[2].holds = true; });
         row("no condition", 8, [](auto& s) { s[2].line = 8; });
-        row("no such line", 12, [](auto& s) { s[2].line = 12; });
+        row("no such line", 13, [](auto& s) { s[2].line = 13; });
         row("line 0", 0, [](auto& s) { s[2].line = 0; });
         row("an end", 5, [](auto& s) { s[3].segment.a.x = 1; });
         row("the other end", 5, [](auto& s) { s[3].segment.b.y = 2; });
@@ -95,16 +97,16 @@ private slots:
         row("an end moves in a test", 7, [](auto& s) { s[2].segment = cut; });
         row("a line that cuts nothing", 1, [](auto& s) { s[3].line = 1; });
         row("an end outside the window", 10, [](auto& s) { s[4].segment = cut; });
-        row("another segment is accepted", 11, [](auto& s) { s[5].segment = given; });
+        row("another segment is accepted", 12, [](auto& s) { s[5].segment = given; });
         row("no accept", 7, [](auto& s) { s[5].line = 7; });
-        row("no reject", 11, [](auto& s) { s[5].what = What::Reject; });
-        row("no give up", 11, [](auto& s) { s[5].what = What::GiveUp; });
+        row("no reject", 12, [](auto& s) { s[5].what = What::Reject; });
+        row("no give up", 12, [](auto& s) { s[5].what = What::GiveUp; });
         row("an addition", 7, [](auto& s) { s[2].cost.additions = 2; });
         row("a multiplication", 7, [](auto& s) { s[2].cost.multiplications = 2; });
         row("a division", 7, [](auto& s) { s[2].cost.divisions = 2; });
         row("a comparison", 7, [](auto& s) { s[2].cost.comparisons = 2; });
         row("a change of sign", 7, [](auto& s) { s[2].cost.negations = 1; });
-        row("operations after the last step", 11, [](auto& s) { s[5].cost.comparisons = 8; });
+        row("operations after the last step", 12, [](auto& s) { s[5].cost.comparisons = 8; });
         row("no step of a value", 7, [](auto& s) { s[1].values.resize(4), s[1].name = "p"; });
     }
     void faults()

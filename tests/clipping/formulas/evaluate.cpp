@@ -11,7 +11,12 @@ namespace formulas {
 
 namespace {
 
-unsigned bits(double value) { return unsigned(static_cast<std::int64_t>(value)); }
+unsigned bits(double value)
+{
+    if (!(value >= 0 && value < 0x1p32 && value == std::floor(value)))
+        throw Unreadable(text(value) + " is no pattern of bits");
+    return unsigned(value);
+}
 
 /// The edge's own coordinate across it; elsewhere the one of the window that is nearest.
 double held(double value, const Scope& scope)

@@ -77,8 +77,9 @@ private slots:
     void errors_data()
     {
         QTest::addColumn<QString>("formula");
-        for (const char* formula : {"unknown", "1 +", "(1", "1 2", "x[1", "x[20]", "f(1)", "min(1)",
-                                    "1 ? 2", "", "+ 1", "1 < 2 < 3", "a = 1", "x[1] + 1", "1 # 2"})
+        for (const char* formula :
+             {"unknown", "1 +", "(1", "1 2", "x[1", "x[20]", "f(1)", "min(1)", "1 ? 2", "", "+ 1",
+              "1 < 2 < 3", "a = 1", "x[1] + 1", "1 # 2", "0.5 | 1", "-1 & 1"})
             QTest::newRow(formula) << QString(formula);
     }
     void errors()

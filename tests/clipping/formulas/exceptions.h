@@ -12,10 +12,6 @@ namespace formulas {
 /// Rows whose pseudo-code is not yet beside their functions.
 // clang-format off
 inline const std::vector<std::string_view> notYetTold{
-    "cohen-sutherland",
-    "liang-barsky",
-    "cyrus-beck",
-    "midpoint-subdivision",
     "sobkow-pospisil-yang",
     "slater-barsky",
     "kodituwakku-wijeweera-chamikara",
@@ -45,6 +41,11 @@ struct NotObservable {
 };
 
 /// One row each: {"key", clipping::Form::Corrected, "line", "change", "reason"}.
-inline const std::vector<NotObservable> notObservable{};
+inline const std::vector<NotObservable> notObservable{
+    {"cyrus-beck", clipping::Form::Published, "if D > 0", ">= for > at column 6",
+     "D is not 0 here"},
+    {"cyrus-beck", clipping::Form::Corrected, "if D > 0", ">= for > at column 6",
+     "D is not 0 here"},
+};
 
 } // namespace formulas

@@ -7,46 +7,6 @@
 
 namespace formulas {
 
-bool Reader::sees(std::string_view text, std::size_t further) const
-{
-    return at_ + further < tokens_.size() && tokens_[at_ + further].text == text;
-}
-
-bool Reader::takes(std::string_view text)
-{
-    const bool seen = sees(text);
-    at_ += seen ? 1 : 0;
-    return seen;
-}
-
-void Reader::expect(std::string_view text)
-{
-    if (!takes(text))
-        fail("'" + std::string(text) + "'");
-}
-
-void Reader::fail(const std::string& wanted) const
-{
-    throw Unreadable(atEnd() ? wanted + " is missing at the end"
-                             : wanted + " is missing before '" + std::string(tokens_[at_].text)
-                                   + "' at column " + std::to_string(tokens_[at_].at + 1));
-}
-
-std::string Reader::word()
-{
-    if (atEnd() || !isWord(tokens_[at_]))
-        fail("A name");
-    return std::string(tokens_[at_++].text);
-}
-
-std::vector<std::string> Reader::rest()
-{
-    std::vector<std::string> words;
-    for (; !atEnd(); ++at_)
-        words.emplace_back(tokens_[at_].text);
-    return words;
-}
-
 Expression Reader::expression()
 {
     Expression condition = level(0);
@@ -80,7 +40,7 @@ Expression Reader::level(std::size_t n)
                 found = &o;
         if (!found)
             return left;
-        ++at_;
+        next();
         left = {.kind = found->kind, .parts = {std::move(left), level(n + 1)}};
         if (n == levelOfComparisons)
             return left; // a < b < c is none
@@ -103,7 +63,7 @@ Expression Reader::primary()
         expect(")");
         return inner;
     }
-    if (!atEnd() && isNumber(tokens_[at_]))
+    if (seesNumber())
         return number();
     if (!sees("(", 1))
         return variable();
@@ -125,7 +85,7 @@ Expression Reader::primary()
 /// Four digits of 0 and 1 are the bits of an outcode.
 Expression Reader::number()
 {
-    const std::string text(tokens_[at_++].text);
+    const std::string text(next().text);
     const bool bits = text.size() == 4 && text.find_first_not_of("01") == std::string::npos;
     return {.number = bits ? double(std::strtoul(text.c_str(), nullptr, 2))
                            : std::strtod(text.c_str(), nullptr)};

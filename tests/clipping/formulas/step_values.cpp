@@ -26,6 +26,13 @@ bool gives(const Expression& copy, double value, const Scope& scope)
     return scope.isKnown(slot) && same(scope.value(slot), value);
 }
 
+/// Whether an edge, one of its corners or its normal can have that coordinate.
+bool isOfAnEdge(double value, const clipping::Window& w)
+{
+    const std::array all{w.min.x, w.min.y, w.max.x, w.max.y, -1.0, 0.0, 1.0};
+    return std::ranges::find(all, value) != all.end();
+}
+
 } // namespace
 
 /// The slot of a name as a step says it: while i is 1, x[i] is x[1], and xi is x1.
@@ -81,7 +88,7 @@ bool StepCheck::isCopied(int slot, double value) const
         if (line.loop == slot && std::ranges::any_of(line.turns, is))
             return true;
         if (std::ranges::count(line.ofEach, slot) != 0)
-            return true;
+            return isOfAnEdge(value, scope_.window());
         return std::ranges::any_of(line.assignments, [&](const Assignment& a) {
             return isCopy(a.value.expression) && hasSlot(a.target, scope_)
                    && slotOf(a.target, scope_) == slot && is(a.value.expression);
@@ -103,41 +110,6 @@ void StepCheck::nameOfLet(const clipping::Step& step) const
     const int slot = slotOfTold(step.name);
     if (slot == -1 || !givesValueTo(slot) || !told(step, slot))
         throw Wrong{"the line gives " + std::string(step.name) + " no value", "that it does"};
-}
-
-/// Parameters that are told have the values of the arguments of one of the line's calls.
-void StepCheck::arguments(const clipping::Step& step)
-{
-    std::optional<Wrong> wrong;
-    for (const Arguments& call : line_->calls)
-        for (const Line& line : code_.lines)
-            if (line.definition && line.definition->of == call.of) {
-                wrong = passed(call, *line.definition, step);
-                if (!wrong)
-                    return;
-            }
-    if (wrong)
-        throw Wrong{*wrong};
-}
-
-/// Gives the parameters that are told their values, if they are those of the arguments.
-std::optional<Wrong> StepCheck::passed(const Arguments& call, const Parameters& parameters,
-                                       const clipping::Step& step)
-{
-    std::vector<std::pair<int, double>> values;
-    for (std::size_t k = 0; k < call.values.size(); ++k) {
-        const int slot = parameters.variables[k];
-        const auto value = told(step, slot);
-        if (!value)
-            continue;
-        const double found = valueOf(call.values[k]);
-        if (!same(found, *value))
-            return Wrong{code_.names.at(slot) + " = " + text(found), text(*value)};
-        values.emplace_back(slot, found);
-    }
-    for (const auto& [slot, value] : values)
-        scope_.set(slot, value);
-    return std::nullopt;
 }
 
 double StepCheck::valueOf(const Formula& formula)
