@@ -13,7 +13,6 @@
 #include "clipping/algorithms/cyrus_beck.h"
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
-#include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/part.h"
@@ -33,7 +32,6 @@ struct CyrusBeck {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr const auto* polygon = &cyrusBeckPolygon;
-    static constexpr auto box = &cyrusBeckBox;
     static constexpr auto line = &cyrusBeckLine;
     static constexpr auto ray = &cyrusBeckRay;
 
@@ -142,8 +140,6 @@ accept the line from x1, y1 to x2, y2
         return step.accept(25, endsOf(part, s, d, w, 15, step));
     }
 };
-
-const Uses<Segment3, Window3> cyrusBeckBox = uses<CyrusBeck, Form::Corrected, double, 3>;
 
 template Algorithm describe<CyrusBeck>();
 

@@ -12,7 +12,6 @@
 #include "clipping/algorithms/liang_barsky.h"
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
-#include "clipping/box/uses.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/part.h"
@@ -30,7 +29,6 @@ struct LiangBarsky {
             "stop.",
         .ulps = 24, // README.md, "How far off"
     };
-    static constexpr auto box = &liangBarskyBox;
     static constexpr auto line = &liangBarskyLine;
     static constexpr auto ray = &liangBarskyRay;
 
@@ -160,8 +158,6 @@ accept the line from x1, y1 to x2, y2
         return step.accept(30, endsOf(part, s, d, w, 20, step));
     }
 };
-
-const Uses<Segment3, Window3> liangBarskyBox = uses<LiangBarsky, Form::Corrected, double, 3>;
 
 template Algorithm describe<LiangBarsky>();
 

@@ -5,8 +5,8 @@
 
 namespace clipping {
 
-// The forms in three dimensions that the rows of the catalogue name, each from the file of its
-// name. README.md, "Boxes", says what they share and how far off they are.
-extern const Uses<Segment3, Window3> liangBarskyBox, cyrusBeckBox, matthesDrakopoulosBox;
+// The form in three dimensions of the one row whose corrected function is for the plane alone.
+// README.md, "Boxes", says how far off it is.
+extern const Uses<Segment3, Window3> matthesDrakopoulosBox;
 
 } // namespace clipping
