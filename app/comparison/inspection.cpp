@@ -111,7 +111,7 @@ QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
     return outcodeText(unsigned(value.value));
 }
 
-/// What a step does, in a word: the variable that it sets, where it sets one.
+/// A step in one word: the variable that it sets, or else its kind.
 std::string_view wordOf(const clipping::Step& step)
 {
     static constexpr std::array words{

@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-// What the answer to a signal may look at: no more than plain memory.
+// The handler of a signal reads these, so they are plain memory.
 std::array<char, 4096> unfinished;     // how the path of the half file begins
 std::atomic<int> unfinishedLength = 0; // 0: there is none
 constexpr int mostFiles = 100;         // that are open; we open three

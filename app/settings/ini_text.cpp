@@ -30,7 +30,7 @@ std::optional<QChar> unescaped(QStringView text, qsizetype& at)
                                       : found.capturedView(1).toUShort(nullptr, 16));
 }
 
-/// What stands between the commas; nothing: no text that QSettings writes.
+/// The items between the commas; none if QSettings does not write such a text.
 std::optional<QStringList> itemsOf(QStringView text)
 {
     QStringList items{QString()};

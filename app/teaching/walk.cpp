@@ -36,7 +36,7 @@ Mark markOf(const Step& step, const clipping::OperationCounts& before)
                                                         : Mark::Look;
 }
 
-/// What a pseudo-code calls the coordinates of the ends of what is left, where it accepts them.
+/// The names of the coordinates of both ends, from the line of the pseudo-code that accepts them.
 QStringList endsIn(const QStringList& code)
 {
     static const QRegularExpression accepts(
@@ -89,17 +89,18 @@ Moment momentOf(Telling telling, const Teller* teller, const QStringList& ends,
                 const Moment* earlier)
 {
     const Step& step = telling.step;
-    const std::vector<Variable> variables =
-        variablesAfter(step, ends, earlier ? earlier->variables : std::vector<Variable>{});
-    telling.variables = variables;
     Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
                   .line = step.line,
-                  .sentence = teller ? teller->sentence(telling) : QString(),
-                  .variables = variables,
+                  .sentence = {},
+                  .variables = variablesAfter(
+                      step, ends, earlier ? earlier->variables : std::vector<Variable>{}),
                   .left = step.segment,
                   .edge = step.edge,
                   .candidate = candidateOf(telling, teller),
                   .cost = step.cost};
+    telling.variables = moment.variables;
+    if (teller)
+        moment.sentence = teller->sentence(telling);
     if (moment.sentence.isEmpty())
         moment.sentence = generalSentence(telling);
     if (step.what == clipping::What::Test)

@@ -51,7 +51,7 @@ CLIPPING_INLINE Passing<V> passing(const Mirrored<V>& m, V inverseX, V inverseY)
             ~(abs(entryOrder) > bound), ~(abs(exitOrder) > bound)};
 }
 
-/// What `cut` says where an end is on an edge of an axis, shifted into place.
+/// The bits of `cut` for an end on an edge of an axis, shifted into place.
 template <class V>
 CLIPPING_INLINE V edgeBits(V sign, Edge positive, Edge negative, int shift)
 {

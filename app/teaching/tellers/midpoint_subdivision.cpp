@@ -175,7 +175,7 @@ QString correctedTest(const Telling& telling)
     }
 }
 
-/// What a variable is now.
+/// A variable gets its value.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;

@@ -3,12 +3,12 @@
 
 #include "app/teaching/tellers/words.h"
 
-// What Liang-Barsky and Cyrus-Beck say of the part of a line that the edges leave.
+// Sentences that Liang-Barsky and Cyrus-Beck share: of the part of a line that is left.
 
 namespace app::words {
 
-/// What a pseudo-code calls where the part begins and ends, and the line on which it asks whether
-/// End 2 has to move.
+/// The names of the parameters where the part begins and ends, and the line of the pseudo-code that
+/// asks whether End 2 has to move.
 struct PartNames {
     const char *start, *stop;
     int line;
