@@ -128,7 +128,6 @@ QString cut(const Telling& telling)
 
 QString number(const Telling& telling)
 {
-    const auto what = telling.step.what;
     const auto& name = telling.step.name;
     if (name == "m")
         return tr("The slope of the line: m = %1.").arg(words::value(telling, "m"));
@@ -158,7 +157,6 @@ QString reject(const Telling& telling)
 QString sentence(const Telling& telling)
 {
     const auto what = telling.step.what;
-    const auto& name = telling.step.name;
     if (what == clipping::What::Test)
         return test(telling);
     if (what == clipping::What::Cut)

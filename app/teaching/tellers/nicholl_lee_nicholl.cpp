@@ -162,7 +162,6 @@ QString extent(const Telling& telling)
 
 QString other(const Telling& telling)
 {
-    const auto what = telling.step.what;
     const auto& name = telling.step.name;
     if (name == "dx, dy")
         return extent(telling);
