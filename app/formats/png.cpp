@@ -5,6 +5,7 @@
 #include "app/formats/write_all.h"
 #include "app/view/numbers.h"
 #include "app/view/painter_path.h"
+#include "app/view/summed_shape.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -61,12 +62,13 @@ QPen penOf(const Style& style, double pixelsPerUnit)
 void paint(QPainter& painter, const Shape& shape, double pixelsPerUnit)
 {
     const QPainterPath outline = painterPath(shape);
-    if (shape.style.fill)
+    if (shape.style.fill && !fillSummed(painter, shape))
         painter.fillPath(outline, colourOf(*shape.style.fill));
     if (!shape.style.stroke || !(shape.style.width > 0))
         return;
     painter.setPen(penOf(shape.style, pixelsPerUnit));
-    painter.drawPath(outline);
+    if (!strokeSummed(painter, shape))
+        painter.drawPath(outline);
     for (const Path& path : shape.paths) // a point shows only its caps
         if (path.stretches.empty() && shape.style.cap != Cap::Butt)
             painter.drawPoint(QPointF(path.start.x, path.start.y));

@@ -200,6 +200,21 @@ private slots:
             QCOMPARE(image.pixelColor(image.width() / 2, image.height() * 3 / 4), QColor(Qt::red));
         }
     }
+
+    // QPainter takes longer for it than a test function may.
+    void aLongScribbleIsExported()
+    {
+        app::Sheet sheet;
+        app::Path path{{0, 0}, {}, false};
+        for (std::int64_t i = 1; i < 60'000; ++i)
+            path.stretches.push_back({{(i * 7919) % 211, (i * 104'729) % 149}});
+        app::Style style = pen(1);
+        style.fill = app::Colour{255, 255, 0, 255};
+        sheet.shapes = {{{path}, style, {}, 0, false}};
+        const QImage png = ours(sheet);
+        QVERIFY(!png.isNull());
+        QCOMPARE(png.pixelColor(100, 75), QColor(Qt::black)); // covered many times
+    }
 };
 
 QTEST_GUILESS_MAIN(PaperTest)

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/summed_shape.h"
+
+#include "app/view/coverage.h"
+#include "app/view/dashes.h"
+#include "app/view/long_stroke.h"
+#include "app/view/painter_path.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace app {
+namespace {
+
+constexpr std::size_t fewPoints = 128;  // QPainter is quick with them, whatever they cross
+constexpr double shortestPattern = 0.1; // device pixels; a finer one is grey
+constexpr double mostDashes = 1e7;      // of a path; most of more lie off the page
+constexpr double finer = 4;             // how much finer curves are flattened than Qt would
+constexpr int pixelsAtATime = 1 << 24;  // they take 128 MB
+
+struct Polyline {
+    QPolygonF points; ///< device pixels
+    bool closed;
+};
+
+std::vector<Polyline> polylinesOf(const Shape& shape, const QTransform& toDevice)
+{
+    const QTransform toFiner = toDevice * QTransform::fromScale(finer, finer);
+    const QTransform back = QTransform::fromScale(1 / finer, 1 / finer);
+    std::vector<Polyline> polylines;
+    for (const Path& path : shape.paths) {
+        Shape alone;
+        alone.paths = {path};
+        for (const QPolygonF& points : painterPath(alone).toSubpathPolygons(toFiner))
+            if (points.size() > 1)
+                polylines.push_back({back.map(points), path.closed});
+    }
+    return polylines;
+}
+
+// The pixels of the painter's image that may be covered, if summing takes less time.
+std::optional<QRect> pixelsToSum(std::span<const Polyline> polylines, double margin,
+                                 const QPainter& painter)
+{
+    std::size_t count = 0;
+    double height = 0;
+    QRectF around;
+    for (const Polyline& polyline : polylines) {
+        count += std::size_t(polyline.points.size());
+        around |= polyline.points.boundingRect().adjusted(-margin, -margin, margin, margin);
+        for (qsizetype i = 1; i < polyline.points.size(); ++i)
+            height += std::abs(polyline.points[i].y() - polyline.points[i - 1].y());
+    }
+    const QRectF image(0, 0, painter.device()->width(), painter.device()->height());
+    const QRect pixels = around.intersected(image).toAlignedRect();
+    const bool summed = count >= fewPoints && worthSumming(height, pixels);
+    return summed ? std::optional(pixels) : std::nullopt;
+}
+
+// In bands, because the pixels of a large picture would need its memory twice again.
+template <class Add>
+void sum(QPainter& painter, const QRect& pixels, FillRule rule, const Colour& colour, Add add)
+{
+    painter.save();
+    painter.resetTransform();
+    const int rows = std::max(1, pixelsAtATime / std::max(1, pixels.width()));
+    for (int top = pixels.top(); top <= pixels.bottom(); top += rows) {
+        Coverage coverage(
+            QRect(pixels.left(), top, pixels.width(), std::min(rows, pixels.bottom() + 1 - top)));
+        add(coverage);
+        painter.drawImage(QPoint(pixels.left(), top), coverage.inked(rule, colour));
+    }
+    painter.restore();
+}
+
+// What the pen passes over: the polylines, or their dashes. Nothing: too many of them.
+std::optional<std::vector<Polyline>> drawnParts(std::vector<Polyline> polylines, const Style& style,
+                                                double scale)
+{
+    const double period = scale * std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
+    if (!(period >= shortestPattern))
+        return polylines;
+    std::vector<double> pattern = style.dashes;
+    for (double& length : pattern)
+        length *= scale;
+    std::vector<Polyline> parts;
+    for (const Polyline& polyline : polylines) {
+        double length = 0;
+        for (qsizetype i = 1; i < polyline.points.size(); ++i)
+            length += QLineF(polyline.points[i - 1], polyline.points[i]).length();
+        if (!(length / period < mostDashes))
+            return std::nullopt;
+        for (const auto& dash : dashes(polyline.points, pattern, style.dashOffset * scale, 0))
+            parts.push_back({QPolygonF(QList<QPointF>(dash.begin(), dash.end())), false});
+    }
+    return parts;
+}
+
+} // namespace
+
+bool fillSummed(QPainter& painter, const Shape& shape)
+{
+    const auto polylines = polylinesOf(shape, painter.transform());
+    const auto pixels = pixelsToSum(polylines, 0, painter);
+    if (!pixels)
+        return false;
+    sum(painter, *pixels, shape.style.fillRule, *shape.style.fill, [&](Coverage& coverage) {
+        for (const Polyline& polyline : polylines)
+            coverage.add(polyline.points);
+    });
+    return true;
+}
+
+bool strokeSummed(QPainter& painter, const Shape& shape)
+{
+    const Style& style = shape.style;
+    const QTransform toDevice = painter.transform();
+    const double scale = std::sqrt(std::abs(toDevice.determinant()));
+    const Ink ink{*style.stroke, style.width * scale, style.cap, style.join, style.miterLimit};
+    std::vector<Polyline> polylines = polylinesOf(shape, toDevice);
+    const double margin = ink.width * std::max(1.0, ink.join == Join::Miter ? ink.miterLimit : 1);
+    const auto pixels = pixelsToSum(polylines, margin, painter);
+    const auto parts = pixels ? drawnParts(std::move(polylines), style, scale) : std::nullopt;
+    if (!parts)
+        return false;
+    sum(painter, *pixels, FillRule::NonZero, ink.colour, [&](Coverage& coverage) {
+        for (const auto& [points, closed] : *parts) {
+            const Chain chain{0, std::uint32_t(points.size()), closed, true, true};
+            visitContours({points, chain, ink}, {}, neverCancelled,
+                          [&](std::span<const QPointF> contour) { coverage.add(contour); });
+        }
+    });
+    return true;
+}
+
+} // namespace app
