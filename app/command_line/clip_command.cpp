@@ -5,7 +5,7 @@
 #include "app/command_line/window_options.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
-#include "app/document/measure.h"
+#include "app/document/contents.h"
 #include "app/document/usual_algorithm.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Outp
 void sayNothingIsLeft(const Imported& imported, const CutOptions& options, const Cut& result)
 {
     const bool allGone = result.sheet.shapes.empty(), inside = options.keep == Keep::Inside;
-    const auto bounds = measureOf(allGone ? imported.sheet : withoutHidden(imported.sheet)).bounds;
+    const auto bounds = contentsOf(allGone ? imported.sheet : withoutHidden(imported.sheet)).bounds;
     if (!bounds)
         return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
                            : Commands::tr("Nothing visible is left: every shape is hidden."));

@@ -4,7 +4,7 @@
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
 #include "app/document/flatten.h"
-#include "app/document/measure.h"
+#include "app/document/contents.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
@@ -37,7 +37,7 @@ QString text(const Length& length)
 }
 
 std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
-                                                   const std::vector<Measure>& layers)
+                                                   const std::vector<Contents>& layers)
 {
     std::vector<std::pair<QString, QString>> rows;
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -56,8 +56,8 @@ std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
 std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
 {
     const Sheet& sheet = imported.sheet;
-    Measure all;
-    std::vector<Measure> layers(sheet.layers.size());
+    Contents all;
+    std::vector<Contents> layers(sheet.layers.size());
     const double tolerance = usualTolerance(sheet.page);
     const double unit = sheet.page.millimetresPerUnit();
     for (const Shape& shape : sheet.shapes) {

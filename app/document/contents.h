@@ -8,16 +8,16 @@
 namespace app {
 
 /// How much there is in a drawing or a part of it. Curves count as the lines that stand for them.
-struct Measure {
+struct Contents {
     std::size_t shapes = 0, paths = 0, closedPaths = 0, curves = 0, lines = 0;
     double length = 0;                      ///< of all lines, in user units: what a pen draws
     std::optional<clipping::Window> bounds; ///< of the centre lines; nothing if there are none
 };
 
 /// Adds a shape; `tolerance` is that of its curves, in user units.
-void add(Measure& measure, const Shape& shape, double tolerance);
+void add(Contents& contents, const Shape& shape, double tolerance);
 
 /// The whole drawing, hidden or not, with the usual tolerance.
-Measure measureOf(const Sheet& sheet);
+Contents contentsOf(const Sheet& sheet);
 
 } // namespace app
