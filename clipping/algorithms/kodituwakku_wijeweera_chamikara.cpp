@@ -29,199 +29,299 @@ struct KodituwakkuWijeweeraChamikara {
         .ulps = 24, // README.md, "How far off"
     };
 
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    static constexpr std::string_view publishedCode = R"(
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+if x[1] != x[2]
+  if y[1] != y[2]
+    m = (y[1]-y[2])/(x[1]-x[2])
+    c = (x[1]*y[2]-x[2]*y[1])/(x[1]-x[2])
+    for i = 1, 2
+      if x[i] < xmin
+        x[i] = xmin,  y[i] = m*xmin + c
+      else if x[i] > xmax
+        x[i] = xmax,  y[i] = m*xmax + c
+      if y[i] < ymin
+        x[i] = (ymin-c)/m,  y[i] = ymin
+      else if y[i] > ymax
+        x[i] = (ymax-c)/m,  y[i] = ymax
+    if x[1]-x[2] < 1 and x[2]-x[1] < 1
+      reject
+  else
+    if y[1] <= ymin or y[1] >= ymax
+      reject
+    for i = 1, 2
+      if x[i] < xmin
+        x[i] = xmin
+      else if x[i] > xmax
+        x[i] = xmax
+    if x[1]-x[2] < 1 and x[2]-x[1] < 1
+      reject
+else if y[1] == y[2]
+  if y[1] <= ymin or y[1] >= ymax or x[1] <= xmin or x[1] >= xmax
+    reject
+else
+  if x[1] <= xmin or x[1] >= xmax
+    reject
+  for i = 1, 2
+    if y[i] < ymin
+      y[i] = ymin
+    else if y[i] > ymax
+      y[i] = ymax
+  if y[1]-y[2] < 1 and y[2]-y[1] < 1
+    reject
+accept the line from x[1], y[1] to x[2], y[2]
+)";
+    template <class T, class Step>
+    // NOLINTNEXTLINE(readability-function-size): one function, as its authors list it
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        const bool vertical = asked(s.a.x == s.b.x, 1, s, Edge::None, watch);
-        const bool horizontal = asked(s.a.y == s.b.y, 2, s, Edge::None, watch);
-        if (!vertical && !horizontal)
-            return slanted<form>(s, w, watch);
-        if (!vertical)
-            return straight<form>(s, w, 0, watch);
-        if (!horizontal)
-            return straight<form>(s, w, 1, watch);
-        if (asked(beyond<form>(s.a.y, w.min.y, w.max.y) || beyond<form>(s.a.x, w.min.x, w.max.x),
-                  40, s, Edge::None, watch)) {
-            watch("reject", 40, s, Edge::None);
-            return std::nullopt;
-        }
-        watch("accept", 41, s, Edge::None);
-        return s;
-    }
-
-    /// Whether v is out of the range; as published its limits are out, too.
-    template <Form form, class T>
-    static constexpr bool beyond(T v, T low, T high)
-    {
-        if constexpr (form == Form::Published)
-            return v <= low || v >= high;
-        else
-            return v < low || v > high;
-    }
-
-    /// The published test for a miss.
-    template <class T>
-    static constexpr bool underOnePixel(T v, T u)
-    {
-        return v - u < T(1) && u - v < T(1);
-    }
-
-    /// Clips a segment along x (axis 0) or y (axis 1).
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>>
-    straight(const BasicSegment<T>& s, const BasicWindow<T>& w, int axis, Watch& watch)
-    {
-        const int across = 1 - axis, line = 21 + 10 * axis;
-        if (asked(beyond<form>(s.a[across], w.min[across], w.max[across]), line, s, Edge::None,
-                  watch)) {
-            watch("reject", line, s, Edge::None);
-            return std::nullopt;
-        }
-        BasicSegment<T> visible = s;
-        for (const auto end : {&BasicSegment<T>::a, &BasicSegment<T>::b}) {
-            T& v = (visible.*end)[axis];
-            const T other = end == &BasicSegment<T>::a ? s.b[axis] : s.a[axis];
-            const Named number{"i", numberOf(end)};
-            if (asked(v < w.min[axis], line + 2, visible, lowerEdge(axis), watch, number)) {
-                if (form == Form::Corrected
-                    && missed(other < w.min[axis], line + 3, visible, lowerEdge(axis), watch))
-                    return std::nullopt;
-                v = w.min[axis];
-                watch("cut", line + 4, visible, lowerEdge(axis), number);
-            } else if (asked(v > w.max[axis], line + 5, visible, upperEdge(axis), watch, number)) {
-                if (form == Form::Corrected
-                    && missed(other > w.max[axis], line + 6, visible, upperEdge(axis), watch))
-                    return std::nullopt;
-                v = w.max[axis];
-                watch("cut", line + 7, visible, upperEdge(axis), number);
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        T x[]{s.a.x, s.b.x}, y[]{s.a.y, s.b.y};
+        if (step.test(2, x[0] != x[1])) {
+            if (step.test(3, y[0] != y[1])) {
+                const T m = step.let(4, "m", (y[0] - y[1]) / (x[0] - x[1]));
+                const T c = step.let(5, "c", (x[0] * y[1] - x[1] * y[0]) / (x[0] - x[1]));
+                for (int i = 0; i < 2; ++i) {
+                    step.set("i", i + 1);
+                    if (step.test(7, x[i] < xmin, Edge::Left)) {
+                        x[i] = xmin, y[i] = m * xmin + c;
+                        step.cut(8, i, x[i], y[i], Edge::Left);
+                    } else if (step.test(9, x[i] > xmax, Edge::Right)) {
+                        x[i] = xmax, y[i] = m * xmax + c;
+                        step.cut(10, i, x[i], y[i], Edge::Right);
+                    }
+                    if (step.test(11, y[i] < ymin, Edge::Bottom)) {
+                        x[i] = (ymin - c) / m, y[i] = ymin;
+                        step.cut(12, i, x[i], y[i], Edge::Bottom);
+                    } else if (step.test(13, y[i] > ymax, Edge::Top)) {
+                        x[i] = (ymax - c) / m, y[i] = ymax;
+                        step.cut(14, i, x[i], y[i], Edge::Top);
+                    }
+                }
+                if (step.test(15, x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
+                    return step.reject(16);
+            } else {
+                if (step.test(18, y[0] <= ymin || y[0] >= ymax))
+                    return step.reject(19);
+                for (int i = 0; i < 2; ++i) {
+                    step.set("i", i + 1);
+                    if (step.test(21, x[i] < xmin, Edge::Left)) {
+                        x[i] = xmin;
+                        step.cut(22, i, x[i], y[i], Edge::Left);
+                    } else if (step.test(23, x[i] > xmax, Edge::Right)) {
+                        x[i] = xmax;
+                        step.cut(24, i, x[i], y[i], Edge::Right);
+                    }
+                }
+                if (step.test(25, x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
+                    return step.reject(26);
             }
-        }
-        if (form == Form::Published
-            && missed(underOnePixel(visible.a[axis], visible.b[axis]), line + 8, visible,
-                      Edge::None, watch))
-            return std::nullopt;
-        watch("accept", 41, visible, Edge::None);
-        return visible;
-    }
-
-    /// Which end of the pseudo-code it is.
-    template <class T>
-    static constexpr int numberOf(glm::vec<2, T> BasicSegment<T>::*end)
-    {
-        return end == &BasicSegment<T>::a ? 1 : 2;
-    }
-
-    /// A test for a miss; if it holds, it is one.
-    static constexpr bool missed(bool held, int line, const auto& visible, Edge edge, auto& watch)
-    {
-        if (asked(held, line, visible, edge, watch))
-            watch("reject", line, visible, edge);
-        return held;
-    }
-
-    /// The line y = mx + c. Corrected: m is dy/dx, and c is each end itself.
-    template <class T>
-    struct Line {
-        T m{}, c{}, dx{}, dy{};
-    };
-    template <Form form, class T, class Watch>
-    static constexpr Line<T> lineThrough(const BasicSegment<T>& s, Watch& watch)
-    {
-        const auto& [a, b] = s;
-        if constexpr (form == Form::Published) {
-            const T m = (a.y - b.y) / (a.x - b.x);
-            watch("m", 4, s, Edge::None, Named{"m", m});
-            const T c = (a.x * b.y - b.x * a.y) / (a.x - b.x);
-            watch("c", 5, s, Edge::None, Named{"c", c});
-            return {.m = m, .c = c};
+        } else if (step.test(27, y[0] == y[1])) {
+            if (step.test(28, y[0] <= ymin || y[0] >= ymax || x[0] <= xmin || x[0] >= xmax))
+                return step.reject(29);
         } else {
-            const Line<T> line{.dx = b.x - a.x, .dy = b.y - a.y};
-            watch("dx, dy", 4, s, Edge::None, Named{"dx", line.dx}, Named{"dy", line.dy});
-            return line;
-        }
-    }
-
-    /// Pushes one end of `visible` onto the edges it is beyond, first left or right, then bottom
-    /// or top. The last of those edges; nothing if the other end is beyond the same one.
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<Edge>
-    push(glm::vec<2, T> BasicSegment<T>::*end, const Line<T>& line, BasicSegment<T>& visible,
-         const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
-    {
-        const glm::vec<2, T>& from = s.*end;
-        const glm::vec<2, T>& other = end == &BasicSegment<T>::a ? s.b : s.a;
-        glm::vec<2, T>& p = visible.*end;
-        const Named number{"i", numberOf(end)};
-        const auto ask = [&](bool held, Edge edge, const auto&... values) {
-            return asked(held, lineOf(edge), visible, edge, watch, number, values...);
-        };
-        const Edge side = ask(p.x < w.min.x, Edge::Left)    ? Edge::Left
-                          : ask(p.x > w.max.x, Edge::Right) ? Edge::Right
-                                                            : Edge::None;
-        T rise(0);
-        if (side != Edge::None) {
-            const T x = side == Edge::Left ? w.min.x : w.max.x;
-            if constexpr (form == Form::Published)
-                p = {x, line.m * x + line.c};
-            else {
-                if (missed(side == Edge::Left ? other.x < x : other.x > x, lineOf(side) + 1,
-                           visible, side, watch))
-                    return std::nullopt;
-                rise = line.dy * (x - from.x) / line.dx;
-                watch("rise", lineOf(side) + 2, visible, side, Named{"rise", rise});
-                p = {x, from.y + rise};
+            if (step.test(31, x[0] <= xmin || x[0] >= xmax))
+                return step.reject(32);
+            for (int i = 0; i < 2; ++i) {
+                step.set("i", i + 1);
+                if (step.test(34, y[i] < ymin, Edge::Bottom)) {
+                    y[i] = ymin;
+                    step.cut(35, i, x[i], y[i], Edge::Bottom);
+                } else if (step.test(36, y[i] > ymax, Edge::Top)) {
+                    y[i] = ymax;
+                    step.cut(37, i, x[i], y[i], Edge::Top);
+                }
             }
-            watch("cut", lineOf(side) + 2, visible, side, number);
+            if (step.test(38, y[0] - y[1] < T(1) && y[1] - y[0] < T(1)))
+                return step.reject(39);
         }
-        const auto isBeyond = [&](Edge edge, T level) {
-            const bool low = edge == Edge::Bottom;
-            if (form == Form::Published || side == Edge::None)
-                return ask(low ? p.y < level : p.y > level, edge);
-            const T gap = level - from.y; // not the rounded height
-            return ask(low ? rise < gap : rise > gap, edge, Named{"rise", rise}, Named{"gap", gap});
-        };
-        const Edge next = isBeyond(Edge::Bottom, w.min.y) ? Edge::Bottom
-                          : isBeyond(Edge::Top, w.max.y)  ? Edge::Top
-                                                          : Edge::None;
-        if (next == Edge::None)
-            return side;
-        const T y = next == Edge::Bottom ? w.min.y : w.max.y;
-        if constexpr (form == Form::Published)
-            p = {(y - line.c) / line.m, y};
-        else {
-            if (missed(next == Edge::Bottom ? other.y < y : other.y > y, lineOf(next) + 1, visible,
-                       next, watch))
-                return std::nullopt;
-            const T run = line.dx * (y - from.y) / line.dy;
-            watch("run", lineOf(next) + 2, visible, next, Named{"run", run});
-            p = {from.x + run, y};
-        }
-        watch("cut", lineOf(next) + 2, visible, next, number);
-        return next;
+        return step.accept(40, BasicSegment<T>{{x[0], y[0]}, {x[1], y[1]}});
     }
 
-    /// Where the pseudo-code asks whether an end is beyond the edge: 7, 10, 13, 16.
-    static constexpr int lineOf(Edge edge) { return 4 + 3 * static_cast<int>(edge); }
-
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> slanted(const BasicSegment<T>& s,
-                                                            const BasicWindow<T>& w, Watch& watch)
+    static constexpr std::string_view correctedCode = R"(
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+if x1 != x2
+  if y1 != y2
+    dx = x2-x1,  dy = y2-y1
+    push(1, x1, y1, x2, y2)
+    push(2, x2, y2, x1, y1)
+    hold new ends inside the window
+  else
+    if y1 < ymin or y1 > ymax: reject
+    pushInX(1, x1, x2)
+    pushInX(2, x2, x1)
+else if y1 == y2
+  if y1 < ymin or y1 > ymax or x1 < xmin or x1 > xmax: reject
+else
+  if x1 < xmin or x1 > xmax: reject
+  pushInY(1, y1, y2)
+  pushInY(2, y2, y1)
+accept the line from x[1], y[1] to x[2], y[2]
+push(i, xi, yi, xo, yo):
+  moved = false
+  if xi < xmin
+    if xo < xmin: reject
+    rise = dy * (xmin-xi) / dx
+    x[i] = xmin,  y[i] = yi + rise,  moved = true
+  else if xi > xmax
+    if xo > xmax: reject
+    rise = dy * (xmax-xi) / dx
+    x[i] = xmax,  y[i] = yi + rise,  moved = true
+  if (moved ? rise < ymin-yi : yi < ymin)
+    if yo < ymin: reject
+    run = dx * (ymin-yi) / dy
+    x[i] = xi + run,  y[i] = ymin
+  else if (moved ? rise > ymax-yi : yi > ymax)
+    if yo > ymax: reject
+    run = dx * (ymax-yi) / dy
+    x[i] = xi + run,  y[i] = ymax
+pushInX(i, xi, xo):
+  if xi < xmin
+    if xo < xmin: reject
+    x[i] = xmin
+  else if xi > xmax
+    if xo > xmax: reject
+    x[i] = xmax
+pushInY(i, yi, yo):
+  if yi < ymin
+    if yo < ymin: reject
+    y[i] = ymin
+  else if yi > ymax
+    if yo > ymax: reject
+    y[i] = ymax
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        const Line<T> line = lineThrough<form>(s, watch);
-        BasicSegment<T> visible = s;
-        const auto edgeA = push<form>(&BasicSegment<T>::a, line, visible, s, w, watch);
-        if (!edgeA)
+        const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        if (step.test(2, x1 != x2)) {
+            if (step.test(3, y1 != y2))
+                return slanted(s, w, step);
+            if (step.test(9, y1 < ymin || y1 > ymax, Edge::Bottom, Edge::Top))
+                return step.reject(9);
+            return straight(0, s, w, step);
+        }
+        if (step.test(12, y1 == y2)) {
+            if (step.test(13, y1 < ymin || y1 > ymax || x1 < xmin || x1 > xmax))
+                return step.reject(13);
+            return step.accept(18, s);
+        }
+        if (step.test(15, x1 < xmin || x1 > xmax, Edge::Left, Edge::Right))
+            return step.reject(15);
+        return straight(1, s, w, step);
+    }
+
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> slanted(const BasicSegment<T>& s,
+                                                            const BasicWindow<T>& w, Step& step)
+    {
+        const T dx = step.set("dx", s.b.x - s.a.x), dy = step.let(4, "dy", s.b.y - s.a.y);
+        const auto end1 = push(1, s, {dx, dy}, w, step);
+        if (!end1)
             return std::nullopt;
-        const auto edgeB = push<form>(&BasicSegment<T>::b, line, visible, s, w, watch);
-        if (!edgeB)
+        const auto end2 = push(2, s, {dx, dy}, w, step);
+        if (!end2)
             return std::nullopt;
-        if constexpr (form == Form::Corrected)
-            visible = {clampedAlong(*edgeA, visible.a, w), clampedAlong(*edgeB, visible.b, w)};
-        else if (missed(underOnePixel(visible.a.x, visible.b.x), 19, visible, Edge::None, watch))
+        const BasicSegment<T> visible{clampedAlong(end1->edge, end1->at, w),
+                                      clampedAlong(end2->edge, end2->at, w)};
+        step.left(7, visible);
+        return step.accept(18, visible);
+    }
+
+    /// Where an end arrives, and the edge that it was pushed to last.
+    template <class T>
+    struct Pushed {
+        glm::vec<2, T> at;
+        Edge edge = Edge::None;
+    };
+
+    /// Pushes End i to the edges that it is beyond; nothing if the other end is beyond one of them,
+    /// too.
+    template <class T, class Step>
+    static constexpr std::optional<Pushed<T>> push(int i, const BasicSegment<T>& s,
+                                                   const glm::vec<2, T>& d, const BasicWindow<T>& w,
+                                                   Step& step)
+    {
+        const T dx = d.x, dy = d.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        const auto &end = i == 1 ? s.a : s.b, &other = i == 1 ? s.b : s.a;
+        step.set("i", i);
+        bool moved = step.set("moved", false);
+        const T xi = step.set("xi", end.x), yi = step.set("yi", end.y);
+        const T xo = step.set("xo", other.x), yo = step.let(4 + i, "yo", other.y);
+        Pushed<T> pushed{end};
+        T rise(0);
+        if (step.test(21, xi < xmin, Edge::Left)) {
+            if (step.test(22, xo < xmin, Edge::Left))
+                return step.reject(22);
+            rise = step.let(23, "rise", dy * (xmin - xi) / dx, Edge::Left);
+            pushed = {{xmin, yi + rise}, Edge::Left}, moved = step.set("moved", true);
+            step.cut(24, i - 1, pushed.at, Edge::Left);
+        } else if (step.test(25, xi > xmax, Edge::Right)) {
+            if (step.test(26, xo > xmax, Edge::Right))
+                return step.reject(26);
+            rise = step.let(27, "rise", dy * (xmax - xi) / dx, Edge::Right);
+            pushed = {{xmax, yi + rise}, Edge::Right}, moved = step.set("moved", true);
+            step.cut(28, i - 1, pushed.at, Edge::Right);
+        }
+        if (step.test(29, moved ? rise < ymin - yi : yi < ymin, Edge::Bottom)) {
+            if (step.test(30, yo < ymin, Edge::Bottom))
+                return step.reject(30);
+            const T run = step.let(31, "run", dx * (ymin - yi) / dy, Edge::Bottom);
+            pushed = {{xi + run, ymin}, Edge::Bottom};
+            step.cut(32, i - 1, pushed.at, Edge::Bottom);
+        } else if (step.test(33, moved ? rise > ymax - yi : yi > ymax, Edge::Top)) {
+            if (step.test(34, yo > ymax, Edge::Top))
+                return step.reject(34);
+            const T run = step.let(35, "run", dx * (ymax - yi) / dy, Edge::Top);
+            pushed = {{xi + run, ymax}, Edge::Top};
+            step.cut(36, i - 1, pushed.at, Edge::Top);
+        }
+        return pushed;
+    }
+
+    /// A line along x (axis 0: lines 10 and 11) or y (axis 1: lines 16 and 17) that runs between
+    /// the edges of the other axis.
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> straight(int axis, const BasicSegment<T>& s,
+                                                             const BasicWindow<T>& w, Step& step)
+    {
+        const auto end1 = pushAlong(axis, 1, s, w, step);
+        if (!end1)
             return std::nullopt;
-        watch("accept", 41, visible, Edge::None);
-        return visible;
+        const auto end2 = pushAlong(axis, 2, s, w, step);
+        if (!end2)
+            return std::nullopt;
+        return step.accept(18, BasicSegment<T>{*end1, *end2});
+    }
+
+    /// pushInX (axis 0) or pushInY (axis 1): where End i arrives.
+    template <class T, class Step>
+    static constexpr std::optional<glm::vec<2, T>>
+    pushAlong(int axis, int i, const BasicSegment<T>& s, const BasicWindow<T>& w, Step& step)
+    {
+        const int call = (axis == 0 ? 9 : 15) + i, line = axis == 0 ? 38 : 45;
+        const Edge lower = lowerEdge(axis), upper = upperEdge(axis);
+        const T low = w.min[axis], high = w.max[axis];
+        glm::vec<2, T> end = i == 1 ? s.a : s.b;
+        step.set("i", i);
+        const T vi = step.set(axis == 0 ? "xi" : "yi", end[axis]);
+        const T vo = step.let(call, axis == 0 ? "xo" : "yo", i == 1 ? s.b[axis] : s.a[axis]);
+        if (step.test(line, vi < low, lower)) {
+            if (step.test(line + 1, vo < low, lower))
+                return step.reject(line + 1);
+            end[axis] = low;
+            step.cut(line + 2, i - 1, end, lower);
+        } else if (step.test(line + 3, vi > high, upper)) {
+            if (step.test(line + 4, vo > high, upper))
+                return step.reject(line + 4);
+            end[axis] = high;
+            step.cut(line + 5, i - 1, end, upper);
+        }
+        return end;
     }
 };
 

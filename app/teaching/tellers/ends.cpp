@@ -67,6 +67,20 @@ QString whetherBeyond(const Telling& telling, int number)
                : tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
 }
 
+QString whetherPassed(const Telling& telling, int number)
+{
+    const double rise = telling.known("rise").value_or(0);
+    const double gap = clipping::levelOf(telling.edge(), telling.specimen.window)
+                       - telling.known("yi").value_or(0);
+    return (telling.holds()
+                ? tr("On its way %1 has passed %2: it has moved by %3 in y, and %2 was %4 away "
+                     "(%5). It lies %6.")
+                : tr("On its way %1 has not passed %2: it has moved by %3 in y, and %2 was %4 "
+                     "away (%5). It does not lie %6."))
+        .arg(end(number), telling.edgeText(), words::number(rise), words::number(gap),
+             compared(rise, gap), beyond(telling.edge(), telling.specimen.y));
+}
+
 QString bothBeyond(const Telling& telling)
 {
     const auto& [a, b] = telling.specimen.line;

@@ -15,6 +15,9 @@ bool isBeyond(const Telling& telling, int number, clipping::Edge edge);
 /// The answer to whether an end is beyond the step's edge: "End 2 lies above the window (130 > 75)"
 /// or "End 2 does not lie above the window (60 < 75)"; without a full stop.
 QString whetherBeyond(const Telling& telling, int number);
+/// The same of an end of a corrected form that has been moved in x: it asks about the way that the
+/// end has risen (rise), from where it was given (yi), and not about the rounded place.
+QString whetherPassed(const Telling& telling, int number);
 /// Why nothing is visible if both ends of the given line lie beyond the step's edge or, where that
 /// is none, beyond any.
 QString bothBeyond(const Telling& telling);

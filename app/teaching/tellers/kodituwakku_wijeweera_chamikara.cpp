@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 
-namespace app {
+#include <cmath>
 
-using clipping::Edge;
+namespace app {
 
 namespace {
 
@@ -14,35 +14,36 @@ QString tr(const char* text)
     return QCoreApplication::translate("kodituwakku-wijeweera-chamikara", text);
 }
 
-bool isPublished(const Telling& telling)
-{
-    return telling.specimen.clipper.form == clipping::Form::Published;
-}
-int endNamed(const Telling& telling) { return telling.value("i") == 2.0 ? 2 : 1; }
-
+/// Whether the line is vertical, horizontal, a point.
 QString direction(const Telling& telling)
 {
     const auto& [a, b] = telling.specimen.line;
-    if (telling.step.line == 1)
+    if (telling.step.line == 2)
+        return telling.holds() ? tr("The line is not vertical (%1).").arg(words::compared(a.x, b.x))
+                               : tr("The line is vertical (x1 = x2 = %1): it has no slope.")
+                                     .arg(words::number(a.x));
+    if (telling.step.line == 3)
         return telling.holds()
-                   ? tr("The line is vertical (x1 = x2 = %1): y = mx + c cannot say it.")
-                         .arg(words::number(a.x))
-                   : tr("The line is not vertical (%1).").arg(words::compared(a.x, b.x));
-    return telling.holds() ? tr("The line is horizontal (y1 = y2 = %1).").arg(words::number(a.y))
-                           : tr("The line is not horizontal (%1).").arg(words::compared(a.y, b.y));
+                   ? tr("The line is not horizontal (%1).").arg(words::compared(a.y, b.y))
+                   : tr("The line is horizontal (y1 = y2 = %1).").arg(words::number(a.y));
+    return telling.holds()
+               ? tr("The two ends are one and the same point, %1.").arg(words::point(a))
+               : tr("The two ends are not the same point (%1).").arg(words::compared(a.y, b.y));
 }
 
-/// Whether a horizontal or vertical line, or a point, lies between the edges.
-QString between(const Telling& telling)
+QString point(const Telling& telling)
 {
-    const auto& [a, b] = telling.specimen.line;
+    return (telling.holds() ? tr("The point, %1, counts as outside.")
+                            : tr("The point, %1, is inside."))
+        .arg(words::point(telling.specimen.line.a));
+}
+
+/// Whether a horizontal or vertical line runs between the two edges along it: axis 0 if it is
+/// vertical, for then its x is asked.
+QString between(const Telling& telling, glm::length_t axis)
+{
+    const auto& a = telling.specimen.line.a;
     const auto& [min, max] = telling.specimen.window;
-    const glm::length_t axis = telling.step.line == 31 ? 0 : 1;
-    if (telling.step.line == 40)
-        return telling.holds()
-                   ? tr("The line is a single point, %1, and it counts as outside.")
-                         .arg(words::point(a))
-                   : tr("The line is a single point, %1, and it is inside.").arg(words::point(a));
     const QString ground =
         axis == 0 ? tr("x1 = %1, xmin = %2, xmax = %3") : tr("y1 = %1, ymin = %2, ymax = %3");
     const QString numbers =
@@ -55,124 +56,146 @@ QString between(const Telling& telling)
                   : tr("The line runs outside, beside the window (%1).").arg(numbers);
 }
 
-QString tooShort(const Telling& telling)
+QString tooShort(const Telling& telling, glm::length_t axis)
 {
     const auto& [a, b] = telling.step.segment;
-    const bool vertical = telling.step.line == 39;
-    const double length = vertical ? std::abs(a.y - b.y) : std::abs(a.x - b.x);
+    const double length = std::abs(a[axis] - b[axis]);
     const QString name =
-        vertical ? QStringLiteral("|y1 \u2212 y2|") : QStringLiteral("|x1 \u2212 x2|");
+        axis == 0 ? QStringLiteral("|x1 \u2212 x2|") : QStringLiteral("|y1 \u2212 y2|");
     if (std::isnan(length))
         return tr("Now %1 is no number, which no comparison calls less than 1: the line is drawn.")
             .arg(name);
     return telling.holds()
                ? tr("Now %1 = %2, less than 1. The authors take that for a line that has shrunk to "
-                    "a "
-                    "point, because it misses the window.")
+                    "a point, because it misses the window.")
                      .arg(name, words::number(length))
                : tr("Now %1 = %2, not less than 1: the line has not shrunk to a point, so it meets "
                     "the window.")
                      .arg(name, words::number(length));
 }
 
+/// Whether an end must be pushed to the step's edge.
+QString push(const Telling& telling, int number)
+{
+    if (telling.known("moved") == 1 && clipping::axisOf(telling.edge()) == 1)
+        return words::whetherPassed(telling, number);
+    return telling.holds() ? tr("%1, so it is pushed to %2.")
+                                 .arg(words::whetherBeyond(telling, number), telling.edgeText())
+                           : tr("%1.").arg(words::whetherBeyond(telling, number));
+}
+
+/// Whether the other end, as it was given, is beyond the same edge.
 QString other(const Telling& telling)
 {
-    return telling.holds()
-               ? tr("The other end lies %1, too.")
-                     .arg(words::beyond(telling.edge(), telling.specimen.y))
-               : tr("The other end does not lie %1: the line crosses %2.")
-                     .arg(words::beyond(telling.edge(), telling.specimen.y), telling.edgeText());
+    const QString where = words::beyond(telling.edge(), telling.specimen.y);
+    return telling.holds() ? tr("The other end lies %1, too.").arg(where)
+                           : tr("The other end does not lie %1: the line crosses %2.")
+                                 .arg(where, telling.edgeText());
 }
 
-/// Whether an end must be pushed. After a first push the corrected form asks how far it has gone.
-QString push(const Telling& telling)
-{
-    const int end = endNamed(telling);
-    if (telling.value("gap")) {
-        const QString name = telling.holds() ? tr("%1 has come to lie %2 (%3)")
-                                             : tr("%1 has not come to lie %2 (%3)");
-        return tr("%1.").arg(
-            name.arg(words::end(end), words::beyond(telling.edge(), telling.specimen.y),
-                     words::compared(*telling.value("rise"), *telling.value("gap"))));
-    }
-    return telling.holds() ? tr("%1, so it is pushed to %2.")
-                                 .arg(words::whetherBeyond(telling, end), telling.edgeText())
-                           : tr("%1.").arg(words::whetherBeyond(telling, end));
-}
-
-QString test(const Telling& telling)
+QString publishedTest(const Telling& telling, int number)
 {
     switch (telling.step.line) {
-    case 1:
     case 2:
+    case 3:
+    case 27:
         return direction(telling);
-    case 21:
+    case 15:
+    case 25:
+        return tooShort(telling, 0);
+    case 38:
+        return tooShort(telling, 1);
+    case 18:
+        return between(telling, 1);
     case 31:
-    case 40:
-        return between(telling);
-    case 19:
-    case 29:
-    case 39:
-        return tooShort(telling);
+        return between(telling, 0);
+    case 28:
+        return point(telling);
     default:
-        return telling.value("i") ? push(telling) : other(telling);
+        return push(telling, number);
     }
 }
 
-QString cut(const Telling& telling)
+QString correctedTest(const Telling& telling, int number)
 {
-    const int end = endNamed(telling);
-    return tr("%1 moves along the line to %2, to %3.")
-        .arg(words::end(end), telling.edgeText(), words::point(words::endOf(end, telling)));
+    switch (telling.step.line) {
+    case 2:
+    case 3:
+    case 12:
+        return direction(telling);
+    case 9:
+        return between(telling, 1);
+    case 15:
+        return between(telling, 0);
+    case 13:
+        return point(telling);
+    case 22:
+    case 26:
+    case 30:
+    case 34:
+    case 39:
+    case 42:
+    case 46:
+    case 49:
+        return other(telling);
+    default:
+        return push(telling, number);
+    }
 }
 
-QString number(const Telling& telling)
+/// What a variable is now.
+QString given(const Telling& telling, int number)
 {
     const auto& name = telling.step.name;
+    const auto& [a, b] = telling.specimen.line;
+    const Point& end = number == 1 ? a : b;
     if (name == "m")
         return tr("The slope of the line: m = %1.").arg(words::value(telling, "m"));
     if (name == "c")
         return tr("Where the line meets the y axis: c = %1. From here on the line is y = mx + c.")
             .arg(words::value(telling, "c"));
-    if (name == "dx, dy")
+    if (name == "dy")
         return tr("The slope stays a fraction: dy = %2 over dx = %1, so that nothing is rounded "
                   "yet.")
             .arg(words::value(telling, "dx"), words::value(telling, "dy"));
-    if (name == "rise")
-        return tr("On its way to %1 the end moves by %2 in y.")
-            .arg(telling.edgeText(), words::value(telling, "rise"));
-    return tr("On its way to %1 the end moves by %2 in x.")
-        .arg(telling.edgeText(), words::value(telling, "run"));
+    if (name == "left")
+        return words::held(telling);
+    if (name == "rise" || name == "run")
+        return words::way(telling, words::end(number), end, telling.value(name).value_or(0));
+    return tr("%1 was given at %2, the other end at %3.")
+        .arg(words::end(number), words::point(end), words::point(number == 1 ? b : a));
 }
 
-QString reject(const Telling& telling)
+QString rejected(const Telling& telling)
 {
-    if (telling.edge() != Edge::None)
-        return tr("Both ends would have to be pushed to %1 from outside: the line misses the "
-                  "window.")
-            .arg(telling.edgeText());
-    return tr("The line is rejected: nothing of it is taken for visible.") + words::lost(telling);
+    return words::isPublished(telling)
+               ? tr("The line is rejected: nothing of it is taken for visible.")
+                     + words::lost(telling)
+               : words::bothBeyond(telling);
 }
 
 QString sentence(const Telling& telling)
 {
-    const auto what = telling.step.what;
-    if (what == clipping::What::Test)
-        return test(telling);
-    if (what == clipping::What::Cut)
-        return cut(telling);
-    if (what == clipping::What::Reject)
-        return isPublished(telling) || telling.edge() != Edge::None
-                   ? reject(telling)
-                   : tr("Nothing of the line is visible.");
-    if (what == clipping::What::Accept)
+    const int number = int(telling.known("i").value_or(1));
+    switch (telling.step.what) {
+    case clipping::What::Test:
+        return words::isPublished(telling) ? publishedTest(telling, number)
+                                           : correctedTest(telling, number);
+    case clipping::What::Cut:
+        return words::moved(telling, number);
+    case clipping::What::Reject:
+        return rejected(telling);
+    case clipping::What::Accept:
         return words::acceptedIfInside(telling);
-    return number(telling);
+    default:
+        return given(telling, number);
+    }
 }
 
 } // namespace
 
 extern const Teller kodituwakkuWijeweeraChamikaraTeller;
-const Teller kodituwakkuWijeweeraChamikaraTeller{"kodituwakku-wijeweera-chamikara", sentence};
+const Teller kodituwakkuWijeweeraChamikaraTeller{.key = "kodituwakku-wijeweera-chamikara",
+                                                 .sentence = sentence};
 
 } // namespace app

@@ -37,20 +37,9 @@ QString oneBeyond(const Telling& telling, int number)
 {
     const Edge edge = telling.edge();
     const auto& p = number == 1 ? telling.step.segment.a : telling.step.segment.b;
+    if (telling.known("moved") == 1 && clipping::axisOf(edge) == 1)
+        return words::whetherPassed(telling, number);
     const QString where = words::beyond(edge, telling.specimen.y), end = words::end(number);
-    const auto rise = telling.known("rise");
-    if (rise && telling.known("moved") == 1 && clipping::axisOf(edge) == 1) {
-        // The corrected form asks about the way, not about the rounded place.
-        const auto gap =
-            clipping::levelOf(edge, telling.specimen.window) - telling.known("yi").value_or(0);
-        return (telling.holds()
-                    ? tr("On its way %1 has passed %2: it has moved by %3 in y, and %2 was %4 away "
-                         "(%5). It lies %6.")
-                    : tr("On its way %1 has not passed %2: it has moved by %3 in y, and %2 was %4 "
-                         "away (%5). It does not lie %6."))
-            .arg(end, telling.edgeText(), words::number(*rise), words::number(gap),
-                 words::compared(*rise, gap), where);
-    }
     const QString numbers = words::compared(p, edge, telling.specimen.window);
     return (telling.holds() ? tr("%1 lies %2 (%3), so it has to move along the line to %4.")
                             : tr("%1 does not lie %2 (%3), so %4 does not cut it."))

@@ -125,23 +125,25 @@ private slots:
     {
         compare(
             told("kwc:published"),
-            {"1: The line is not vertical (−160 < 70).",
-             "2: The line is not horizontal (−30 < 130).",
+            {"2: The line is not vertical (−160 < 70).",
+             "3: The line is not horizontal (−30 < 130).",
              "4: The slope of the line: m = 0.695652.",
              "5: Where the line meets the y axis: c = 81.3043. From here on the line is "
              "y = mx + c.",
              "7: End 1 lies left of the window (−160 < −100), so it is pushed to the left edge.",
-             "9: End 1 moves along the line to the left edge, to (−100, 11.7391).",
-             "13: End 1 does not lie below the window (11.7391 > −75).",
-             "16: End 1 does not lie above the window (11.7391 < 75).",
+             "8: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
+             "is gone.",
+             "11: End 1 does not lie below the window (11.7391 > −75).",
+             "13: End 1 does not lie above the window (11.7391 < 75).",
              "7: End 2 does not lie left of the window (70 > −100).",
-             "10: End 2 does not lie right of the window (70 < 100).",
-             "13: End 2 does not lie below the window (130 > −75).",
-             "16: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
-             "18: End 2 moves along the line to the top edge, to (−9.0625, 75).",
-             "19: Now |x1 − x2| = 90.9375, not less than 1: the line has not shrunk to a point, "
+             "9: End 2 does not lie right of the window (70 < 100).",
+             "11: End 2 does not lie below the window (130 > −75).",
+             "13: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
+             "14: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
+             "gone.",
+             "15: Now |x1 − x2| = 90.9375, not less than 1: the line has not shrunk to a point, "
              "so it meets the window.",
-             "41: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+             "40: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
              "it is visible."});
     }
     void kodituwakkuWijeweeraChamikaraSaysWhatItLoses()
@@ -150,10 +152,50 @@ private slots:
             told("kwc:published", {{100, 0}, {100.5, 300}}, {{0, 0}, {300, 300}});
         compare(
             all.last(2),
-            {"19: Now |x1 − x2| = 0.5, less than 1. The authors take that for a line that has "
+            {"15: Now |x1 − x2| = 0.5, less than 1. The authors take that for a line that has "
              "shrunk to a point, because it misses the window.",
-             "19: The line is rejected: nothing of it is taken for visible. That is wrong: from "
+             "16: The line is rejected: nothing of it is taken for visible. That is wrong: from "
              "(100, 0) to (100.5, 300) the line is inside."});
+    }
+    /// It has no m and no c. rise = 160 * 60 / 230, run = 230 * -55 / 160.
+    void kodituwakkuWijeweeraChamikaraCorrected()
+    {
+        compare(told("kwc"),
+                {"2: The line is not vertical (−160 < 70).",
+                 "3: The line is not horizontal (−30 < 130).",
+                 "4: The slope stays a fraction: dy = 160 over dx = 230, so that nothing is "
+                 "rounded yet.",
+                 "5: End 1 was given at (−160, −30), the other end at (70, 130).",
+                 "21: End 1 lies left of the window (−160 < −100), so it is pushed to the left "
+                 "edge.",
+                 "22: The other end does not lie left of the window: the line crosses the left "
+                 "edge.",
+                 "23: From End 1 to the left edge it is 60 in x. On that way the line goes 41.7391 "
+                 "in y.",
+                 "24: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
+                 "beyond is gone.",
+                 "29: On its way End 1 has not passed the bottom edge: it has moved by 41.7391 in "
+                 "y, and the bottom edge was −45 away (41.7391 > −45). It does not lie below the "
+                 "window.",
+                 "33: On its way End 1 has not passed the top edge: it has moved by 41.7391 in y, "
+                 "and the top edge was 105 away (41.7391 < 105). It does not lie above the "
+                 "window.",
+                 "6: End 2 was given at (70, 130), the other end at (−160, −30).",
+                 "21: End 2 does not lie left of the window (70 > −100).",
+                 "25: End 2 does not lie right of the window (70 < 100).",
+                 "29: End 2 does not lie below the window (130 > −75).",
+                 "33: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
+                 "34: The other end does not lie above the window: the line crosses the top edge.",
+                 "35: From End 2 to the top edge it is −55 in y. On that way the line goes "
+                 "−79.0625 in x.",
+                 "36: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
+                 "beyond is gone.",
+                 "7: Rounding has put no end outside the window, so both stay where they are.",
+                 "18: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+                 "it is visible."});
+        QCOMPARE(told("kwc", {{-160, 0}, {-120, 50}}).last(),
+                 "22: Both ends lie left of the window (−160 < −100 and −120 < −100): no point of "
+                 "the line can be inside.");
     }
 
     /// The script of L to T: PL !PT QT.
