@@ -73,10 +73,10 @@ bool isAmong(std::string_view name, std::initializer_list<std::string_view> name
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Whether a value is a place on an axis, such as xv; it is counted from the origin.
+/// Whether a value is a place on an axis, such as xv or Y; it is counted from the origin.
 bool isCoordinate(const clipping::NamedValue& value)
 {
-    return value.name.starts_with('x') || value.name.starts_with('y');
+    return value.name.starts_with('x') || value.name.starts_with('y') || value.name == "Y";
 }
 
 /// Of which power of lengths a value is: what the pseudo-codes' names stand for.

@@ -42,13 +42,6 @@ OverlayArea cellArea(unsigned cell, const Seeing& seeing)
     return {.corners = common(seeing.seen, halves), .label = QString::number(cell)};
 }
 
-/// The line as its trace begins with it: the walk goes right, from the end that is further left.
-clipping::Segment walked(const Seeing& seeing)
-{
-    const auto& steps = seeing.trace.steps;
-    return steps.empty() ? *seeing.line : steps.front().segment;
-}
-
 /// The cells that the walk came through, in order.
 std::vector<unsigned> visited(const Seeing& seeing)
 {
@@ -59,7 +52,7 @@ std::vector<unsigned> visited(const Seeing& seeing)
     };
     for (const clipping::Step& step : seeing.trace.steps)
         for (const clipping::NamedValue& value : step.values)
-            if (value.name == "cell")
+            if (value.name == "c")
                 visit(unsigned(value.value));
     if (seeing.trace.outcome == clipping::Outcome::Visible
         && std::ranges::find(cells, centre) == cells.end())
@@ -104,10 +97,7 @@ Overlay cellOverlay(const Seeing& seeing)
          .ground = OverlayArea::Ground::Hatched});
     if (!seeing.line)
         return overlay;
-    const clipping::Segment line = walked(seeing);
-    std::vector<EndMove> moves = movesOf(seeing.trace, line);
-    for (EndMove& move : moves)
-        move.ofB = move.ofB != (line != *seeing.line);
+    const std::vector<EndMove> moves = movesOf(seeing.trace, *seeing.line);
     overlay.marks = moveMarks(seeing, moves);
     for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
         overlay.marks.push_back(std::move(mark));

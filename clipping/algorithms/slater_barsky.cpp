@@ -5,10 +5,16 @@
 //   M. Slater, B. A. Barsky: 2D Line and Polygon Clipping Based on Space Subdivision.
 //   The Visual Computer 10, 1994, 407-422.
 //
-// Published is the form that the program EnergyPlus made of it; we have seen only parts of the
-// paper. Corrected: a segment along an axis has its ends held inside the window, so that nothing is
-// divided by 0; a tie at a corner goes towards the window; the sign of the rise is asked once; a
-// new end is held inside the window on the side where rounding may have left it outside.
+// Published is the function CLIPLINE that the program EnergyPlus made of it; we have seen only
+// parts of the paper. CLIPLINE writes the first lines out for each cell, and asks line 22 once for
+// the whole walk. Where line 52 has c <= 3 it asks c == 3, and goes round for ever if y2 is no
+// number. Corrected: a segment along an axis has its ends held inside the window, so that nothing
+// is divided by 0; a tie at a corner goes towards the window; the sign of dy is asked once; a new
+// end is held inside the window on the side where rounding may have left it outside.
+//
+// The walk goes to the right, from End a to End b. c is the cell that it is in: 3*row + col, where
+// column 0 is left of the window and 1 above, in or below it; row 0 is below, 1 beside or in, 2
+// above. There is nothing to find further right.
 //
 // How far off. Let e = 2^-53 and M as in README.md. In units of dx*dy the error term is a sum of
 // parameters, t(x) - t(y), of which those that are visible or compared lie between 0 and 1: two
@@ -38,201 +44,346 @@ struct SlaterBarsky {
         .ulps = 40,
     };
 
-    /// Where the walk is: column 0 is left of the window and 1 above, in or below it; row 0 is
-    /// below, 1 beside or in, 2 above. There is nothing to find further right.
-    struct Cell {
-        int column, row;
-        constexpr bool centre() const { return column == 1 && row == 1; }
-        constexpr int number() const { return 3 * row + column; }
-        /// The edge in whose line the side lies that the segment leaves the cell by.
-        constexpr Edge side(bool right, bool up) const
-        {
-            return right      ? column == 0 ? Edge::Left : Edge::Right
-                   : up       ? row == 0 ? Edge::Bottom : Edge::Top
-                   : row == 2 ? Edge::Top
-                              : Edge::Bottom;
-        }
-    };
+    /// The edge in whose line the right side of a cell lies.
+    static constexpr Edge rightOf(int c) { return c % 3 == 0 ? Edge::Left : Edge::Right; }
 
-    /// Shows a watcher what happens to a segment that was turned round as it was given.
-    template <class Watch>
-    struct ReversedWatch {
-        Watch& watch;
-        void operator()(std::string_view what, int line, const auto& s, Edge edge,
-                        const auto&... values) const
-        {
-            auto given = s;
-            std::swap(given.a, given.b);
-            watch(what, line, given, edge, values...);
-        }
-    };
-    template <class Watch>
-    static constexpr auto reversedWatch(Watch& watch)
+    static constexpr std::string_view publishedCode = R"(
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+a = 1,  b = 2
+if x1 > x2
+  a = 2,  b = 1
+if x[a] > xmax or x[b] < xmin: reject
+col = 1,  X = xmax
+if x[a] < xmin
+  col = 0,  X = xmin
+row = 1
+if y[a] < ymin
+  if y[b] < ymin: reject
+  row = 0
+else if y[a] > ymax
+  if y[b] > ymax: reject
+  row = 2
+c = 3*row + col
+if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept
+dx = x[b]-x[a],  dy = y[b]-y[a]
+Y = row == 0 ? ymin : row == 2 or dy > 0 ? ymax : ymin
+e = dy*(X-x[a]) + dx*(y[a]-Y)
+repeat
+  if dy > 0
+    if e < 0
+      if c == 1: reject
+      else if c == 3
+        x[a] = xmin,  y[a] = ymax + e/dx
+        if x[b] <= xmax and y[b] <= ymax: accept
+      else if c == 4
+        x[b] = xmax,  y[b] = ymax + e/dx
+        accept the line from x[1], y[1] to x[2], y[2]
+      e = e + dy*(xmax-xmin),  c = c+1
+    else
+      if c == 3: reject
+      else if c == 1
+        x[a] = xmax - e/dy,  y[a] = ymin
+        if x[b] <= xmax and y[b] <= ymax: accept
+      else if c == 4
+        x[b] = xmax - e/dy,  y[b] = ymax
+        accept the line from x[1], y[1] to x[2], y[2]
+      e = e - dx*(ymax-ymin),  c = c+3
+  else
+    if e >= 0
+      if c == 7: reject
+      else if c == 3
+        x[a] = xmin,  y[a] = ymin + e/dx
+        if x[b] <= xmax and y[b] >= ymin: accept
+      else if c == 4
+        x[b] = xmax,  y[b] = ymin + e/dx
+        accept the line from x[1], y[1] to x[2], y[2]
+      e = e + dy*(xmax-xmin),  c = c+1
+    else
+      if c <= 3: reject
+      else if c == 7
+        x[a] = xmax - e/dy,  y[a] = ymax
+        if x[b] <= xmax and y[b] >= ymin: accept
+      else if c == 4
+        x[b] = xmax - e/dy,  y[b] = ymin
+        accept the line from x[1], y[1] to x[2], y[2]
+      e = e + dx*(ymax-ymin),  c = c-3
+)";
+    template <class T, class Step>
+    // NOLINTNEXTLINE(readability-function-size): one function, as EnergyPlus has it
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        if constexpr (std::is_same_v<std::remove_cv_t<Watch>, Unwatched>)
-            return Unwatched{};
-        else
-            return ReversedWatch<Watch>{watch};
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const bool swapped = step.test(3, x1 > x2);
+        const int a = swapped ? 1 : 0, b = swapped ? 0 : 1;
+        step.set("a", a + 1), step.set("b", b + 1);
+        // x[a], y[a], x[b], y[b]: in an array, found by a, they would cost a fifth of the time.
+        T xa = swapped ? x2 : x1, ya = swapped ? y2 : y1;
+        T xb = swapped ? x1 : x2, yb = swapped ? y1 : y2;
+        if (step.test(5, xa > xmax || xb < xmin, Edge::Right, Edge::Left))
+            return step.reject(5);
+        const bool isLeft = step.test(7, xa < xmin, Edge::Left);
+        const int col = step.set("col", isLeft ? 0 : 1);
+        const T X = step.set("X", isLeft ? xmin : xmax);
+        int row = step.set("row", 1);
+        if (step.test(10, ya < ymin, Edge::Bottom)) {
+            if (step.test(11, yb < ymin, Edge::Bottom))
+                return step.reject(11);
+            row = step.set("row", 0);
+        } else if (step.test(13, ya > ymax, Edge::Top)) {
+            if (step.test(14, yb > ymax, Edge::Top))
+                return step.reject(14);
+            row = step.set("row", 2);
+        }
+        int c = step.let(16, "c", 3 * row + col);
+        if (step.test(17, c == 4 && xb <= xmax && yb >= ymin && yb <= ymax))
+            return step.accept(17, s);
+        const T dx = step.set("dx", xb - xa), dy = step.let(18, "dy", yb - ya);
+        const T Y = step.let(19, "Y", row == 0 ? ymin : row == 2 || dy > T(0) ? ymax : ymin);
+        T e = step.let(20, "e", dy * (X - xa) + dx * (ya - Y));
+        const auto visible = [&] {
+            return swapped ? BasicSegment<T>{{xb, yb}, {xa, ya}}
+                           : BasicSegment<T>{{xa, ya}, {xb, yb}};
+        };
+        for (;;) {
+            if (step.test(22, dy > T(0))) {
+                if (step.test(23, e < T(0), rightOf(c))) {
+                    if (step.test(24, c == 1)) {
+                        return step.reject(24);
+                    } else if (step.test(25, c == 3)) {
+                        xa = xmin, ya = ymax + e / dx;
+                        step.cut(26, a, xa, ya, Edge::Left);
+                        if (step.test(27, xb <= xmax && yb <= ymax))
+                            return step.accept(27, visible());
+                    } else if (step.test(28, c == 4)) {
+                        xb = xmax, yb = ymax + e / dx;
+                        step.cut(29, b, xb, yb, Edge::Right);
+                        return step.accept(30, visible());
+                    }
+                    e = step.set("e", e + dy * (xmax - xmin)), c = step.let(31, "c", c + 1);
+                } else {
+                    if (step.test(33, c == 3)) {
+                        return step.reject(33);
+                    } else if (step.test(34, c == 1)) {
+                        xa = xmax - e / dy, ya = ymin;
+                        step.cut(35, a, xa, ya, Edge::Bottom);
+                        if (step.test(36, xb <= xmax && yb <= ymax))
+                            return step.accept(36, visible());
+                    } else if (step.test(37, c == 4)) {
+                        xb = xmax - e / dy, yb = ymax;
+                        step.cut(38, b, xb, yb, Edge::Top);
+                        return step.accept(39, visible());
+                    }
+                    e = step.set("e", e - dx * (ymax - ymin)), c = step.let(40, "c", c + 3);
+                }
+            } else {
+                if (step.test(42, e >= T(0), rightOf(c))) {
+                    if (step.test(43, c == 7)) {
+                        return step.reject(43);
+                    } else if (step.test(44, c == 3)) {
+                        xa = xmin, ya = ymin + e / dx;
+                        step.cut(45, a, xa, ya, Edge::Left);
+                        if (step.test(46, xb <= xmax && yb >= ymin))
+                            return step.accept(46, visible());
+                    } else if (step.test(47, c == 4)) {
+                        xb = xmax, yb = ymin + e / dx;
+                        step.cut(48, b, xb, yb, Edge::Right);
+                        return step.accept(49, visible());
+                    }
+                    e = step.set("e", e + dy * (xmax - xmin)), c = step.let(50, "c", c + 1);
+                } else {
+                    if (step.test(52, c <= 3)) {
+                        return step.reject(52);
+                    } else if (step.test(53, c == 7)) {
+                        xa = xmax - e / dy, ya = ymax;
+                        step.cut(54, a, xa, ya, Edge::Top);
+                        if (step.test(55, xb <= xmax && yb >= ymin))
+                            return step.accept(55, visible());
+                    } else if (step.test(56, c == 4)) {
+                        xb = xmax - e / dy, yb = ymin;
+                        step.cut(57, b, xb, yb, Edge::Bottom);
+                        return step.accept(58, visible());
+                    }
+                    e = step.set("e", e + dx * (ymax - ymin)), c = step.let(59, "c", c - 3);
+                }
+            }
+        }
     }
 
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    static constexpr std::string_view correctedCode = R"(
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+a = 1,  b = 2
+if x1 > x2
+  a = 2,  b = 1
+if x[a] > xmax or x[b] < xmin: reject
+col = 1,  X = xmax
+if x[a] < xmin
+  col = 0,  X = xmin
+row = 1
+if y[a] < ymin
+  if y[b] < ymin: reject
+  row = 0
+else if y[a] > ymax
+  if y[b] > ymax: reject
+  row = 2
+c = 3*row + col
+if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept
+dx = x[b]-x[a],  dy = y[b]-y[a]
+if dx == 0 or dy == 0
+  hold both ends inside the window
+  accept
+up = dy > 0
+yIn = up ? ymin : ymax,  yOut = up ? ymax : ymin
+Y = row == 1 ? yOut : yIn
+e = dy*(X-x[a]) + dx*(y[a]-Y)
+repeat
+  if (e == 0 ? col == 0 : up ? e < 0 : e > 0)
+    if c == 1 or c == 7: reject
+    else if c == 3
+      x[a] = xmin,  y[a] = held(yOut + e/dx)
+      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept
+    else if c == 4
+      x[b] = xmax,  y[b] = held(yOut + e/dx)
+      accept the line from x[1], y[1] to x[2], y[2]
+    e = e + dy*(xmax-xmin),  c = c+1,  col = 1
+  else
+    if c == 3: reject
+    else if c == 1 or c == 7
+      x[a] = held(xmax - e/dy),  y[a] = yIn
+      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept
+    else if c == 4
+      x[b] = held(xmax - e/dy),  y[b] = yOut
+      accept the line from x[1], y[1] to x[2], y[2]
+    e = up ? e - dx*(ymax-ymin) : e + dx*(ymax-ymin)
+    c = up ? c+3 : c-3
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        if (!asked(s.a.x > s.b.x, 1, s, Edge::None, watch))
-            return rightwards<form>(s, w, watch);
-        watch("swap", 2, s, Edge::None);
-        auto reversed = reversedWatch(watch);
-        const auto piece = rightwards<form>(BasicSegment<T>{s.b, s.a}, w, reversed);
-        if (!piece)
-            return std::nullopt;
-        return BasicSegment<T>{piece->b, piece->a};
+        return step.test(3, s.a.x > s.b.x) ? fromEnd(1, s, w, step) : fromEnd(0, s, w, step);
     }
 
-    /// Clips a segment that does not go left.
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>>
-    rightwards(const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
+    /// Clips a segment whose End a, 0 for End 1 and 1 for End 2, is not further right than the
+    /// other.
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> fromEnd(int a, const BasicSegment<T>& s,
+                                                            const BasicWindow<T>& w, Step& step)
     {
-        const auto& [a, b] = s;
-        const auto cell = cellOfA(s, w, watch);
+        const int b = 1 - a;
+        step.set("a", a + 1), step.set("b", b + 1);
+        const glm::vec<2, T>&from = a == 0 ? s.a : s.b, &to = a == 0 ? s.b : s.a;
+        const auto cell = cellOf(from, to, w, step);
         if (!cell)
             return std::nullopt;
-        watch("cell", 13, s, Edge::None, Named{"cell", cell->number()});
-        if (asked(cell->centre() && b.x <= w.max.x && b.y >= w.min.y && b.y <= w.max.y, 14, s,
-                  Edge::None, watch)) {
-            watch("accept", 14, s, Edge::None);
-            return s;
+        const int c = step.let(16, "c", 3 * cell->row + cell->col);
+        if (step.test(17, c == 4 && to.x <= w.max.x && to.y >= w.min.y && to.y <= w.max.y))
+            return step.accept(17, s);
+        const T dx = step.set("dx", to.x - from.x), dy = step.let(18, "dy", to.y - from.y);
+        const auto rise = dy <=> T(0); // asked once, for two lines
+        if (step.test(19, dx == T(0) || std::is_eq(rise))) {
+            const BasicSegment<T> visible{clamped(s.a, w), clamped(s.b, w)};
+            step.left(20, visible);
+            return step.accept(21, visible);
         }
-        const glm::vec<2, T> d{b.x - a.x, b.y - a.y};
-        watch("dx, dy", 15, s, Edge::None, Named{"dx", d.x}, Named{"dy", d.y});
-        if constexpr (form == Form::Published)
-            return walk<form>(s, w, *cell, d, watch, [&] { return d.y > T(0); });
-        const auto rise = d.y <=> T(0);
-        if (asked(d.x == T(0) || std::is_eq(rise), 16, s, Edge::None, watch)) {
-            const BasicSegment<T> visible{clamped(a, w), clamped(b, w)};
-            watch("cut both", 17, visible, Edge::None);
-            watch("accept", 17, visible, Edge::None);
-            return visible;
-        }
-        return walk<form>(s, w, *cell, d, watch, [&] { return std::is_gt(rise); });
+        const Way<T> way{a, b, dx, dy, step.let(22, "up", std::is_gt(rise))};
+        return walk(s, *cell, way, w, step);
     }
 
-    /// The cell that a lies in; nothing if both ends are beyond one edge.
-    template <class T, class Watch>
-    static constexpr std::optional<Cell> cellOfA(const BasicSegment<T>& s, const BasicWindow<T>& w,
-                                                 Watch& watch)
+    /// A cell, and the x of its right side.
+    template <class T>
+    struct Cell {
+        int col, row;
+        T X;
+    };
+
+    /// The cell of End a, where the walk begins; nothing if both ends are beyond one edge.
+    template <class T, class Step>
+    static constexpr std::optional<Cell<T>> cellOf(const glm::vec<2, T>& a, const glm::vec<2, T>& b,
+                                                   const BasicWindow<T>& w, Step& step)
     {
-        const auto ask = [&](bool held, int line, Edge edge) {
-            return asked(held, line, s, edge, watch);
-        };
-        const auto reject = [&](int line, Edge edge) {
-            watch("reject", line, s, edge);
-            return std::nullopt;
-        };
-        if (ask(s.a.x > w.max.x, 3, Edge::Right))
-            return reject(3, Edge::Right);
-        if (ask(s.b.x < w.min.x, 4, Edge::Left))
-            return reject(4, Edge::Left);
-        const int column = ask(s.a.x < w.min.x, 5, Edge::Left) ? 0 : 1;
-        if (ask(s.a.y < w.min.y, 7, Edge::Bottom)) {
-            if (ask(s.b.y < w.min.y, 8, Edge::Bottom))
-                return reject(8, Edge::Bottom);
-            return Cell{column, 0};
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        if (step.test(5, a.x > xmax || b.x < xmin, Edge::Right, Edge::Left))
+            return step.reject(5);
+        const bool isLeft = step.test(7, a.x < xmin, Edge::Left);
+        const int col = step.set("col", isLeft ? 0 : 1);
+        const T X = step.set("X", isLeft ? xmin : xmax);
+        int row = step.set("row", 1);
+        if (step.test(10, a.y < ymin, Edge::Bottom)) {
+            if (step.test(11, b.y < ymin, Edge::Bottom))
+                return step.reject(11);
+            row = step.set("row", 0);
+        } else if (step.test(13, a.y > ymax, Edge::Top)) {
+            if (step.test(14, b.y > ymax, Edge::Top))
+                return step.reject(14);
+            row = step.set("row", 2);
         }
-        if (ask(s.a.y > w.max.y, 10, Edge::Top)) {
-            if (ask(s.b.y > w.max.y, 11, Edge::Top))
-                return reject(11, Edge::Top);
-            return Cell{column, 2};
-        }
-        return Cell{column, 1};
+        return Cell<T>{col, row, X};
     }
 
-    /// From cell to cell. `rising` says whether the segment rises; as published, each asking costs.
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>>
-    walk(const BasicSegment<T>& s, const BasicWindow<T>& w, Cell cell, const glm::vec<2, T>& d,
-         Watch& watch, auto rising)
+    /// How the walk goes: from End a to End b, 0 for End 1 and 1 for End 2, and whether upwards.
+    template <class T>
+    struct Way {
+        int a, b;
+        T dx, dy;
+        bool up;
+    };
+
+    /// Lines 23 to 45, from cell to cell.
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> walk(const BasicSegment<T>& s,
+                                                         const Cell<T>& cell, const Way<T>& way,
+                                                         const BasicWindow<T>& w, Step& step)
     {
+        const auto& [a, b, dx, dy, up] = way;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
         BasicSegment<T> visible = s;
-        const bool toTop = cell.row == 2 || (cell.row == 1 && rising());
-        T e = d.y * ((cell.column == 0 ? w.min.x : w.max.x) - s.a.x)
-              + d.x * (s.a.y - (toTop ? w.max.y : w.min.y));
-        watch("e", 20, visible, Edge::None, Named{"e", e});
-        for (;;) {
-            const bool up = rising(), right = leavesRight<form>(e <=> T(0), up, cell);
-            const Edge side = cell.side(right, up);
-            asked(right, up ? 22 : 23, visible, side, watch, Named{"e", e});
-            if (cell.centre()) {
-                visible.b = right ? atSide<form>(up, w.max.x, e, d, w)
-                                  : atHeight<form>(up ? w.max.y : w.min.y, e, d, w);
-                watch("cut", right ? 25 : 26, visible, side);
-                break;
+        glm::vec<2, T>&from = a == 0 ? visible.a : visible.b, &to = a == 0 ? visible.b : visible.a;
+        const T yIn = step.set("yIn", up ? ymin : ymax);
+        const T yOut = step.let(23, "yOut", up ? ymax : ymin);
+        const T Y = step.let(24, "Y", cell.row == 1 ? yOut : yIn);
+        T e = step.let(25, "e", dy * (cell.X - from.x) + dx * (from.y - Y));
+        // On the other side, by the sign of e, no rounding can bring a new end out of the window.
+        const auto heldX = [&](T x) { return x < xmin ? xmin : x; };
+        const auto heldY = [&](T y) { return (up ? y < yIn : y > yIn) ? yIn : y; };
+        for (int col = cell.col, c = 3 * cell.row + col;;) {
+            const auto sign = e <=> T(0);
+            const bool right = std::is_eq(sign) ? col == 0
+                               : up             ? std::is_lt(sign)
+                                                : std::is_gt(sign);
+            if (step.test(27, right, rightOf(c))) {
+                if (step.test(28, c == 1 || c == 7)) {
+                    return step.reject(28);
+                } else if (step.test(29, c == 3)) {
+                    from = {xmin, heldY(yOut + e / dx)};
+                    step.cut(30, a, from, Edge::Left);
+                    if (step.test(31, to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
+                        return step.accept(31, visible);
+                } else if (step.test(32, c == 4)) {
+                    to = {xmax, heldY(yOut + e / dx)};
+                    step.cut(33, b, to, Edge::Right);
+                    return step.accept(34, visible);
+                }
+                col = step.set("col", 1), e = step.set("e", e + dy * (xmax - xmin));
+                c = step.let(35, "c", c + 1);
+            } else {
+                if (step.test(37, c == 3)) {
+                    return step.reject(37);
+                } else if (step.test(38, c == 1 || c == 7)) {
+                    from = {heldX(xmax - e / dy), yIn};
+                    step.cut(39, a, from, up ? Edge::Bottom : Edge::Top);
+                    if (step.test(40, to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
+                        return step.accept(40, visible);
+                } else if (step.test(41, c == 4)) {
+                    to = {heldX(xmax - e / dy), yOut};
+                    step.cut(42, b, to, up ? Edge::Top : Edge::Bottom);
+                    return step.accept(43, visible);
+                }
+                e = step.let(44, "e", up ? e - dx * (ymax - ymin) : e + dx * (ymax - ymin));
+                c = step.let(45, "c", up ? c + 3 : c - 3);
             }
-            const Cell next =
-                right ? Cell{1, cell.row} : Cell{cell.column, up ? cell.row + 1 : cell.row - 1};
-            if ((right && cell.column == 1) || next.row < 0 || next.row > 2
-                || (!right && cell.row == 1)) {
-                watch("reject", 27, visible, side);
-                return std::nullopt;
-            }
-            if (next.centre()) {
-                visible.a = right ? atSide<form>(up, w.min.x, e, d, w)
-                                  : atHeight<form>(up ? w.min.y : w.max.y, e, d, w);
-                watch("cut", right ? 29 : 30, visible, side);
-                if (asked(s.b.x <= w.max.x && (up ? s.b.y <= w.max.y : s.b.y >= w.min.y), 31,
-                          visible, Edge::None, watch))
-                    break;
-            }
-            if (right)
-                e += d.y * (w.max.x - w.min.x);
-            else if (up)
-                e -= d.x * (w.max.y - w.min.y);
-            else
-                e += d.x * (w.max.y - w.min.y);
-            cell = next;
-            watch("next cell",
-                  right ? 32
-                  : up  ? 33
-                        : 34,
-                  visible, side, Named{"cell", cell.number()}, Named{"e", e});
         }
-        watch("accept", 36, visible, Edge::None);
-        return visible;
-    }
-
-    /// By which side the segment leaves a cell: right, or else up or down. A tie is a corner of the
-    /// window; corrected, it leads into the window, or out of it upwards or downwards.
-    template <Form form>
-    static constexpr bool leavesRight(auto sign, bool rising, Cell cell)
-    {
-        if (form == Form::Corrected && std::is_eq(sign))
-            return cell.column == 0;
-        return rising ? std::is_lt(sign) : std::is_gteq(sign);
-    }
-
-    /// Where the segment meets the left or right edge. The error term tells how far that is from
-    /// the top edge, when rising, or the bottom one: it cannot be beyond that.
-    template <Form form, class T>
-    static constexpr glm::vec<2, T> atSide(bool rising, T x, T e, const glm::vec<2, T>& d,
-                                           const BasicWindow<T>& w)
-    {
-        const T y = (rising ? w.max.y : w.min.y) + e / d.x;
-        if constexpr (form == Form::Published)
-            return {x, y};
-        else if (rising)
-            return {x, y < w.min.y ? w.min.y : y};
-        else
-            return {x, y > w.max.y ? w.max.y : y};
-    }
-
-    /// Where it meets the bottom or top edge, not beyond the right one.
-    template <Form form, class T>
-    static constexpr glm::vec<2, T> atHeight(T y, T e, const glm::vec<2, T>& d,
-                                             const BasicWindow<T>& w)
-    {
-        const T x = w.max.x - e / d.y;
-        return {form == Form::Corrected && x < w.min.x ? w.min.x : x, y};
     }
 };
 

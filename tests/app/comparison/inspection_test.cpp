@@ -121,6 +121,7 @@ private slots:
                      {"nx = 50, ny = 0", "D = 5,000", "N = \u22122,500", "t = 0.5"}));
         QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2", "c = 35"}));
         QVERIFY(says(text("kwc", line), {"dx = 100, dy = 20"}));
+        QVERIFY(says(text("sb", line), {"yOut = 50", "Y: Y = 50", "e = \u22121,500"}));
         // Areas: beyond the corner (0, 10), 4 * 20 and 10 * 12 units.
         QVERIFY(
             says(text("nln", {{-10, 14}, {10, 2}}), {"pymax = \u22122,000, pxmin = \u22123,000"}));

@@ -182,7 +182,7 @@ private slots:
             for (const Clipper& clipper : formsOf({"SB"})) {
                 const Segment line{p,
                                    {w.max.x, (w.min.y + w.max.y) / 2}}; // begins at p, goes right
-                const auto cells = valuesNamed(traceOf(clipper, line, w), "cell");
+                const auto cells = valuesNamed(traceOf(clipper, line, w), "c");
                 const auto areas = pointed(at(clipper, w, p, YAxis::Down));
                 QVERIFY2(areas.size() == (p.x > w.max.x ? 0 : 1), said(clipper, w, line));
                 if (!areas.empty())
@@ -200,7 +200,7 @@ private slots:
             const Segment line{some.pointNear(w), some.pointNear(w)};
             for (const Clipper& clipper : formsOf({"SB"})) {
                 const auto trace = traceOf(clipper, line, w);
-                std::vector<double> cells = valuesNamed(trace, "cell");
+                std::vector<double> cells = valuesNamed(trace, "c");
                 if (trace.outcome == clipping::Outcome::Visible)
                     cells.push_back(4);
                 const Overlay overlay =

@@ -232,32 +232,78 @@ private slots:
     {
         compare(
             told("sb:published", {line.b, line.a}),
-            {"1: End 2 lies further left than End 1 (70 > −160), and the walk always goes to the "
-             "right.",
-             "2: The walk begins at End 2, so a is End 2 and b is End 1; the result will be turned "
-             "round again.",
-             "3: End 2 does not lie right of the window (−160 < 100).",
-             "4: End 1 does not lie left of the window (70 > −100).",
-             "5: End 2 lies left of the window (−160 < −100).",
-             "7: End 2 does not lie below the window (−30 > −75).",
-             "10: End 2 does not lie above the window (−30 < 75).",
-             "13: End 2 is in cell 3, the cell left of the window: the walk begins there.",
-             "14: Not both ends are inside the window, so the walk has to show what is.",
-             "15: How far it is from End 2 to End 1: dx = 230, dy = 160.",
+            {"3: End 2 lies further left than End 1 (70 > −160). The walk goes to the right, so it "
+             "begins at End 2: a is 2, and b is 1.",
+             "5: End 2 does not lie right of the window (−160 < 100), and End 1 does not lie left "
+             "of it (70 > −100).",
+             "7: End 2 lies left of the window (−160 < −100).",
+             "10: End 2 does not lie below the window (−30 > −75).",
+             "13: End 2 does not lie above the window (−30 < 75).",
+             "16: End 2 is in cell 3, the cell left of the window: the walk begins there.",
+             "17: Not both ends are inside the window, so the walk has to show what is.",
+             "18: How far it is from End 2 to End 1: dx = 230, dy = 160.",
+             "19: The corner ahead is at (−100, 75).",
              "20: The error term e = −14550 tells on which side of the corner ahead the line "
              "passes, without a division.",
-             "22: By the sign of e (−14550 < 0) the line passes below the corner ahead: the walk "
+             "22: The walk goes upwards (dy: 160 > 0).",
+             "23: By the sign of e (−14550 < 0) the line passes below the corner ahead: the walk "
              "goes on to the right, over the line of the left edge.",
-             "29: Here the walk comes into the window: End 2 moves to the left edge, to "
+             "24: The walk is not in cell 1, from where it would miss the window.",
+             "25: The walk is in cell 3, the cell left of the window: from there it comes into the "
+             "window.",
+             "26: Here the walk comes into the window: End 2 moves to the left edge, to "
+             "(−100, 11.7391).",
+             "27: End 1 is not inside: the walk goes on, out of the window again.",
+             "31: The walk is in cell 4 now, the middle cell, which is the window. The next corner "
+             "ahead gives e = 17450.",
+             "22: The walk goes upwards (dy: 160 > 0).",
+             "23: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
+             "goes on over the line of the top edge.",
+             "33: The walk is not in cell 3, from where it would miss the window.",
+             "34: It is not in cell 1, from where it would come into the window, either.",
+             "37: The walk is in cell 4, the middle cell, which is the window: from there it "
+             "leaves the window.",
+             "38: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
+             "39: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
+             "is visible."});
+    }
+    void slaterBarskyCorrected()
+    {
+        const QStringList steps = told("sb", {line.b, line.a});
+        compare(
+            steps.mid(8),
+            {"19: The line runs along no axis.", "22: The walk goes upwards (dy: 160 > 0).",
+             "23: On such a way the line can come into the window over the bottom edge or the left "
+             "one, and leave it over the top edge or the right one.",
+             "24: The corner ahead is at (−100, 75).",
+             "25: The error term e = −14550 tells on which side of the corner ahead the line "
+             "passes, without a division.",
+             "27: By the sign of e (−14550 < 0) the line passes below the corner ahead: the walk "
+             "goes on to the right, over the line of the left edge.",
+             "28: The walk is not in cell 1 or 7, from where it would miss the window.",
+             "29: The walk is in cell 3, the cell left of the window: from there it comes into the "
+             "window.",
+             "30: Here the walk comes into the window: End 2 moves to the left edge, to "
              "(−100, 11.7391).",
              "31: End 1 is not inside: the walk goes on, out of the window again.",
-             "32: The walk is in cell 4 now, the middle cell, which is the window. The next corner "
+             "35: The walk is in cell 4 now, the middle cell, which is the window. The next corner "
              "ahead gives e = 17450.",
-             "22: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
+             "27: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
              "goes on over the line of the top edge.",
-             "26: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
-             "36: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
+             "37: The walk is not in cell 3, from where it would miss the window.",
+             "38: It is not in cell 1 or 7, from where it would come into the window, either.",
+             "41: The walk is in cell 4, the middle cell, which is the window: from there it "
+             "leaves the window.",
+             "42: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
+             "43: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
              "is visible."});
+        // Of two steps: e, and the cell.
+        QVERIFY(
+            told("sb", {{-10, -100}, {20, 90}})
+                .contains("45: The walk is in cell 4 now, the middle cell, which is the window."));
+        QCOMPARE(told("sb", {{-160, 20}, {-20, 20}}).at(9),
+                 "20: Both ends are held inside the window: what is left goes from (−100, 20) to "
+                 "(−20, 20).");
     }
     /// What overflows tells no side, and a rejection that is wrong is called so.
     void overflowIsNoAnswer()

@@ -13,7 +13,6 @@ namespace formulas {
 // clang-format off
 inline const std::vector<std::string_view> notYetTold{
     "sobkow-pospisil-yang",
-    "slater-barsky",
     "nicholl-lee-nicholl",
     "skala",
     "exact",
@@ -65,6 +64,12 @@ inline const std::vector<NotObservable> notObservable{
      "if x1 < xmin or x1 > xmax: reject", "x2 for x1 at column 4", "the line is vertical"},
     {"kodituwakku-wijeweera-chamikara", clipping::Form::Corrected,
      "if x1 < xmin or x1 > xmax: reject", "x2 for x1 at column 17", "the line is vertical"},
+    {"slater-barsky", clipping::Form::Corrected, "up = dy > 0", ">= for > at column 9",
+     "dy is not 0 here"},
+    {"slater-barsky", clipping::Form::Corrected, "if (e == 0 ? col == 0 : up ? e < 0 : e > 0)",
+     "<= for < at column 32", "e is not 0 here"},
+    {"slater-barsky", clipping::Form::Corrected, "if (e == 0 ? col == 0 : up ? e < 0 : e > 0)",
+     ">= for > at column 40", "e is not 0 here"},
 };
 
 } // namespace formulas
