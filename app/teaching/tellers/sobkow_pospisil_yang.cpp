@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/tellers/ends.h"
-#include "clipping/outcode.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace app {
 
@@ -10,27 +11,31 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("sobkow-pospisil-yang", text); }
 
-int endNamed(const Telling& telling) { return telling.value("i") == 2.0 ? 2 : 1; }
+int endNamed(const Telling& telling) { return telling.known("i") == 2.0 ? 2 : 1; }
 
+/// What the code of both regions picks.
 QString script(const Telling& telling)
 {
-    const auto codeOf = [&](const Point& p) {
-        return clipping::outcodeOf(p, telling.specimen.window);
-    };
-    const auto& [a, b] = telling.specimen.line;
-    return (codeOf(a) | codeOf(b)) == 0
-               ? tr(
-                   "The table has a script for each of the 81 pairs of regions. This one is empty: "
-                   "both ends are inside.")
-               : tr("The table has a script for each of the 81 pairs of regions; it does and asks "
-                    "no more than this pair needs.");
+    const QString code = words::value(telling, "code");
+    return telling.value("code") == 0.0
+               ? tr("Both outcodes together are the number %1, the code of this pair of regions. "
+                    "The "
+                    "table has a script for each of the 81 pairs. This one is empty: both ends are "
+                    "inside.")
+                     .arg(code)
+               : tr("Both outcodes together are the number %1, the code of this pair of regions. "
+                    "The "
+                    "table has a script for each of the 81 pairs; it does and asks no more than "
+                    "this "
+                    "pair needs.")
+                     .arg(code);
 }
 
 /// A question of the script. Where the rounded end is on the edge, the way it has gone decides.
 QString question(const Telling& telling)
 {
     const int end = endNamed(telling);
-    const bool mayReject = telling.step.line <= 12;
+    const bool mayReject = telling.step.line <= (words::isPublished(telling) ? 17 : 31);
     QString found = words::whetherBeyond(telling, end);
     if (telling.holds() && !words::isBeyond(telling, end, telling.edge()))
         found = tr("%1 comes to lie on %2 by rounding, but the way it has gone leads beyond it")
@@ -42,6 +47,59 @@ QString question(const Telling& telling)
                            : tr("%1: it is where it belongs.").arg(found);
 }
 
+QString tested(const Telling& telling)
+{
+    if (telling.step.line == 3)
+        return telling.holds() ? tr("The script of this pair is a cross: both ends lie beyond one "
+                                    "edge.")
+                               : tr("The script of this pair is no cross: the line may meet the "
+                                    "window.");
+    if (!words::isPublished(telling) && telling.step.line == 6)
+        return telling.holds() ? tr("The script is not empty: it moves an end.")
+                               : tr("The script is empty: no end has to move.");
+    return question(telling);
+}
+
+/// Where an end gets to on its way to an edge, before it is held.
+QString arrival(const Telling& telling)
+{
+    const int end = endNamed(telling);
+    const auto& line = telling.specimen.line;
+    const QString name = telling.step.name == "x" ? QStringLiteral("x") : QStringLiteral("y");
+    return words::way(telling, words::end(end), end == 1 ? line.a : line.b,
+                      telling.value(end == 1 ? "way[1]" : "way[2]").value_or(0))
+           + u' ' + tr("There %1 = %2.").arg(name, words::value(telling, telling.step.name));
+}
+
+/// Whether rounding has put an end beyond a side of the other axis.
+QString held(const Telling& telling)
+{
+    const bool isLow = telling.step.line % 4 == 1; // the second line of a procedure
+    const auto axis = 1 - clipping::axisOf(telling.edge());
+    const auto side = isLow ? clipping::lowerEdge(axis) : clipping::upperEdge(axis);
+    const auto name = telling.step.name;
+    const auto& values = telling.before->values;
+    const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
+    const bool stays = before != values.end() && before->value == telling.value(name);
+    return (stays ? tr("Rounding has not put %1 %2: %3 stays.")
+                  : tr("Rounding has put %1 %2: %3 is held at the edge."))
+        .arg(words::end(endNamed(telling)), words::beyond(side, telling.specimen.y),
+             name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
+}
+
+QString given(const Telling& telling)
+{
+    const auto& name = telling.step.name;
+    if (name == "code2")
+        return words::outcodes(telling);
+    if (name == "code")
+        return script(telling);
+    if (name == "dy")
+        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+            .arg(words::value(telling, "dx"), words::value(telling, "dy"));
+    return telling.step.line % 4 == 0 ? arrival(telling) : held(telling);
+}
+
 QString cut(const Telling& telling)
 {
     const int end = endNamed(telling);
@@ -51,27 +109,21 @@ QString cut(const Telling& telling)
 
 QString sentence(const Telling& telling)
 {
-    const auto what = telling.step.what;
-    const auto& name = telling.step.name;
-    const int line = telling.step.line;
-    if (what == clipping::What::Test)
-        return line != 3         ? question(telling)
-               : telling.holds() ? tr("The script of this pair is a cross: both ends lie beyond "
-                                      "one edge.")
-                                 : tr("The script of this pair is no cross: the line may meet the "
-                                      "window.");
-    if (name == "outcodes")
-        return words::outcodes(telling);
-    if (name == "script")
-        return script(telling);
-    if (what == clipping::What::Cut)
+    switch (telling.step.what) {
+    case clipping::What::Test:
+        return tested(telling);
+    case clipping::What::Cut:
         return cut(telling);
-    if (what == clipping::What::Reject)
-        return line == 3
+    case clipping::What::Reject:
+        return telling.step.line == 4
                    ? words::bothBeyond(telling)
                    : tr("The line passes a corner outside the window: nothing of it is visible.")
                          + words::lost(telling);
-    return words::acceptedIfInside(telling);
+    case clipping::What::Accept:
+        return words::acceptedIfInside(telling);
+    default:
+        return given(telling);
+    }
 }
 
 } // namespace

@@ -204,16 +204,17 @@ private slots:
         compare(told("spy:published"),
                 {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean "
                  "y > ymax, y < ymin, x > xmax, x < xmin.",
-                 "2: The table has a script for each of the 81 pairs of regions; it does and asks "
-                 "no more than this pair needs.",
+                 "2: Both outcodes together are the number 24, the code of this pair of regions. "
+                 "The table has a script for each of the 81 pairs; it does and asks no more than "
+                 "this pair needs.",
                  "3: The script of this pair is no cross: the line may meet the window.",
-                 "5: End 1 is beyond the left edge, so it moves along the line to that edge, to "
+                 "10: End 1 is beyond the left edge, so it moves along the line to that edge, to "
                  "(−100, 11.7391).",
-                 "12: End 1 does not lie above the window (11.7391 < 75): here the line does "
+                 "17: End 1 does not lie above the window (11.7391 < 75): here the line does "
                  "not miss the window.",
-                 "8: End 2 is beyond the top edge, so it moves along the line to that edge, to "
+                 "13: End 2 is beyond the top edge, so it moves along the line to that edge, to "
                  "(−9.0625, 75).",
-                 "17: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+                 "9: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
                  "it is visible."});
     }
 

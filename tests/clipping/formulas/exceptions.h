@@ -12,7 +12,6 @@ namespace formulas {
 /// Rows whose pseudo-code is not yet beside their functions.
 // clang-format off
 inline const std::vector<std::string_view> notYetTold{
-    "sobkow-pospisil-yang",
     "nicholl-lee-nicholl",
     "skala",
     "exact",
@@ -37,6 +36,9 @@ struct NotObservable {
     std::string_view line, change; ///< as Altered has them
     std::string_view reason;
 };
+
+inline constexpr std::string_view onTheEdge =
+    "on none of the lines does rounding put an end on this edge whose way leads beyond it";
 
 /// One row each: {"key", clipping::Form::Corrected, "line", "change", "reason"}.
 inline const std::vector<NotObservable> notObservable{
@@ -70,6 +72,18 @@ inline const std::vector<NotObservable> notObservable{
      "<= for < at column 32", "e is not 0 here"},
     {"slater-barsky", clipping::Form::Corrected, "if (e == 0 ? col == 0 : up ? e < 0 : e > 0)",
      ">= for > at column 40", "e is not 0 here"},
+    {"sobkow-pospisil-yang", clipping::Form::Corrected,
+     "ifL(): if x[i] < xmin or x[i] == xmin and way[i] < xmin-xi: L()", "+ for - at column 56",
+     onTheEdge},
+    {"sobkow-pospisil-yang", clipping::Form::Corrected,
+     "ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()", "!= for == at column 31",
+     onTheEdge},
+    {"sobkow-pospisil-yang", clipping::Form::Corrected,
+     "ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()", "xmin for xmax at column 34",
+     onTheEdge},
+    {"sobkow-pospisil-yang", clipping::Form::Corrected,
+     "ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()", "+ for - at column 56",
+     onTheEdge},
 };
 
 } // namespace formulas
