@@ -81,8 +81,8 @@ QString held(const Telling& telling)
     const auto& values = telling.before->values;
     const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
     const bool stays = before != values.end() && before->value == telling.value(name);
-    return (stays ? tr("Rounding has not put %1 %2: %3 stays.")
-                  : tr("Rounding has put %1 %2: %3 is held at the edge."))
+    return (stays ? tr("Rounding does not take %1 %2: %3 stays.")
+                  : tr("Rounding would take %1 %2: %3 is held at the edge."))
         .arg(words::end(endNamed(telling)), words::beyond(side, telling.specimen.y),
              name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
 }

@@ -218,6 +218,13 @@ private slots:
                  "it is visible."});
     }
 
+    void sobkowPospisilYangSaysWhereItHolds()
+    {
+        compare(told("spy", {{3, 0.3}, {0.7, 0.9}}, {{0.1, 0.1}, {0.7, 0.9}}).mid(6, 2),
+                {"17: Rounding does not take End 1 below the window: y stays.",
+                 "18: Rounding would take End 1 above the window: y is held at the edge."});
+    }
+
     /// It passes half a unit in the last place beyond the corner (1, 1).
     void sobkowPospisilYangSaysWhatItInvents()
     {
