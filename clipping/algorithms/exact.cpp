@@ -47,19 +47,20 @@ struct LineThrough {
           by(Numbers::from(s.b.y))
     {
     }
-    std::strong_ordering passes(T x, T y) const
+    /// Whether it passes x before, together with or after it passes y.
+    std::strong_ordering order(T x, T y) const
     {
-        return order(ax, ay, bx, by, Numbers::from(x), Numbers::from(y));
+        return clipping::order(ax, ay, bx, by, Numbers::from(x), Numbers::from(y));
     }
-    glm::vec<2, T> at(T x) const
+    /// Its y where it passes x, rounded once.
+    T yAt(T x) const
     {
-        return {x,
-                Numbers::to(crossing<typename Numbers::Target>(ax, ay, bx, by, Numbers::from(x)))};
+        return Numbers::to(crossing<typename Numbers::Target>(ax, ay, bx, by, Numbers::from(x)));
     }
-    glm::vec<2, T> atHeight(T y) const
+    /// Its x where it passes y.
+    T xAt(T y) const
     {
-        return {Numbers::to(crossing<typename Numbers::Target>(ay, ax, by, bx, Numbers::from(y))),
-                y};
+        return Numbers::to(crossing<typename Numbers::Target>(ay, ax, by, bx, Numbers::from(y)));
     }
 };
 
@@ -86,14 +87,33 @@ struct Exact {
         return clipBatch(Batch<T>{in.data(), 0, in.size(), window, out.data()}).pieces;
     }
 
-    template <Form, class T, class Watch>
-    static std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s, const BasicWindow<T>& w,
-                                               Watch&& watch)
-    {
-        const auto piece = pieceOf(s, w, watch);
-        return piece ? std::optional(piece->visible) : std::nullopt;
-    }
-
+    static constexpr std::string_view correctedCode = R"(
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)
+  reject
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)
+  reject
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+right = x1 < x2,  up = y1 < y2
+xnear = right ? xmin : xmax,  xfar = right ? xmax : xmin
+ynear = up ? ymin : ymax,  yfar = up ? ymax : ymin
+enterX = right ? x1 < xnear : x1 > xnear
+enterY = up ? y1 < ynear : y1 > ynear
+leaveX = right ? x2 > xfar : x2 < xfar
+leaveY = up ? y2 > yfar : y2 < yfar
+if enterX and leaveY and order(xnear, yfar) > 0
+  reject
+if enterY and leaveX and order(xfar, ynear) < 0
+  reject
+if enterX and (not enterY or order(xnear, ynear) >= 0)
+  x[1] = xnear,  y[1] = yAt(xnear)
+else if enterY
+  y[1] = ynear,  x[1] = xAt(ynear)
+if leaveX and (not leaveY or order(xfar, yfar) <= 0)
+  x[2] = xfar,  y[2] = yAt(xfar)
+else if leaveY
+  y[2] = yfar,  x[2] = xAt(yfar)
+accept the line from x[1], y[1] to x[2], y[2]
+)";
     /// What is visible, and the edges by which it enters and leaves; None where it keeps an end.
     /// (Where a new end is rounded onto another edge as well, its coordinates do not tell.)
     template <class T>
@@ -102,62 +122,62 @@ struct Exact {
         Edge enter = Edge::None, leave = Edge::None;
     };
 
-    template <class T, class Watch>
+    template <class T, class Step>
     static std::optional<Piece<T>> pieceOf(const BasicSegment<T>& s, const BasicWindow<T>& w,
-                                           Watch& watch)
+                                           Step& step)
     {
-        const auto& [a, b] = s;
-        if ((a.x < w.min.x && b.x < w.min.x) || (a.x > w.max.x && b.x > w.max.x)
-            || (a.y < w.min.y && b.y < w.min.y) || (a.y > w.max.y && b.y > w.max.y)) {
-            watch("reject", 1, s, Edge::None);
-            return std::nullopt;
-        }
-        watch("no", 1, s, Edge::None);
-        const bool right = a.x < b.x, up = a.y < b.y;
-        const T nearX = right ? w.min.x : w.max.x, farX = right ? w.max.x : w.min.x;
-        const T nearY = up ? w.min.y : w.max.y, farY = up ? w.max.y : w.min.y;
-        const bool enterX = right ? a.x < nearX : a.x > nearX;
-        const bool enterY = up ? a.y < nearY : a.y > nearY;
-        const bool leaveX = right ? b.x > farX : b.x < farX;
-        const bool leaveY = up ? b.y > farY : b.y < farY;
-
-        watch("sides", 4, s, Edge::None, Named{"enterX", enterX}, Named{"enterY", enterY},
-              Named{"leaveX", leaveX}, Named{"leaveY", leaveY});
+        const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+        if (step.test(1, (x1 < xmin && x2 < xmin) || (x1 > xmax && x2 > xmax), Edge::Left,
+                      Edge::Right))
+            return step.reject(2);
+        if (step.test(3, (y1 < ymin && y2 < ymin) || (y1 > ymax && y2 > ymax), Edge::Bottom,
+                      Edge::Top))
+            return step.reject(4);
+        const bool right = step.set("right", x1 < x2), up = step.let(6, "up", y1 < y2);
+        const Edge nearX = right ? Edge::Left : Edge::Right,
+                   farX = right ? Edge::Right : Edge::Left;
+        const Edge nearY = up ? Edge::Bottom : Edge::Top, farY = up ? Edge::Top : Edge::Bottom;
+        const T xnear = step.set("xnear", right ? xmin : xmax);
+        const T xfar = step.let(7, "xfar", right ? xmax : xmin);
+        const T ynear = step.set("ynear", up ? ymin : ymax);
+        const T yfar = step.let(8, "yfar", up ? ymax : ymin);
+        const bool enterX = step.let(9, "enterX", right ? x1 < xnear : x1 > xnear, nearX);
+        const bool enterY = step.let(10, "enterY", up ? y1 < ynear : y1 > ynear, nearY);
+        const bool leaveX = step.let(11, "leaveX", right ? x2 > xfar : x2 < xfar, farX);
+        const bool leaveY = step.let(12, "leaveY", up ? y2 > yfar : y2 < yfar, farY);
 
         const LineThrough line(s);
+        if (step.test(13, enterX && leaveY && line.order(xnear, yfar) > 0, farY))
+            return step.reject(14);
+        if (step.test(15, enterY && leaveX && line.order(xfar, ynear) < 0, farX))
+            return step.reject(16);
         Piece<T> piece{s};
-        BasicSegment<T>& visible = piece.visible;
-        const auto test = [&](bool holds, int number, Edge edge) {
-            watch(yesOrNo(holds), number, visible, edge);
-            return holds;
-        };
-        const auto isMissed = [&](bool misses, int number, Edge edge) {
-            watch(misses ? "reject" : "no", number, s, edge);
-            return misses;
-        };
-        const Edge edgeNearX = right ? Edge::Left : Edge::Right;
-        const Edge edgeFarX = right ? Edge::Right : Edge::Left;
-        const Edge edgeNearY = up ? Edge::Bottom : Edge::Top;
-        const Edge edgeFarY = up ? Edge::Top : Edge::Bottom;
-        if (isMissed(enterX && leaveY && std::is_gt(line.passes(nearX, farY)), 5, edgeFarY)
-            || isMissed(enterY && leaveX && std::is_lt(line.passes(farX, nearY)), 6, edgeFarX))
-            return std::nullopt;
-        if (test(enterX && (!enterY || std::is_gteq(line.passes(nearX, nearY))), 7, edgeNearX)) {
-            visible.a = line.at(nearX), piece.enter = edgeNearX;
-            watch("cut", 8, visible, edgeNearX);
-        } else if (test(enterY, 9, edgeNearY)) {
-            visible.a = line.atHeight(nearY), piece.enter = edgeNearY;
-            watch("cut", 10, visible, edgeNearY);
+        auto& [a, b] = piece.visible;
+        if (step.test(17, enterX && (!enterY || line.order(xnear, ynear) >= 0), nearX)) {
+            a = {xnear, line.yAt(xnear)}, piece.enter = nearX;
+            step.cut(18, 0, a, nearX);
+        } else if (step.test(19, enterY, nearY)) {
+            a = {line.xAt(ynear), ynear}, piece.enter = nearY;
+            step.cut(20, 0, a, nearY);
         }
-        if (test(leaveX && (!leaveY || std::is_lteq(line.passes(farX, farY))), 11, edgeFarX)) {
-            visible.b = line.at(farX), piece.leave = edgeFarX;
-            watch("cut", 12, visible, edgeFarX);
-        } else if (test(leaveY, 13, edgeFarY)) {
-            visible.b = line.atHeight(farY), piece.leave = edgeFarY;
-            watch("cut", 14, visible, edgeFarY);
+        if (step.test(21, leaveX && (!leaveY || line.order(xfar, yfar) <= 0), farX)) {
+            b = {xfar, line.yAt(xfar)}, piece.leave = farX;
+            step.cut(22, 1, b, farX);
+        } else if (step.test(23, leaveY, farY)) {
+            b = {line.xAt(yfar), yfar}, piece.leave = farY;
+            step.cut(24, 1, b, farY);
         }
-        watch("accept", 15, visible, Edge::None);
+        step.accept(25, piece.visible);
         return piece;
+    }
+
+    template <class T, class Step>
+    static std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                    const BasicWindow<T>& w, Step&& step)
+    {
+        const auto piece = pieceOf(s, w, step);
+        return piece ? std::optional(piece->visible) : std::nullopt;
     }
 };
 
@@ -169,10 +189,10 @@ std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* i
     std::size_t visible = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const BasicSegment<T>& s = segments[indices[i]];
-        Unwatched watch;
+        Unwatched step;
         if (!withinContract(s, window))
             continue;
-        if (const auto piece = Exact::pieceOf(s, window, watch))
+        if (const auto piece = Exact::pieceOf(s, window, step))
             out[visible++] = {piece->visible, indices[i], cutAt(piece->enter, piece->leave)};
     }
     return visible;

@@ -40,36 +40,60 @@ Side exitOf(const Specimen& specimen)
                   specimen.window);
 }
 
-QString endSaid(const Side& side, int number, YAxis y)
+/// Lines 1 and 3: whether both ends are beyond one edge of an axis.
+QString bothBeyond(const Telling& telling)
 {
-    const QString end = words::end(number);
-    if (side.beyondX && side.beyondY)
-        return tr("%1 is beyond %2 and %3").arg(end, edgeWords(side.x, y), edgeWords(side.y, y));
-    if (side.beyondX || side.beyondY)
-        return tr("%1 is beyond %2").arg(end, edgeWords(side.beyondX ? side.x : side.y, y));
-    return tr("%1 is inside").arg(end);
+    const auto axis = telling.step.line == 1 ? 0 : 1;
+    const auto beyond = [&](Edge edge) { return words::beyond(edge, telling.specimen.y); };
+    if (telling.holds())
+        return tr("Both ends lie %1, and so does all between them.").arg(beyond(telling.edge()));
+    return tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
+        .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
 
-Edge commonEdge(const Specimen& specimen)
+/// Line 6: which way the line goes.
+QString direction(const Telling& telling)
 {
-    for (const Edge edge : {Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
-        if (isBeyond(specimen.line.a, edge, specimen.window)
-            && isBeyond(specimen.line.b, edge, specimen.window))
-            return edge;
-    return Edge::None;
+    const auto& [a, b] = telling.specimen.line;
+    const auto grows = [&](const char* name) {
+        return telling.value(name) == 1.0 ? tr("grows") : tr("does not grow");
+    };
+    return tr("From End 1 to End 2 x %1 (%2) and y %3 (%4).")
+        .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
 }
 
-/// Lines 5 and 6: whether the line passes the corner between an entry and an exit on the outside.
+/// Lines 7 and 8: the near and the far edge of an axis.
+QString nearAndFar(const Telling& telling)
+{
+    const Specimen& specimen = telling.specimen;
+    const Side in = entryOf(specimen), out = exitOf(specimen);
+    const bool isX = telling.step.name == "xfar";
+    return tr("So %1 is near: the line can enter by it. And %2 is far: the line can leave by it.")
+        .arg(edgeWords(isX ? in.x : in.y, specimen.y), edgeWords(isX ? out.x : out.y, specimen.y));
+}
+
+/// Lines 9 to 12: whether an end is beyond the near or the far edge of an axis.
+QString oneBeyond(const Telling& telling)
+{
+    const int number = telling.step.line <= 10 ? 1 : 2;
+    const auto& end = number == 1 ? telling.specimen.line.a : telling.specimen.line.b;
+    return (telling.value(telling.step.name) == 1.0 ? tr("%1 is beyond %2 (%3).")
+                                                    : tr("%1 is not beyond %2 (%3)."))
+        .arg(words::end(number), telling.edgeText(),
+             words::compared(end, telling.edge(), telling.specimen.window));
+}
+
+/// Lines 13 and 15: whether the line passes the corner between an entry and an exit on the outside.
 QString corner(const Telling& telling)
 {
     const Specimen& specimen = telling.specimen;
     const Side in = entryOf(specimen), out = exitOf(specimen);
-    const bool first = telling.step.line == 5;
+    const bool first = telling.step.line == 13;
     const QString entry = edgeWords(first ? in.x : in.y, specimen.y);
     const QString exit = edgeWords(first ? out.y : out.x, specimen.y);
-    if (telling.step.what == clipping::What::Reject)
+    if (telling.holds())
         return tr("The line has passed %1 before it reaches %2: it goes round the corner between "
-                  "them, outside. Nothing of it is visible, and that is certain.")
+                  "them, outside. That is certain, whatever the rounding.")
             .arg(exit, entry);
     if (first ? in.beyondX && out.beyondY : in.beyondY && out.beyondX)
         return tr("The line reaches %2 no later than %1: the corner between them does not keep it "
@@ -80,15 +104,15 @@ QString corner(const Telling& telling)
         .arg(exit, entry);
 }
 
-/// Lines 7, 9, 11 and 13: at which of two edges an end is cut.
+/// Lines 17, 19, 21 and 23: at which of two edges an end is cut.
 QString cutWhere(const Telling& telling)
 {
     const Specimen& specimen = telling.specimen;
-    const bool entering = telling.step.line < 11;
+    const bool entering = telling.step.line < 21;
     const Side side = entering ? entryOf(specimen) : exitOf(specimen);
     const QString end = words::end(entering ? 1 : 2);
     const QString x = edgeWords(side.x, specimen.y), y = edgeWords(side.y, specimen.y);
-    const bool asksX = telling.step.line == 7 || telling.step.line == 11;
+    const bool asksX = telling.step.line == 17 || telling.step.line == 21;
     if (!asksX)
         return telling.holds() ? tr("%1 is beyond %2: it is cut there.").arg(end, y)
                                : tr("%1 is inside and stays as it is, bit for bit.").arg(end);
@@ -110,28 +134,32 @@ QString cutWhere(const Telling& telling)
         .arg(x, y);
 }
 
+QString given(const Telling& telling)
+{
+    const auto& name = telling.step.name;
+    return name == "up"                       ? direction(telling)
+           : name == "xfar" || name == "yfar" ? nearAndFar(telling)
+                                              : oneBeyond(telling);
+}
+
 QString sentence(const Telling& telling)
 {
-    const auto what = telling.step.what;
     const int line = telling.step.line;
-    const auto& left = telling.step.segment;
-    const Specimen& specimen = telling.specimen;
-    if (what == clipping::What::Accept)
+    const int end = line <= 20 ? 1 : 2;
+    switch (telling.step.what) {
+    case clipping::What::Accept:
         return words::accepted(telling);
-    if (telling.step.name == "sides")
-        return tr("%1; %2.").arg(endSaid(entryOf(specimen), 1, specimen.y),
-                                 endSaid(exitOf(specimen), 2, specimen.y));
-    if (line == 1)
-        return what == clipping::What::Reject
-                   ? tr("Both ends lie %1, and so does all between them: nothing of the line is "
-                        "visible.")
-                         .arg(words::beyond(commonEdge(specimen), specimen.y))
-                   : tr("No edge has both ends beyond it, so the line may meet the window.");
-    if (what == clipping::What::Cut)
+    case clipping::What::Reject:
+        return tr("Nothing of the line is visible, and that is certain.");
+    case clipping::What::Cut:
         return tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
-            .arg(words::end(line <= 10 ? 1 : 2), telling.edgeText(),
-                 words::point(line <= 10 ? left.a : left.b));
-    return line <= 6 ? corner(telling) : cutWhere(telling);
+            .arg(words::end(end), telling.edgeText(),
+                 words::point(end == 1 ? telling.step.segment.a : telling.step.segment.b));
+    case clipping::What::Test:
+        return line <= 3 ? bothBeyond(telling) : line <= 15 ? corner(telling) : cutWhere(telling);
+    default:
+        return given(telling);
+    }
 }
 
 } // namespace

@@ -500,20 +500,31 @@ private slots:
     {
         compareLists(
             sentences("exact", across),
-            {"1: No edge has both ends beyond it, so the line may meet the window.",
-             "4: End 1 is beyond the left edge; End 2 is beyond the top edge.",
-             "5: The line reaches the left edge no later than the top edge: the corner between "
+            {"1: The ends lie neither both left of the window nor both right of the window: the "
+             "line may meet the window.",
+             "3: The ends lie neither both below the window nor both above the window: the line "
+             "may meet the window.",
+             "6: From End 1 to End 2 x grows (−160 < 70) and y grows (−30 < 130).",
+             "7: So the left edge is near: the line can enter by it. And the right edge is far: "
+             "the line can leave by it.",
+             "8: So the bottom edge is near: the line can enter by it. And the top edge is far: "
+             "the line can leave by it.",
+             "9: End 1 is beyond the left edge (−160 < −100).",
+             "10: End 1 is not beyond the bottom edge (−30 > −75).",
+             "11: End 2 is not beyond the right edge (70 < 100).",
+             "12: End 2 is beyond the top edge (130 > 75).",
+             "13: The line reaches the left edge no later than the top edge: the corner between "
              "them does not keep it out. That is certain, whatever the rounding.",
-             "6: The line need not come in at the bottom edge and go out at the right edge, so the "
-             "corner between them cannot keep it out.",
-             "7: End 1 is beyond the left edge and no other edge: it is cut there.",
-             "8: End 1 moves along the line to the left edge, to (−100, 11.7391): the true point, "
+             "15: The line need not come in at the bottom edge and go out at the right edge, so "
+             "the corner between them cannot keep it out.",
+             "17: End 1 is beyond the left edge and no other edge: it is cut there.",
+             "18: End 1 moves along the line to the left edge, to (−100, 11.7391): the true point, "
              "rounded once.",
-             "11: End 2 is not beyond the right edge.",
-             "13: End 2 is beyond the top edge: it is cut there.",
-             "14: End 2 moves along the line to the top edge, to (−9.0625, 75): the true point, "
+             "21: End 2 is not beyond the right edge.",
+             "23: End 2 is beyond the top edge: it is cut there.",
+             "24: End 2 moves along the line to the top edge, to (−9.0625, 75): the true point, "
              "rounded once.",
-             "15: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "25: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
              "is visible."});
     }
     void midpointSubdivision()

@@ -2,6 +2,7 @@
 #include "tests/clipping/formulas/evaluate.h"
 
 #include "clipping/clamped.h"
+#include "clipping/exact/line.h"
 #include "clipping/outcode.h"
 
 #include <bit>
@@ -29,6 +30,8 @@ double held(double value, const Scope& scope)
     return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
 }
 
+double sign(std::strong_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
+
 double valueOfFunction(const Expression& e, const Scope& scope)
 {
     const double first = valueOf(e.parts[0], scope);
@@ -36,7 +39,14 @@ double valueOfFunction(const Expression& e, const Scope& scope)
         return std::abs(first);
     if (e.name == "held")
         return held(first, scope);
+    const double x1 = scope.value(0), y1 = scope.value(1), x2 = scope.value(2), y2 = scope.value(3);
+    if (e.name == "yAt")
+        return clipping::crossingInIntegers<double>(x1, y1, x2, y2, first);
+    if (e.name == "xAt")
+        return clipping::crossingInIntegers<double>(y1, x1, y2, x2, first);
     const double second = valueOf(e.parts[1], scope);
+    if (e.name == "order")
+        return sign(clipping::orderInIntegers(x1, y1, x2, y2, first, second));
     if (e.name == "min")
         return std::min(first, second);
     if (e.name == "max")

@@ -54,6 +54,8 @@ private slots:
         row("1000 == TOP", 1), row("0010 == RIGHT", 1), row("0100 == BOTTOM", 1), row("10", 10);
         row("outcode(0, 0)", 5), row("outcode(5, 8)", 0), row("outcode(9, 9)", 10);
         row("min(2, 1) + max(3, 4)", 5), row("abs(-2) + abs(3)", 5);
+        row("yAt(15.5)", 21), row("xAt(21)", 15.5), row("order(15.5, 21)", 0);
+        row("order(5, 21)", -1), row("order(20, 21)", 1);
         row("x[i]", 9), row("x[1 + 1]", 9), row("xi", 30), row("yi - y1", 38), row("xmin*ymax", 40);
     }
     void values()

@@ -14,7 +14,6 @@ namespace formulas {
 inline const std::vector<std::string_view> notYetTold{
     "nicholl-lee-nicholl",
     "skala",
-    "exact",
 };
 // clang-format on
 

@@ -53,7 +53,7 @@ enum class Kind {
     And,
     Or,
     Choice,   ///< c ? a : b
-    Function, ///< outcode, abs, min, max, held
+    Function, ///< outcode, abs, min, max, held, order, yAt, xAt
     Call      ///< of what the pseudo-code defines: it has no value
 };
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "tests/clipping/formulas/code.h"
+#include "tests/clipping/formulas/vocabulary.h"
 
 namespace formulas {
 
@@ -26,10 +29,7 @@ clipping::OperationCounts ownCostOf(const Expression& e)
     case Kind::NotEqual:
         return {.comparisons = 1};
     case Kind::Function:
-        return {.comparisons = e.name == "outcode" ? 4U
-                               : e.name == "held"  ? 2U
-                                                   : 1U,
-                .negations = e.name == "abs" ? 1U : 0U};
+        return std::ranges::find(functions, e.name, &Function::name)->cost;
     default:
         return {};
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "clipping/counted.h"
+
 #include <array>
 
 #include "tests/clipping/formulas/expression.h"
@@ -35,12 +37,24 @@ inline constexpr std::array constants{Constant{"true", 1},   Constant{"false", 0
                                       Constant{"LEFT", 1},   Constant{"RIGHT", 2},
                                       Constant{"BOTTOM", 4}, Constant{"TOP", 8}};
 
-/// A function and how many arguments it takes.
+/// A function, how many arguments it takes and what it costs at most.
 struct Function {
     std::string_view name;
     std::size_t arguments;
+    clipping::OperationCounts cost;
 };
-inline constexpr std::array functions{Function{"outcode", 2}, Function{"abs", 1},
-                                      Function{"min", 2}, Function{"max", 2}, Function{"held", 1}};
+/// What exact/line.h does in floating point: of a side, and of a coordinate.
+inline constexpr clipping::OperationCounts costOfOrder{7, 3, 0, 7, 3},
+    costOfCrossing{56, 19, 2, 4, 5};
+/// order(x, y) is -1, 0 or 1: the line from x1, y1 to x2, y2 passes x before, together with or
+/// after y. yAt(x) and xAt(y) are its other coordinate there, rounded once.
+inline constexpr std::array functions{Function{"outcode", 2, {.comparisons = 4}},
+                                      Function{"abs", 1, {.comparisons = 1, .negations = 1}},
+                                      Function{"min", 2, {.comparisons = 1}},
+                                      Function{"max", 2, {.comparisons = 1}},
+                                      Function{"held", 1, {.comparisons = 2}},
+                                      Function{"order", 2, costOfOrder},
+                                      Function{"yAt", 1, costOfCrossing},
+                                      Function{"xAt", 1, costOfCrossing}};
 
 } // namespace formulas
