@@ -15,6 +15,8 @@ testsOf() { # KEY
     box/*) echo box.box ;;
     polygon/* | exact/turn*) echo polygon.polygon ;;
     polyline) echo polyline ;;
+    exact) echo algorithms.exact contract uses ;;
+    algorithms/sobkow-pospisil-yang.h) echo published contract uses ;;
     part.h | algorithms/*.h) echo box.box contract uses endless ;;
     lines-and-rays/*) echo endless ;;
     cohen-sutherland | liang-barsky | cyrus-beck | midpoint-subdivision) echo published contract box.box uses ;;
