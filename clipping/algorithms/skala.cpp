@@ -5,18 +5,20 @@
 //   V. Skala: A New Approach to Line and Line Segment Clipping in Homogeneous Coordinates.
 //   The Visual Computer 21(11), 2005, 905-914.
 //
-// Corrected: the origin is the segment's first end, so that the line has no third coefficient to
-// lose its digits in; a line that seems to have the whole window on its left, or on itself, is
-// asked again with "strictly"; the table tells the edge of entry from that of exit, so that the
-// ends keep their order; a new end takes the coordinate of its edge and is held inside the window.
+// Published is the paper's algorithm for segments; its two crossings come in the order of the
+// table, and are divided out. Corrected: the origin is End 1, so that the line has no third
+// coefficient to lose its digits in; a line that seems to have the whole window on its left, or on
+// itself, is asked again with "strictly"; the table tells the edge of entry from that of exit, so
+// that the ends keep their order; a new end takes the coordinate of its edge and is held inside the
+// window.
 
-#include "clipping/clamped.h"
+#include "clipping/algorithms/skala.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 #include "clipping/polygon/uses.h"
-
-#include <array>
 
 namespace clipping {
 
@@ -31,199 +33,210 @@ struct Skala {
             "two edges that the line crosses.",
         .ulps = 24, // README.md, "How far off"
     };
-
-    static constexpr bool endless = true; // lines and rays too
     static constexpr const auto* polygon = &skalaPolygon;
     static constexpr const auto* searchedPolygon = &skalaSearchedPolygon;
+    static constexpr auto line = &skalaLine;
+    static constexpr auto ray = &skalaRay;
 
-    /// The edges e0 to e3, counter-clockwise; edge k joins corner k to the next.
-    static constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
-
-    /// One row of the table: where the line enters and leaves if the corners whose bits are set
-    /// lie on its left. The paper does not tell the two apart: it has TAB1 and TAB2, with the
-    /// outcode bit MASK of TAB1.
-    struct Crossing {
-        int enter, leave, tab1, tab2;
-        unsigned mask;
+    static constexpr std::string_view publishedCode = R"(
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
+if code1 | code2 == 0000
+  accept the line from x1, y1 to x2, y2
+if code1 & code2 != 0000
+  reject
+px = y1-y2,  py = x2-x1,  pw = x1*y2 - x2*y1
+for k = 0, 1, 2, 3
+  F = px*X[k] + py*Y[k] + pw
+  c[k] = F >= 0 ? 1 : 0
+c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
+if c == 0000 or c == 1111
+  reject
+i = TAB1[c],  j = TAB2[c]
+if code1 != 0000 and code2 != 0000
+  meet(i)
+  x1 = x/w,  y1 = y/w
+  meet(j)
+  x2 = x/w,  y2 = y/w
+else if code1 == 0000
+  if code2 & MASK[c] != 0000: meet(i)
+  else: meet(j)
+  x2 = x/w,  y2 = y/w
+else
+  if code1 & MASK[c] != 0000: meet(i)
+  else: meet(j)
+  x1 = x/w,  y1 = y/w
+accept the line from x1, y1 to x2, y2
+meet(n):
+  x = py*ew[n] - pw*ey[n]
+  y = pw*ex[n] - px*ew[n]
+  w = px*ey[n] - py*ex[n]
+ex[0] = 0,  ey[0] = 1,  ew[0] = -ymin
+ex[1] = 1,  ey[1] = 0,  ew[1] = -xmax
+ex[2] = 0,  ey[2] = 1,  ew[2] = -ymax
+ex[3] = 1,  ey[3] = 0,  ew[3] = -xmin
+X[0] = xmin,  Y[0] = ymin
+X[1] = xmax,  Y[1] = ymin
+X[2] = xmax,  Y[2] = ymax
+X[3] = xmin,  Y[3] = ymax
+TAB1[0001] = 0,  TAB2[0001] = 3,  MASK[0001] = BOTTOM
+TAB1[0010] = 0,  TAB2[0010] = 1,  MASK[0010] = BOTTOM
+TAB1[0011] = 1,  TAB2[0011] = 3,  MASK[0011] = RIGHT
+TAB1[0100] = 1,  TAB2[0100] = 2,  MASK[0100] = RIGHT
+TAB1[0110] = 0,  TAB2[0110] = 2,  MASK[0110] = BOTTOM
+TAB1[0111] = 2,  TAB2[0111] = 3,  MASK[0111] = TOP
+TAB1[1000] = 2,  TAB2[1000] = 3,  MASK[1000] = TOP
+TAB1[1001] = 0,  TAB2[1001] = 2,  MASK[1001] = BOTTOM
+TAB1[1011] = 1,  TAB2[1011] = 2,  MASK[1011] = RIGHT
+TAB1[1100] = 1,  TAB2[1100] = 3,  MASK[1100] = RIGHT
+TAB1[1101] = 0,  TAB2[1101] = 1,  MASK[1101] = BOTTOM
+TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
+)";
+    /// A point or a line in homogeneous coordinates: x*x' + y*y' + w*w' is 0 where they meet.
+    template <class T>
+    struct Homogeneous {
+        T x, y, w;
     };
-    static constexpr Crossing none{-1, -1, -1, -1, 0};
-    static constexpr std::array<Crossing, 16> crossings{{
-        none,
-        {0, 3, 0, 3, 4},
-        {1, 0, 0, 1, 4},
-        {1, 3, 1, 3, 2},
-        {2, 1, 1, 2, 2},
-        none,
-        {2, 0, 0, 2, 4},
-        {2, 3, 2, 3, 8},
-        {3, 2, 2, 3, 8},
-        {0, 2, 0, 2, 4},
-        none,
-        {1, 2, 1, 2, 2},
-        {3, 1, 1, 3, 2},
-        {0, 1, 0, 1, 4},
-        {3, 0, 0, 3, 4},
-        none,
-    }};
 
-    /// The line a*x + b*y + c = 0 through the segment, as the paper has it.
-    template <class T>
-    using Line = glm::vec<3, T>;
+    // The paper's table; MASK has bits of outcodes. Its rows 0, 5, 10 and 15 are empty: nobody asks
+    // for 0 and 15, and 5 and 10 cannot be, not even by rounding, which keeps the sums in F in
+    // order.
+    static constexpr std::array TAB1{0, 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 1, 1, 0, 0, 0};
+    static constexpr std::array TAB2{0, 3, 1, 3, 2, 0, 2, 3, 3, 2, 0, 2, 3, 1, 3, 0};
+    static constexpr std::array MASK{0U, 4U, 4U, 2U, 2U, 0U, 4U, 8U,
+                                     8U, 4U, 0U, 2U, 2U, 4U, 4U, 0U};
+    /// The pseudo-code's names of the corners' answers.
+    static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
 
-    /// The homogeneous point where the line meets edge k, divided out.
-    template <class T>
-    static constexpr glm::vec<2, T> meet(const Line<T>& p, int k, const BasicWindow<T>& w)
+    /// The cross product of the line p and edge n, which line `line` asks for.
+    template <class T, class Step>
+    static constexpr Homogeneous<T> meet(int line, int n, const Homogeneous<T>& p,
+                                         const BasicWindow<T>& window, Step& step)
     {
-        const Line<T> e = k == 0   ? Line<T>{T(0), T(1), -w.min.y}
-                          : k == 1 ? Line<T>{T(1), T(0), -w.max.x}
-                          : k == 2 ? Line<T>{T(0), T(1), -w.max.y}
-                                   : Line<T>{T(1), T(0), -w.min.x};
-        const T x = p.y * e.z - p.z * e.y, y = p.z * e.x - p.x * e.z, z = p.x * e.y - p.y * e.x;
-        return {x / z, y / z};
+        const Edge edge = edgesFromCorners[n];
+        step.let(line, "n", n, edge);
+        const auto& [px, py, pw] = p;
+        const auto [ex, ey, ew] = n == 0   ? Homogeneous<T>{T(0), T(1), -window.min.y}
+                                  : n == 1 ? Homogeneous<T>{T(1), T(0), -window.max.x}
+                                  : n == 2 ? Homogeneous<T>{T(0), T(1), -window.max.y}
+                                           : Homogeneous<T>{T(1), T(0), -window.min.x};
+        step.set("ex[n]", ex), step.set("ey[n]", ey), step.let(32 + n, "ew[n]", ew, edge);
+        return {step.let(29, "x", py * ew - pw * ey, edge),
+                step.let(30, "y", pw * ex - px * ew, edge),
+                step.let(31, "w", px * ey - py * ex, edge)};
     }
 
-    template <Form form, Reach reach = Reach::Bounded, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
-    {
-        if constexpr (reach != Reach::Bounded)
-            return clipEndless<reach>(s, w, watch);
-        const unsigned codeA = outcodeOf(s.a, w), codeB = outcodeOf(s.b, w);
-        watch("outcodes", 1, s, Edge::None, Named{"code1", codeA}, Named{"code2", codeB});
-        if (asked((codeA | codeB) == 0, 2, s, Edge::None, watch)) {
-            watch("accept", 2, s, Edge::None);
-            return s;
-        }
-        if (asked((codeA & codeB) != 0, 3, s, Edge::None, watch)) {
-            watch("reject", 3, s, Edge::None);
-            return std::nullopt;
-        }
-        if constexpr (form == Form::Published)
-            return crossed(s, w, codeA, codeB, watch);
-        else
-            return crossedFromA(s, w, codeA, codeB, watch);
-    }
-
-    /// A line has no ends to encode, a ray one; where there is none, there is a cut.
-    template <Reach reach, class T, class Watch>
+    template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>>
-    clipEndless(const BasicSegment<T>& s, const BasicWindow<T>& w, Watch& watch)
+    published(const BasicSegment<T>& s, const BasicWindow<T>& window, Step&& step)
     {
-        constexpr unsigned noCode = ~0U;
-        if constexpr (reach == Reach::BothWays)
-            return crossedFromA(s, w, noCode, noCode, watch);
-        const unsigned code = outcodeOf(s.a, w);
-        watch("outcodes", 1, s, Edge::None, Named{"code1", code});
-        if (((code & outcode::left) && s.b.x <= s.a.x)
-            || ((code & outcode::right) && s.b.x >= s.a.x)
-            || ((code & outcode::bottom) && s.b.y <= s.a.y)
-            || ((code & outcode::top) && s.b.y >= s.a.y)) {
-            watch("reject", 3, s, Edge::None);
-            return std::nullopt;
+        T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+        const auto& [min, max] = window;
+        const std::array X{min.x, max.x, max.x, min.x}, Y{min.y, min.y, max.y, max.y};
+        const unsigned code1 = step.set("code1", outcodeOf(s.a, window));
+        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, window));
+        if (step.test(2, (code1 | code2) == 0))
+            return step.accept(3, s);
+        if (step.test(4, (code1 & code2) != 0))
+            return step.reject(5);
+        const T px = step.set("px", y1 - y2), py = step.set("py", x2 - x1);
+        const T pw = step.let(6, "pw", x1 * y2 - x2 * y1);
+        unsigned c = 0;
+        for (int k = 0; k < 4; ++k) {
+            step.set("k", k), step.set("X[k]", X[k]), step.set("Y[k]", Y[k]);
+            const T F = step.let(8, "F", px * X[k] + py * Y[k] + pw);
+            c |= unsigned(step.let(9, bits[k], F >= T(0) ? 1 : 0)) << k;
         }
-        return crossedFromA(s, w, code, noCode, watch);
+        step.let(10, "c", c);
+        if (step.test(11, c == 0b0000 || c == 0b1111))
+            return step.reject(12);
+        step.set("TAB1[c]", TAB1[c]), step.set("TAB2[c]", TAB2[c]), step.set("MASK[c]", MASK[c]);
+        const int i = step.set("i", TAB1[c]), j = step.let(13, "j", TAB2[c]);
+        const Homogeneous<T> p{px, py, pw};
+        if (step.test(14, code1 != 0 && code2 != 0)) {
+            const auto [xi, yi, wi] = meet(15, i, p, window, step);
+            x1 = xi / wi, y1 = yi / wi, step.cut(16, 0, x1, y1, "w");
+            const auto [xj, yj, wj] = meet(17, j, p, window, step);
+            x2 = xj / wj, y2 = yj / wj, step.cut(18, 1, x2, y2, "w");
+        } else if (step.test(19, code1 == 0)) {
+            const auto [x, y, w] = step.test(20, (code2 & MASK[c]) != 0, edgesFromCorners[i])
+                                       ? meet(20, i, p, window, step)
+                                       : meet(21, j, p, window, step);
+            x2 = x / w, y2 = y / w, step.cut(22, 1, x2, y2, "w");
+        } else {
+            const auto [x, y, w] = step.test(24, (code1 & MASK[c]) != 0, edgesFromCorners[i])
+                                       ? meet(24, i, p, window, step)
+                                       : meet(25, j, p, window, step);
+            x1 = x / w, y1 = y / w, step.cut(26, 0, x1, y1, "w");
+        }
+        return step.accept(27, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
-    template <class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> crossed(const BasicSegment<T>& s,
-                                                            const BasicWindow<T>& w, unsigned codeA,
-                                                            unsigned codeB, Watch& watch)
+    static constexpr std::string_view correctedCode = R"(
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
+if code1 | code2 == 0000
+  accept the line from x1, y1 to x2, y2
+if code1 & code2 != 0000
+  reject
+dx = x2-x1,  dy = y2-y1
+f[0] = dx*(ymin-y1),  f[1] = dy*(xmax-x1)
+f[2] = dx*(ymax-y1),  f[3] = dy*(xmin-x1)
+c[0] = f[0] >= f[3] ? 1 : 0
+c[1] = f[0] >= f[1] ? 1 : 0
+c[2] = f[2] >= f[1] ? 1 : 0
+c[3] = f[2] >= f[3] ? 1 : 0
+c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
+if c == 1111
+  c[0] = f[0] > f[3] ? 1 : 0
+  c[1] = f[0] > f[1] ? 1 : 0
+  c[2] = f[2] > f[1] ? 1 : 0
+  c[3] = f[2] > f[3] ? 1 : 0
+  c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
+  if c == 0000
+    c = dx > 0 ? 1100 : dx < 0 ? 0011 : dy > 0 ? 1001 : 0110
+if c == 0000 or c == 1111
+  reject
+i = enter[c],  j = leave[c]
+if code2 != 0000
+  x2 = held(x1 + f[j]/dy),  y2 = held(y1 + f[j]/dx)
+if code1 != 0000
+  x1 = held(x1 + f[i]/dy),  y1 = held(y1 + f[i]/dx)
+accept the line from x1, y1 to x2, y2
+enter[0001] = 0,  leave[0001] = 3
+enter[0010] = 1,  leave[0010] = 0
+enter[0011] = 1,  leave[0011] = 3
+enter[0100] = 2,  leave[0100] = 1
+enter[0110] = 2,  leave[0110] = 0
+enter[0111] = 2,  leave[0111] = 3
+enter[1000] = 3,  leave[1000] = 2
+enter[1001] = 0,  leave[1001] = 2
+enter[1011] = 1,  leave[1011] = 2
+enter[1100] = 3,  leave[1100] = 1
+enter[1101] = 0,  leave[1101] = 1
+enter[1110] = 3,  leave[1110] = 0
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
     {
-        const Line<T> p{s.a.y - s.b.y, s.b.x - s.a.x, s.a.x * s.b.y - s.b.x * s.a.y};
-        watch("line", 4, s, Edge::None, Named{"px", p.x}, Named{"py", p.y}, Named{"pw", p.z});
-        const auto left = [&](int line, T x, T y) {
-            const T f = p.x * x + p.y * y + p.z;
-            return unsigned(asked(f >= T(0), line, s, Edge::None, watch, Named{"F", f}));
-        };
-        unsigned pattern = left(5, w.min.x, w.min.y);
-        pattern |= left(6, w.max.x, w.min.y) << 1;
-        pattern |= left(7, w.max.x, w.max.y) << 2;
-        pattern |= left(8, w.min.x, w.max.y) << 3;
-        const Crossing& edge = crossings[pattern];
-        if (!isCrossed(edge, pattern, s, watch))
+        const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
+        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
+        if (step.test(2, (code1 | code2) == 0))
+            return step.accept(3, s);
+        if (step.test(4, (code1 & code2) != 0))
+            return step.reject(5);
+        const auto crossing = crossingOf(s, w, step);
+        if (!crossing)
             return std::nullopt;
         BasicSegment<T> visible = s;
-        const auto cut = [&](int line, glm::vec<2, T> BasicSegment<T>::*end, int k) {
-            visible.*end = meet(p, k, w);
-            watch("cut", line, visible, edges[static_cast<std::size_t>(k)]);
-        };
-        if (codeA != 0 && codeB != 0) {
-            cut(16, &BasicSegment<T>::a, edge.tab1);
-            cut(17, &BasicSegment<T>::b, edge.tab2);
-        } else if (codeA == 0)
-            cut(19, &BasicSegment<T>::b, codeB & edge.mask ? edge.tab1 : edge.tab2);
-        else
-            cut(21, &BasicSegment<T>::a, codeA & edge.mask ? edge.tab1 : edge.tab2);
-        watch("accept", 22, visible, Edge::None);
-        return visible;
-    }
-
-    /// Whether the table has edges for a pattern.
-    template <class T, class Watch>
-    static constexpr bool isCrossed(const Crossing& edge, unsigned pattern,
-                                    const BasicSegment<T>& s, Watch& watch)
-    {
-        watch("row of the table", 13, s, Edge::None, Named{"c", static_cast<int>(pattern)},
-              Named{"TAB1[c]", edge.tab1}, Named{"TAB2[c]", edge.tab2});
-        if (!asked(edge.enter < 0, 14, s, Edge::None, watch))
-            return true;
-        watch("reject", 14, s, Edge::None);
-        return false;
-    }
-
-    template <class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>>
-    crossedFromA(const BasicSegment<T>& s, const BasicWindow<T>& w, unsigned codeA, unsigned codeB,
-                 Watch& watch)
-    {
-        // With the origin at a the line is dx * y = dy * x; the corners' products, and with them
-        // the way along each edge, are all there is to know.
-        const T dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
-        const std::array products{dx * (w.min.y - s.a.y), dy * (w.max.x - s.a.x),
-                                  dx * (w.max.y - s.a.y), dy * (w.min.x - s.a.x)};
-        const auto& [bottom, right, top, left] = products;
-        watch("line", 4, s, Edge::None, Named{"dx", dx}, Named{"dy", dy});
-        const auto corner = [&](int line, bool held, T level, T side) {
-            return unsigned(asked(held, line, s, Edge::None, watch, Named{"dx*(y-y1)", level},
-                                  Named{"dy*(x-x1)", side}));
-        };
-        unsigned pattern = corner(5, bottom >= left, bottom, left);
-        pattern |= corner(6, bottom >= right, bottom, right) << 1;
-        pattern |= corner(7, top >= right, top, right) << 2;
-        pattern |= corner(8, top >= left, top, left) << 3;
-        const bool again = pattern == 15;
-        if (again) {
-            pattern = corner(9, bottom > left, bottom, left);
-            pattern |= corner(10, bottom > right, bottom, right) << 1;
-            pattern |= corner(11, top > right, top, right) << 2;
-            pattern |= corner(12, top > left, top, left) << 3;
+        if (step.test(25, code2 != 0)) {
+            visible.b = crossedAt(crossing->j, *crossing, s.a, w);
+            step.cut(26, 1, visible.b, edgesFromCorners[crossing->j]);
         }
-        const bool onLine = again && pattern == 0; // the whole window, which has no area
-        const Crossing& edge = onLine ? crossings[dx > T(0)   ? 12
-                                                  : dx < T(0) ? 3
-                                                  : dy > T(0) ? 9
-                                                              : 6]
-                                      : crossings[pattern];
-        if (!isCrossed(edge, pattern, s, watch))
-            return std::nullopt;
-        const auto meetFromA = [&](int k) -> glm::vec<2, T> {
-            const T product = products[static_cast<std::size_t>(k)];
-            const glm::vec<2, T> at =
-                k % 2 == 0 ? glm::vec<2, T>{s.a.x + product / dy, k == 0 ? w.min.y : w.max.y}
-                           : glm::vec<2, T>{k == 1 ? w.max.x : w.min.x, s.a.y + product / dx};
-            return clampedAlong(edges[static_cast<std::size_t>(k)], at, w);
-        };
-        BasicSegment<T> visible = s;
-        const auto cut = [&](int line, glm::vec<2, T> BasicSegment<T>::*end, int k) {
-            visible.*end = meetFromA(k);
-            watch("cut", line, visible, edges[static_cast<std::size_t>(k)]);
-        };
-        if (codeA != 0)
-            cut(codeB != 0 ? 16 : 21, &BasicSegment<T>::a, edge.enter);
-        if (codeB != 0)
-            cut(codeA != 0 ? 17 : 19, &BasicSegment<T>::b, edge.leave);
-        watch("accept", 22, visible, Edge::None);
-        return visible;
+        if (step.test(27, code1 != 0)) {
+            visible.a = crossedAt(crossing->i, *crossing, s.a, w);
+            step.cut(28, 0, visible.a, edgesFromCorners[crossing->i]);
+        }
+        return step.accept(29, visible);
     }
 };
 

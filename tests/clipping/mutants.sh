@@ -17,6 +17,7 @@ testsOf() { # KEY
     polyline) echo polyline ;;
     exact) echo algorithms.exact contract uses ;;
     algorithms/sobkow-pospisil-yang.h) echo published contract uses ;;
+    algorithms/skala.h) echo contract uses endless ;;
     part.h | algorithms/*.h) echo box.box contract uses endless ;;
     lines-and-rays/*) echo endless ;;
     cohen-sutherland | liang-barsky | cyrus-beck | midpoint-subdivision) echo published contract box.box uses ;;

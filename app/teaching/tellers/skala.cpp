@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/tellers/ends.h"
+#include "app/teaching/tellers/part.h"
 
 #include <QCoreApplication>
 
@@ -10,19 +11,27 @@
 
 namespace app {
 
-using clipping::Edge;
+using clipping::Edge, clipping::What;
+using words::knownNumber;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("skala", text); }
+QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
 /// The edges e0 to e3 of the table; edge k joins corner k to the next.
 constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
-QString edgeOfTable(const Telling& telling, std::string_view name)
+unsigned known(const Telling& telling, const char* name)
 {
-    const auto k = telling.value(name);
-    return k && *k >= 0 ? edgeWords(edges.at(std::size_t(*k)), telling.specimen.y) : QString();
+    return unsigned(telling.known(name).value_or(0));
+}
+QString codeText(const Telling& telling, const char* name)
+{
+    return outcodeText(known(telling, name));
+}
+QString edgeOfTable(const Telling& telling, unsigned k)
+{
+    return edgeWords(edges[k % 4], telling.specimen.y);
 }
 
 /// "left" or "right" of the line's direction; where y points down, the sides change.
@@ -31,68 +40,204 @@ QString sideOfLine(const Telling& telling, bool positive)
     return positive == (telling.specimen.y == YAxis::Up) ? tr("left") : tr("right");
 }
 
-/// The corner that a line of the pseudo-code asks about: 5 to 8, and 9 to 12 once more.
-QString corner(const Telling& telling)
+/// The numbers that say where a corner lies: it is on the positive side if the first is greater.
+std::array<double, 2> numbersOf(const Telling& telling, unsigned corner)
 {
-    const auto k = std::size_t(telling.step.line - 5) % 4;
+    const auto value = [&](const char* name) { return telling.known(name).value_or(0); };
+    if (words::isPublished(telling))
+        return {value("F"), 0};
+    return {value(corner < 2 ? "f[0]" : "f[2]"),
+            value(corner == 0 || corner == 3 ? "f[3]" : "f[1]")};
+}
+
+QString cornerText(const Telling& telling, unsigned k)
+{
     return words::corner(edges[k], edges[(k + 3) % 4], telling.specimen.y);
 }
 
-QString cornerSign(const Telling& telling)
+/// The answer for a corner: c[0] to c[3].
+QString cornerSide(const Telling& telling)
 {
-    const auto f = telling.value("F");
-    const double level = f ? *f : telling.value("dx*(y-y1)").value_or(0);
-    const double side = f ? 0 : telling.value("dy*(x-x1)").value_or(0);
-    const QString relation =
-        f ? tr("F = %1").arg(words::number(level)) : words::compared(level, side);
-    if (!std::isfinite(level) || !std::isfinite(side))
+    const auto& name = telling.step.name;
+    const unsigned k = unsigned(name[2] - '0');
+    const QString corner = cornerText(telling, k);
+    const auto [one, other] = numbersOf(telling, k);
+    const bool isSet = telling.value(name) == 1;
+    const QString relation = words::isPublished(telling) ? tr("F = %1").arg(words::number(one))
+                                                         : words::compared(one, other);
+    const QString all =
+        tr("%1, so c[%2] = %3").arg(relation, QString::number(k), isSet ? tr("1") : tr("0"));
+    if (!std::isfinite(one) || !std::isfinite(other))
         return tr("The products are too large for a number (%1): what they say of %2 means "
                   "nothing, but it is believed.")
-            .arg(relation, corner(telling));
-    if (level == side)
-        return telling.holds()
-                   ? tr("The line goes right through %1 (%2): counted as %3 of it.")
-                         .arg(corner(telling), relation, sideOfLine(telling, true))
-                   : tr("Asked strictly: the line goes right through %1 (%2), so that corner does "
-                        "not count as %3 of it.")
-                         .arg(corner(telling), relation, sideOfLine(telling, true));
+            .arg(all, corner);
+    if (one == other)
+        return (isSet ? tr("The line goes right through %1 (%2): counted as %3 of it.")
+                      : tr("Asked strictly: the line goes right through %1 (%2), so that corner "
+                           "does not count as %3 of it."))
+            .arg(corner, all, sideOfLine(telling, true));
     return tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
-        .arg(corner(telling), sideOfLine(telling, level > side), relation);
+        .arg(corner, sideOfLine(telling, one > other), all);
 }
 
+/// The pattern of the corners.
+QString pattern(const Telling& telling)
+{
+    const unsigned c = known(telling, "c");
+    const QString text = outcodeText(c);
+    if (!words::isPublished(telling) && telling.step.line == 21)
+        return tr("The line runs along a window without area: its direction tells the row of the "
+                  "table, c = %1.")
+            .arg(text);
+    QStringList crossed;
+    for (unsigned k = 0; k < 4; ++k)
+        if ((c >> k & 1U) != (c >> (k + 1) % 4 & 1U))
+            crossed << edgeOfTable(telling, k);
+    if (crossed.size() != 2)
+        return tr("The four answers make c = %1: no edge of the window has its corners on "
+                  "different sides of the line.")
+            .arg(text);
+    return tr("The four answers make c = %1, row %2 of the table: the side changes along %3 and "
+              "%4. There, and only there, the line crosses the window.")
+        .arg(text, QString::number(c), crossed[0], crossed[1]);
+}
+
+/// The edges that the table names.
+QString named(const Telling& telling)
+{
+    const unsigned i = known(telling, "i"), j = known(telling, "j");
+    if (!words::isPublished(telling))
+        return tr("The table tells that the line comes in at %1 and goes out at %2.")
+            .arg(edgeOfTable(telling, i), edgeOfTable(telling, j));
+    return tr("The table names both: edge %1 is %2, edge %3 is %4.")
+        .arg(QString::number(i), edgeOfTable(telling, i), QString::number(j),
+             edgeOfTable(telling, j));
+}
+
+/// As published: at which of the two edges an end is cut.
+QString masked(const Telling& telling, int end)
+{
+    const QString code = codeText(telling, end == 1 ? "code1" : "code2");
+    const QString mask = codeText(telling, "MASK[c]");
+    if (telling.holds())
+        return tr("The outcode of %1, %2, has the bit of %3 (MASK = %4): %1 lies beyond that edge.")
+            .arg(words::end(end), code, telling.edgeText(), mask);
+    return tr("The outcode of %1, %2, does not have the bit of %3 (MASK = %4): %1 lies beyond the "
+              "other edge, %5.")
+        .arg(words::end(end), code, telling.edgeText(), mask,
+             edgeOfTable(telling, known(telling, "j")));
+}
+
+/// As corrected: whether an end has to move.
+QString isOutside(const Telling& telling, int end)
+{
+    const QString code = codeText(telling, end == 1 ? "code1" : "code2");
+    return (telling.holds() ? tr("%1 is outside, with %2, and has to move.")
+                            : tr("%1 is inside, with %2, and stays."))
+        .arg(words::end(end), code);
+}
+
+/// The questions that only one of the forms asks, or on a line of its own.
+QString testOfPublished(const Telling& telling)
+{
+    switch (telling.step.line) {
+    case 14:
+        return telling.holds() ? tr("Both ends are outside, so both have to move.")
+                               : tr("One end is inside and stays.");
+    case 19:
+        return telling.holds() ? tr("End 1 is inside, so it is End 2 that has to move.")
+                               : tr("End 1 is outside, so it is the one that has to move.");
+    default:
+        return masked(telling, telling.step.line == 20 ? 2 : 1);
+    }
+}
+QString testOfCorrected(const Telling& telling)
+{
+    switch (telling.step.line) {
+    case 14:
+        return telling.holds() ? tr("All four bits are set, which they also are where the line "
+                                    "goes through a corner: each corner is asked again, strictly.")
+                               : tr("Not all four bits are set: no corner is asked again.");
+    case 20:
+        return telling.holds() ? tr("All four corners lie on the line: the window has no area.")
+                               : tr("Not all four corners lie on the line.");
+    default:
+        return isOutside(telling, telling.step.line == 25 ? 2 : 1);
+    }
+}
+
+QString test(const Telling& telling)
+{
+    const bool published = words::isPublished(telling);
+    if (telling.step.line == 2)
+        return telling.holds() ? tr("Neither end has a bit: both are inside.")
+                               : tr("At least one end has a bit, so it is outside.");
+    if (telling.step.line == 4)
+        return telling.holds()
+                   ? tr("Both ends have a bit in common: they lie beyond one edge.")
+                   : tr("The ends have no bit in common: the line may meet the window.");
+    if (telling.step.line == (published ? 11 : 22))
+        return telling.holds()
+                   ? tr("With c = %1 all corners count as lying on one side of the line.")
+                         .arg(codeText(telling, "c"))
+                   : tr("The corners do not all lie on one side, so the line meets the window.");
+    return published ? testOfPublished(telling) : testOfCorrected(telling);
+}
+
+/// The line before the corners are asked.
 QString line(const Telling& telling)
 {
-    return telling.value("pw")
+    return words::isPublished(telling)
                ? tr("The line through both ends as one vector, their cross product: "
                     "px = %1, py = %2, pw = %3. It tells on which side of the line a point lies.")
-                     .arg(words::value(telling, "px"), words::value(telling, "py"),
-                          words::value(telling, "pw"))
+                     .arg(knownNumber(telling, "px"), knownNumber(telling, "py"),
+                          knownNumber(telling, "pw"))
                : tr("The line is measured from End 1, so that it has no third number that could "
                     "lose its digits: dx = %1, dy = %2.")
-                     .arg(words::value(telling, "dx"), words::value(telling, "dy"));
+                     .arg(knownNumber(telling, "dx"), knownNumber(telling, "dy"));
 }
 
-QString row(const Telling& telling)
+/// As corrected: f[0] and f[1], or f[2] and f[3].
+QString products(const Telling& telling)
 {
-    const QString c = words::value(telling, "c");
-    if (telling.value("TAB1[c]").value_or(-1) < 0)
-        return tr("The pattern of the corners is c = %1: no edge of the window has its corners on "
-                  "different sides of the line.")
-            .arg(c);
-    return tr("The pattern of the corners is c = %1: the side changes along %2 and %3. There, and "
-              "only there, the line crosses the window.")
-        .arg(c, edgeOfTable(telling, "TAB1[c]"), edgeOfTable(telling, "TAB2[c]"));
+    const bool first = telling.step.name == "f[1]";
+    return tr("Each edge has a product, and a corner compares those of its two edges: that of %1 "
+              "is %2, that of %3 is %4.")
+        .arg(edgeOfTable(telling, first ? 0 : 2), knownNumber(telling, first ? "f[0]" : "f[2]"),
+             edgeOfTable(telling, first ? 1 : 3), knownNumber(telling, first ? "f[1]" : "f[3]"));
+}
+
+/// As published: how the line meets an edge.
+QString meeting(const Telling& telling)
+{
+    const auto& name = telling.step.name;
+    if (name == "n")
+        return tr("Wanted is the point where the line meets %1, edge %2 of the table.")
+            .arg(telling.edgeText(), knownNumber(telling, "n"));
+    if (name == "x")
+        return tr("The cross product of both is the point where the line meets %1, times w. Its x "
+                  "is %2.")
+            .arg(telling.edgeText(), knownNumber(telling, "x"));
+    if (name == "y")
+        return tr("The y of the cross product is %1.").arg(knownNumber(telling, "y"));
+    if (name == "w")
+        return tr("The third is w = %1. What is left to do is to divide x and y by it.")
+            .arg(knownNumber(telling, "w"));
+    return tr("A vector, like that of the line, stands for %1: (%2, %3, %4).")
+        .arg(telling.edgeText(), knownNumber(telling, "ex[n]"), knownNumber(telling, "ey[n]"),
+             knownNumber(telling, "ew[n]"));
 }
 
 QString cut(const Telling& telling)
 {
     const auto& step = telling.step;
-    const bool one = step.line == 16 || step.line == 21;
-    const int end = one ? 1 : 2;
+    const bool published = words::isPublished(telling);
+    const bool two = published ? step.line == 18 || step.line == 22 : step.line == 26;
+    const int end = two ? 2 : 1;
     const QString at = words::point(words::endOf(end, telling));
     const Point way = step.segment.b - step.segment.a;
     const Point given = telling.specimen.line.b - telling.specimen.line.a;
-    if (step.line == 17 && glm::dot(way, given) < 0)
+    if (published && step.line == 18 && glm::dot(way, given) < 0)
         return tr("%1 goes to %2, to %3. The published table does not tell where the line comes in "
                   "from where it goes out: the two ends are exchanged now.")
             .arg(words::end(end), telling.edgeText(), at);
@@ -100,55 +245,51 @@ QString cut(const Telling& telling)
         .arg(words::end(end), telling.edgeText(), at);
 }
 
-QString test(const Telling& telling)
-{
-    switch (telling.step.line) {
-    case 2:
-        return telling.holds() ? tr("Neither end has a bit: both are inside.")
-                               : tr("At least one end has a bit, so it is outside.");
-    case 3:
-        return telling.holds()
-                   ? tr("Both ends have a bit in common: they lie beyond one edge.")
-                   : tr("The ends have no bit in common: the line may meet the window.");
-    case 14:
-        return telling.holds() ? tr("The row of the table is empty: the window lies on one side of "
-                                    "the line.")
-                               : tr("The row of the table names two edges, so the line meets the "
-                                    "window.");
-    default:
-        return cornerSign(telling);
-    }
-}
-
 QString reject(const Telling& telling)
 {
-    if (telling.step.line == 3)
+    if (telling.step.line == 5)
         return words::bothBeyond(telling);
     return tr("The line passes the window: nothing of it is visible.") + words::lost(telling);
 }
 
+QString given(const Telling& telling)
+{
+    const auto& name = telling.step.name;
+    if (name == "code2")
+        return words::outcodes(telling);
+    if (name == "pw" || name == "dy")
+        return line(telling);
+    if (name == "F")
+        return tr("At %1 F is %2.")
+            .arg(cornerText(telling, known(telling, "k")), knownNumber(telling, "F"));
+    if (name.starts_with("c["))
+        return cornerSide(telling);
+    if (name == "c")
+        return pattern(telling);
+    if (name == "j")
+        return named(telling);
+    return name.starts_with("f[") ? products(telling) : meeting(telling);
+}
+
 QString sentence(const Telling& telling)
 {
-    const auto what = telling.step.what;
-    const auto& name = telling.step.name;
-    if (what == clipping::What::Test)
+    switch (telling.step.what) {
+    case What::Test:
         return test(telling);
-    if (name == "outcodes")
-        return words::outcodes(telling);
-    if (name == "line")
-        return line(telling);
-    if (name == "row of the table")
-        return row(telling);
-    if (what == clipping::What::Cut)
+    case What::Let:
+        return given(telling);
+    case What::Cut:
         return cut(telling);
-    if (what == clipping::What::Reject)
+    case What::Reject:
         return reject(telling);
-    return words::acceptedIfInside(telling);
+    default:
+        return words::acceptedIfInside(telling);
+    }
 }
 
 } // namespace
 
 extern const Teller skalaTeller;
-const Teller skalaTeller{"skala", sentence};
+const Teller skalaTeller{.key = "skala", .sentence = sentence};
 
 } // namespace app

@@ -7,7 +7,9 @@ namespace clipping {
 
 // The forms for infinite lines and rays that the rows of the catalogue name, each from the file of
 // its algorithm beside this.
-extern const Uses<Line, Window, Segment> cyrusBeckLine, liangBarskyLine, matthesDrakopoulosLine;
-extern const Uses<Ray, Window, Segment> cyrusBeckRay, liangBarskyRay, matthesDrakopoulosRay;
+extern const Uses<Line, Window, Segment> cyrusBeckLine, liangBarskyLine, matthesDrakopoulosLine,
+    skalaLine;
+extern const Uses<Ray, Window, Segment> cyrusBeckRay, liangBarskyRay, matthesDrakopoulosRay,
+    skalaRay;
 
 } // namespace clipping

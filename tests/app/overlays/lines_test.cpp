@@ -185,20 +185,30 @@ private slots:
                 ++asked;
                 QVERIFY2(*overlay.table->lit == std::size_t(patterns.back()),
                          said(clipper, w, line));
-                bool allLeft = true;
-                const auto side = [&](const Point& p) {
-                    const Point d = line.b - line.a, e = p - line.a;
+                bool allLeft = true, allOnLine = true;
+                const Point d = line.b - line.a;
+                const auto sideOf = [&](const Point& p) {
+                    const Point e = p - line.a;
                     return d.x * e.y - d.y * e.x;
                 };
-                for (const OverlayMark& mark : signs)
-                    allLeft = allLeft && side(mark.at) >= 0;
+                for (const OverlayMark& mark : signs) {
+                    allLeft = allLeft && sideOf(mark.at) >= 0;
+                    allOnLine = allOnLine && sideOf(mark.at) == 0;
+                }
                 const bool strict = allLeft && clipper.form == clipping::Form::Corrected;
+                // A window without area on the line is taken for one that the line halves.
+                const auto side = [&](const OverlayMark& mark) {
+                    const int k = mark.label[1].digitValue();
+                    const Point beside =
+                        d.x != 0 ? Point(0, k < 2 ? -1 : 1) : Point(k == 0 || k == 3 ? -1 : 1, 0);
+                    return sideOf(strict && allOnLine ? mark.at + beside : mark.at);
+                };
                 for (const OverlayMark& mark : signs)
                     QVERIFY(mark.label.endsWith(
                         mark.symbol == OverlayMark::Symbol::Plus ? u'+' : u'\u2212'));
                 for (const OverlayMark& mark : signs)
                     QVERIFY2((mark.symbol == OverlayMark::Symbol::Plus)
-                                 == (strict ? side(mark.at) > 0 : side(mark.at) >= 0),
+                                 == (strict ? side(mark) > 0 : side(mark) >= 0),
                              said(clipper, w, line));
             }
         }

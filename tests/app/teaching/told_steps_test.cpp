@@ -91,32 +91,112 @@ private slots:
             {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean y > ymax, "
              "y < ymin, x > xmax, x < xmin.",
              "2: At least one end has a bit, so it is outside.",
-             "3: The ends have no bit in common: the line may meet the window.",
-             "4: The line through both ends as one vector, their cross product: px = −160, "
+             "4: The ends have no bit in common: the line may meet the window.",
+             "6: The line through both ends as one vector, their cross product: px = −160, "
              "py = 230, pw = −18700. It tells on which side of the line a point lies.",
-             "5: Seen along the line from End 1 to End 2, the bottom left corner lies on the right "
-             "(F = −19950).",
-             "6: Seen along the line from End 1 to End 2, the bottom right corner lies on the "
-             "right "
-             "(F = −51950).",
-             "7: Seen along the line from End 1 to End 2, the top right corner lies on the right "
-             "(F = −17450).",
-             "8: Seen along the line from End 1 to End 2, the top left corner lies on the left "
-             "(F = 14550).",
-             "13: The pattern of the corners is c = 8: the side changes along the top edge and the "
-             "left edge. There, and only there, the line crosses the window.",
-             "14: The row of the table names two edges, so the line meets the window.",
+             "8: At the bottom left corner F is −19950.",
+             "9: Seen along the line from End 1 to End 2, the bottom left corner lies on the right "
+             "(F = −19950, so c[0] = 0).",
+             "8: At the bottom right corner F is −51950.",
+             "9: Seen along the line from End 1 to End 2, the bottom right corner lies on the "
+             "right (F = −51950, so c[1] = 0).",
+             "8: At the top right corner F is −17450.",
+             "9: Seen along the line from End 1 to End 2, the top right corner lies on the right "
+             "(F = −17450, so c[2] = 0).",
+             "8: At the top left corner F is 14550.",
+             "9: Seen along the line from End 1 to End 2, the top left corner lies on the left "
+             "(F = 14550, so c[3] = 1).",
+             "10: The four answers make c = 1000, row 8 of the table: the side changes along the "
+             "top edge and the left edge. There, and only there, the line crosses the window.",
+             "11: The corners do not all lie on one side, so the line meets the window.",
+             "13: The table names both: edge 2 is the top edge, edge 3 is the left edge.",
+             "14: Both ends are outside, so both have to move.",
+             "15: Wanted is the point where the line meets the top edge, edge 2 of the table.",
+             "34: A vector, like that of the line, stands for the top edge: (0, 1, −75).",
+             "29: The cross product of both is the point where the line meets the top edge, times "
+             "w. Its x is 1450.",
+             "30: The y of the cross product is −12000.",
+             "31: The third is w = −160. What is left to do is to divide x and y by it.",
              "16: End 1 is outside, so it becomes the point where the line crosses the top edge: "
              "(−9.0625, 75).",
-             "17: End 2 goes to the left edge, to (−100, 11.7391). The published table does not "
+             "17: Wanted is the point where the line meets the left edge, edge 3 of the table.",
+             "35: A vector, like that of the line, stands for the left edge: (1, 0, 100).",
+             "29: The cross product of both is the point where the line meets the left edge, times "
+             "w. Its x is 23000.",
+             "30: The y of the cross product is −2700.",
+             "31: The third is w = −230. What is left to do is to divide x and y by it.",
+             "18: End 2 goes to the left edge, to (−100, 11.7391). The published table does not "
              "tell where the line comes in from where it goes out: the two ends are exchanged now.",
-             "22: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
+             "27: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
              "is visible."});
+    }
+    /// dx = 230, dy = 160; f = 230 * -45, 160 * 260, 230 * 105, 160 * 60.
+    void skalaCorrected()
+    {
+        compare(
+            told("skala"),
+            {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean y > ymax, "
+             "y < ymin, x > xmax, x < xmin.",
+             "2: At least one end has a bit, so it is outside.",
+             "4: The ends have no bit in common: the line may meet the window.",
+             "6: The line is measured from End 1, so that it has no third number that could lose "
+             "its digits: dx = 230, dy = 160.",
+             "7: Each edge has a product, and a corner compares those of its two edges: that of "
+             "the bottom edge is −10350, that of the right edge is 41600.",
+             "8: Each edge has a product, and a corner compares those of its two edges: that of "
+             "the top edge is 24150, that of the left edge is 9600.",
+             "9: Seen along the line from End 1 to End 2, the bottom left corner lies on the right "
+             "(−10350 < 9600, so c[0] = 0).",
+             "10: Seen along the line from End 1 to End 2, the bottom right corner lies on the "
+             "right (−10350 < 41600, so c[1] = 0).",
+             "11: Seen along the line from End 1 to End 2, the top right corner lies on the right "
+             "(24150 < 41600, so c[2] = 0).",
+             "12: Seen along the line from End 1 to End 2, the top left corner lies on the left "
+             "(24150 > 9600, so c[3] = 1).",
+             "13: The four answers make c = 1000, row 8 of the table: the side changes along the "
+             "top edge and the left edge. There, and only there, the line crosses the window.",
+             "14: Not all four bits are set: no corner is asked again.",
+             "22: The corners do not all lie on one side, so the line meets the window.",
+             "24: The table tells that the line comes in at the left edge and goes out at the top "
+             "edge.",
+             "25: End 2 is outside, with 1000, and has to move.",
+             "26: End 2 is outside, so it becomes the point where the line crosses the top edge: "
+             "(−9.0625, 75).",
+             "27: End 1 is outside, with 0001, and has to move.",
+             "28: End 1 is outside, so it becomes the point where the line crosses the left edge: "
+             "(−100, 11.7391).",
+             "29: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
+             "is visible."});
+    }
+    /// Through the corner (0, 2) with the window on the left; and along a window without height.
+    void skalaAsksAgain()
+    {
+        const QStringList touch = told("skala", {{1, 3}, {-1, 1}}, {{0, 0}, {2, 2}});
+        QVERIFY(touch.contains("18: Asked strictly: the line goes right through the top left "
+                               "corner (2 = 2, so c[3] = 0), so that corner does not count as "
+                               "left of it."));
+        const QStringList flat = told("skala", {{-1, 0}, {3, 0}}, {{0, 0}, {2, 0}});
+        QVERIFY(flat.contains("20: All four corners lie on the line: the window has no area."));
+        QVERIFY(flat.contains("21: The line runs along a window without area: its direction tells "
+                              "the row of the table, c = 1100."));
+    }
+    void skalaTellsWhichEndMoves()
+    {
+        const QStringList second = told("skala:published", {{0, 0}, {200, 100}});
+        QVERIFY(second.contains("19: End 1 is inside, so it is End 2 that has to move."));
+        QVERIFY2(second.contains("20: The outcode of End 2, 1010, has the bit of the right edge "
+                                 "(MASK = 0010): End 2 lies beyond that edge."),
+                 qPrintable(second.join('\n')));
+        const QStringList first = told("skala:published", {{0, 200}, {10, 0}});
+        QVERIFY2(first.contains("24: The outcode of End 1, 1000, does not have the bit of the "
+                                "bottom edge (MASK = 0100): End 1 lies beyond the other edge, the "
+                                "top edge."),
+                 qPrintable(first.join('\n')));
     }
     void skalaSaysWhatItLoses()
     {
         QCOMPARE(told("skala:published", {{-1, 0}, {1, 0}}, {{0, 0}, {2, 2}}).last(),
-                 "14: The line passes the window: nothing of it is visible. That is wrong: from "
+                 "12: The line passes the window: nothing of it is visible. That is wrong: from "
                  "(0, 0) to (1, 0) the line is inside.");
     }
 

@@ -92,7 +92,7 @@ int slotOf(const Expression& variable, const Scope& scope)
     if (variable.kind == Kind::Name)
         return variable.variables[0];
     const double index = valueOf(variable.parts[0], scope);
-    if (!(index >= 0 && index < 10))
+    if (!(index >= 0 && index < 16))
         throw Unreadable("an index is " + text(index));
     return variable.variables[std::size_t(index)];
 }

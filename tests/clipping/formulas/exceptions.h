@@ -13,7 +13,6 @@ namespace formulas {
 // clang-format off
 inline const std::vector<std::string_view> notYetTold{
     "nicholl-lee-nicholl",
-    "skala",
 };
 // clang-format on
 
@@ -83,6 +82,9 @@ inline const std::vector<NotObservable> notObservable{
     {"sobkow-pospisil-yang", clipping::Form::Corrected,
      "ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()", "+ for - at column 56",
      onTheEdge},
+    {"skala", clipping::Form::Corrected,
+     "c = dx > 0 ? 1100 : dx < 0 ? 0011 : dy > 0 ? 1001 : 0110", ">= for > at column 40",
+     "a point whose ends are not both inside is rejected by its outcodes"},
 };
 
 } // namespace formulas

@@ -34,7 +34,7 @@ private:
 enum class Kind {
     Number, ///< and bits and truths
     Name,
-    Element, ///< x[i]: one of ten variables, by the value of its part
+    Element, ///< x[i]: one of sixteen variables, by the value of its part
     Negative,
     Complement,
     Not,
@@ -62,7 +62,7 @@ struct Expression {
     Kind kind = Kind::Number;
     double number = 0;
     std::string name{};              ///< of a function or a call
-    std::vector<int> variables{};    ///< one of a Name, ten of an Element
+    std::vector<int> variables{};    ///< one of a Name, sixteen of an Element
     std::vector<Expression> parts{}; ///< operands, arguments
 };
 

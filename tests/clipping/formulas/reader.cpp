@@ -99,7 +99,7 @@ Expression Reader::variable()
             return {.number = constant.value};
     const auto elements = [&](const std::string& before, const std::string& after, Expression i) {
         Expression e{.kind = Kind::Element, .parts = {std::move(i)}};
-        for (int k = 0; k < 10; ++k)
+        for (int k = 0; k < 16; ++k)
             e.variables.push_back(names_.slotOf(before + std::to_string(k) + after));
         return e;
     };

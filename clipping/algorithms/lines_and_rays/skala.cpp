@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Skala (2005) for infinite lines and rays. A line has no ends to encode, a ray one; where there is
+// none, there is a cut. The lines of the steps are those of the corrected pseudo-code for segments.
+
+#include "clipping/algorithms/skala.h"
+
+#include "clipping/algorithms/lines_and_rays/uses.h"
+#include "clipping/describe.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/outcode.h"
+
+namespace clipping {
+namespace {
+
+struct OnLinesAndRays {
+    /// Whether a ray begins beyond an edge and does not come nearer to it.
+    template <class T>
+    static constexpr bool missed(unsigned code, const BasicSegment<T>& s)
+    {
+        return ((code & outcode::left) && s.b.x <= s.a.x)
+               || ((code & outcode::right) && s.b.x >= s.a.x)
+               || ((code & outcode::bottom) && s.b.y <= s.a.y)
+               || ((code & outcode::top) && s.b.y >= s.a.y);
+    }
+
+    template <Form, Reach reach, class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
+                                                         const BasicWindow<T>& w, Step&& step)
+    {
+        bool isCut = true; // End 1
+        if constexpr (reach == Reach::OneWay) {
+            const unsigned code = step.let(1, "code1", outcodeOf(s.a, w));
+            if (step.test(4, missed(code, s)))
+                return step.reject(5);
+            isCut = code != 0;
+        }
+        const auto crossing = crossingOf(s, w, step);
+        if (!crossing)
+            return std::nullopt;
+        BasicSegment<T> visible{s.a, crossedAt(crossing->j, *crossing, s.a, w)};
+        step.cut(26, 1, visible.b, edgesFromCorners[crossing->j]);
+        if (reach == Reach::BothWays || step.test(27, isCut)) {
+            visible.a = crossedAt(crossing->i, *crossing, s.a, w);
+            step.cut(28, 0, visible.a, edgesFromCorners[crossing->i]);
+        }
+        return step.accept(29, visible);
+    }
+};
+
+} // namespace
+
+const Uses<Line, Window, Segment> skalaLine = endlessUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> skalaRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+
+} // namespace clipping

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/clamped.h"
+
+#include <array>
+#include <optional>
+
+namespace clipping {
+
+/// Skala's edges e0 to e3, counter-clockwise; edge k joins corner k to the next. Corner 0 is
+/// (xmin, ymin).
+inline constexpr std::array edgesFromCorners{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
+
+/// By which edges a line comes into the window and goes out.
+struct Passage {
+    int enter, leave;
+};
+/// By the pattern of the corners that lie on the line's left: bit k is that of corner k. Of 0 and
+/// 15 nobody asks, and 5 and 10 cannot be, not even by rounding, which keeps products in order.
+// clang-format off
+inline constexpr std::array<Passage, 16> passages{{
+    {}, {0, 3}, {1, 0}, {1, 3},
+    {2, 1}, {}, {2, 0}, {2, 3},
+    {3, 2}, {0, 2}, {}, {1, 2},
+    {3, 1}, {0, 1}, {3, 0}, {},
+}};
+// clang-format on
+
+/// A line that crosses the window.
+template <class T>
+struct Crossing {
+    glm::vec<2, T> d;   ///< b - a
+    std::array<T, 4> f; ///< of edge k: dx or dy times the way from a to the edge
+    int i, j;           ///< the edges by which it comes in and goes out
+};
+
+/// The edges that the line through a segment crosses: lines 6 to 24 of the corrected pseudo-code.
+/// With the origin at a the line is dx*y = dy*x, so that the side of a corner is that of the
+/// products of its two edges.
+template <class T, class Step>
+constexpr std::optional<Crossing<T>> crossingOf(const BasicSegment<T>& s, const BasicWindow<T>& w,
+                                                Step& step)
+{
+    const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
+    const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
+    const T dx = step.set("dx", x2 - x1), dy = step.let(6, "dy", y2 - y1);
+    const std::array f{step.set("f[0]", dx * (ymin - y1)), step.let(7, "f[1]", dy * (xmax - x1)),
+                       step.set("f[2]", dx * (ymax - y1)), step.let(8, "f[3]", dy * (xmin - x1))};
+    int c0 = step.let(9, "c[0]", f[0] >= f[3] ? 1 : 0);
+    int c1 = step.let(10, "c[1]", f[0] >= f[1] ? 1 : 0);
+    int c2 = step.let(11, "c[2]", f[2] >= f[1] ? 1 : 0);
+    int c3 = step.let(12, "c[3]", f[2] >= f[3] ? 1 : 0);
+    auto c = step.let(13, "c", unsigned(c0 + 2 * c1 + 4 * c2 + 8 * c3));
+    if (step.test(14, c == 0b1111)) { // on the line counted for left of it
+        c0 = step.let(15, "c[0]", f[0] > f[3] ? 1 : 0);
+        c1 = step.let(16, "c[1]", f[0] > f[1] ? 1 : 0);
+        c2 = step.let(17, "c[2]", f[2] > f[1] ? 1 : 0);
+        c3 = step.let(18, "c[3]", f[2] > f[3] ? 1 : 0);
+        c = step.let(19, "c", unsigned(c0 + 2 * c1 + 4 * c2 + 8 * c3));
+        if (step.test(20, c == 0b0000)) { // the whole window, which has no area, is on the line
+            c = step.let(21, "c",
+                         dx > T(0)   ? 0b1100U
+                         : dx < T(0) ? 0b0011U
+                         : dy > T(0) ? 0b1001U
+                                     : 0b0110U);
+        }
+    }
+    if (step.test(22, c == 0b0000 || c == 0b1111))
+        return step.reject(23);
+    const auto [i, j] = passages[c];
+    step.set("enter[c]", i), step.set("leave[c]", j);
+    step.set("i", i), step.let(24, "j", j);
+    return Crossing<T>{{dx, dy}, f, i, j};
+}
+
+/// Where the line through a crosses edge k: at the edge's own coordinate, the other one held inside
+/// the window.
+template <class T>
+constexpr glm::vec<2, T> crossedAt(int k, const Crossing<T>& line, const glm::vec<2, T>& a,
+                                   const BasicWindow<T>& w)
+{
+    const Edge edge = edgesFromCorners[k];
+    const T level = levelOf(edge, w), product = line.f[k];
+    return clampedAlong(edge,
+                        axisOf(edge) == 0 ? glm::vec<2, T>{level, a.y + product / line.d.x}
+                                          : glm::vec<2, T>{a.x + product / line.d.y, level},
+                        w);
+}
+
+} // namespace clipping
