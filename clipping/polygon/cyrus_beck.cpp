@@ -5,7 +5,8 @@
 //
 // The inner normal of an edge tells how deep each end lies inside it. The difference of the two
 // depths is the authors' D, the speed along the normal; the signs are exact, so that an end that is
-// inside is never cut, and D is never a quotient's zero.
+// inside is never cut, and D is never a quotient's zero. The lines of the steps are those of the
+// corrected pseudo-code for windows.
 
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
@@ -14,13 +15,17 @@ namespace clipping {
 namespace {
 
 struct CyrusBeckPolygon {
-    static constexpr int rejectLine = 14, acceptLine = 19;
+    static constexpr int rejectLine = 14, acceptLine = 25;
 
     /// A bound of what is visible: where on the segment, and the edge that says so.
     template <class T>
     struct Bound {
         T t;
         std::optional<std::size_t> edge;
+    };
+    template <class T>
+    struct Part {
+        Bound<T> entry, exit;
     };
 
     /// The point at t, 0 to 1.
@@ -56,54 +61,61 @@ struct CyrusBeckPolygon {
         return true;
     }
 
-    template <class T, class Watch>
-    static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
-                                               const PolygonIn<T>& polygon, Watch&& watch)
+    /// What one edge says, in order around the polygon. False: it has both ends outside.
+    template <class T, class Step>
+    static bool cutAt(std::size_t i, const BasicSegment<T>& s, const PolygonIn<T>& polygon,
+                      Part<T>& part, Step& step)
     {
-        Bound<T> entry{T(0), {}}, exit{T(1), {}};
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
-            const auto along = polygon.edge(i);
-            const Cross<T> a = cross(along, from, to, from, s.a);
-            const Cross<T> b = cross(along, from, to, from, s.b);
-            const Named number{"edge", unsigned(polygon.number(i))};
-            if (a.sign < 0 && b.sign < 0) {
-                watch("reject", 6, s, Edge::None, number, Named{"N", a.value});
-                return std::nullopt;
-            }
-            if (a.sign >= 0 && b.sign >= 0)
-                continue;
-            const T t = shareBefore(a, b);
-            if (a.sign < 0) {
-                if (!entry.edge || t > entry.t)
-                    entry = {t, i};
-                watch("entry", 11, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
-            } else {
-                if (!exit.edge || t < exit.t)
-                    exit = {t, i};
-                watch("exit", 13, s, Edge::None, number, Named{"N", a.value}, Named{"t", t});
-            }
+        auto& [entry, exit] = part;
+        const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
+        const auto along = polygon.edge(i);
+        const Cross<T> a = cross(along, from, to, from, s.a);
+        const Cross<T> b = cross(along, from, to, from, s.b);
+        step.set("edge", int(polygon.number(i))), step.let(4, "N", a.value);
+        if (step.test(6, a.sign < 0 && b.sign < 0)) {
+            step.reject(6);
+            return false;
         }
+        if (a.sign >= 0 && b.sign >= 0)
+            return true;
+        const T t = step.let(8, "t", shareBefore(a, b));
+        if (step.test(9, a.sign < 0)) {
+            if (step.test(10, !entry.edge || t > entry.t))
+                entry = {step.let(11, "tE", t), i};
+        } else if (step.test(12, !exit.edge || t < exit.t))
+            exit = {step.let(13, "tL", t), i};
+        return true;
+    }
+
+    template <class T, class Step>
+    static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
+                                               const PolygonIn<T>& polygon, Step&& step)
+    {
+        Part<T> part{{step.set("tE", T(0)), {}}, {step.set("tL", T(1)), {}}};
+        auto& [entry, exit] = part;
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            if (!cutAt(i, s, polygon, part, step))
+                return std::nullopt;
         const auto box = polygon.box();
         const auto a = at(entry.t, s), b = at(exit.t, s);
         const bool outside = clamped(a, box) != a || clamped(b, box) != b;
-        if ((outside && !holdIn(box, s, entry, exit)) || entry.t > exit.t) {
-            watch("reject", 14, s, Edge::None, Named{"tE", entry.t}, Named{"tL", exit.t});
-            return std::nullopt;
-        }
+        const bool missed = outside && !holdIn(box, s, entry, exit);
+        step.set("tE", entry.t), step.set("tL", exit.t);
+        if (step.test(14, missed || entry.t > exit.t))
+            return step.reject(rejectLine);
         PolygonPiece<T> piece{s};
         if (exit.edge) {
             piece.segment.b = clamped(at(exit.t, s), box);
             piece.numberOfB = polygon.number(*exit.edge);
-            watch("cut b", 16, piece.segment, Edge::None, Named{"tL", exit.t});
+            step.cut(16, 1, piece.segment.b, Edge::None);
         }
         if (entry.edge) {
             const bool contact = exit.edge && entry.t == exit.t;
             piece.segment.a = contact ? piece.segment.b : clamped(at(entry.t, s), box);
             piece.numberOfA = polygon.number(*entry.edge);
-            watch("cut a", 18, piece.segment, Edge::None, Named{"tE", entry.t});
+            step.cut(contact ? 22 : 20, 0, piece.segment.a, Edge::None);
         }
-        watch("accept", 19, piece.segment, Edge::None);
+        step.accept(acceptLine, piece.segment);
         return piece;
     }
 };

@@ -14,12 +14,12 @@
 namespace clipping {
 
 /// Runs a method on a polygon that it is made for, with whatever numbers.
-template <class Method, class T, class Watch>
+template <class Method, class T, class Step>
 std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPolygon& polygon,
-                                      Watch&& watch)
+                                      Step&& step)
 {
     const PolygonIn<T> in(polygon);
-    return polygon.flat ? clipFlat<Method>(s, in, watch) : Method::clip(s, in, watch);
+    return polygon.flat ? clipFlat<Method>(s, in, step) : Method::clip(s, in, step);
 }
 
 /// Whether double is enough; else the same algorithm runs with Wide.
@@ -78,11 +78,11 @@ std::size_t clipManyInPolygon(std::span<const Segment> in, const ConvexPolygon& 
 }
 
 /// One segment with numbers that count, before a watcher; what is seen comes in double.
-template <class Method, class Watch>
-std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& polygon, Watch& watch)
+template <class Method, class Step>
+std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& polygon, Step& step)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
-        const auto piece = clipIn<Method>(segmentIn<Counted<T>>(s), polygon, watch);
+        const auto piece = clipIn<Method>(segmentIn<Counted<T>>(s), polygon, step);
         return piece ? std::optional(inDouble(plain(piece->segment))) : std::nullopt;
     };
     return easy(s, polygon) ? run(double{}) : run(Wide{});
@@ -93,10 +93,10 @@ OperationCounts countManyInPolygon(std::span<const Segment> in, const ConvexPoly
 {
     const auto window = prepared(polygon);
     operations = {};
-    Unwatched watch;
+    Unwatched step;
     for (const Segment& s : in)
         if (window && legal(s))
-            clipCounted<Method>(s, *window, watch);
+            clipCounted<Method>(s, *window, step);
     return operations;
 }
 
@@ -108,6 +108,7 @@ Trace traceOneInPolygon(const Segment& segment, const ConvexPolygon& polygon)
         return {};
     operations = {};
     Recorder recorder;
+    recorder.begin(segment, window->box);
     const auto piece = clipCounted<Method>(segment, *window, recorder);
     Trace trace = recorder.take();
     if (piece) {

@@ -43,20 +43,18 @@ glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, cons
 
 /// Clips against a polygon without area, which has no inside whose normals and sides an algorithm
 /// could ask: the crossing of two segments. All decisions are exact, and so is what two segments on
-/// one line have in common. Lines are those of the method's pseudo-code.
-template <class Method, class T, class Watch>
+/// one line have in common. Lines are those of the method's corrected pseudo-code for windows.
+template <class Method, class T, class Step>
 std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonIn<T>& polygon,
-                                        Watch&& watch)
+                                        Step&& step)
 {
     const std::size_t last = polygon.size() - 1;
     const BasicSegment<T> edge{polygon.corner(0), polygon.corner(last)};
     const auto edgeA = leftOf(s.a, s.b, edge.a), edgeB = leftOf(s.a, s.b, edge.b);
     const auto a = leftOf(edge.a, edge.b, s.a), b = leftOf(edge.a, edge.b, s.b);
     PolygonPiece<T> piece{s};
-    if (edgeA.sign * edgeB.sign > 0 || a.sign * b.sign > 0) {
-        watch("reject", Method::rejectLine, s, Edge::None);
-        return std::nullopt;
-    }
+    if (edgeA.sign * edgeB.sign > 0 || a.sign * b.sign > 0)
+        return step.reject(Method::rejectLine);
     if (edgeA.sign == 0 && edgeB.sign == 0 && a.sign == 0 && b.sign == 0) { // all on one line
         const auto before = [](const glm::vec<2, T>& p, const glm::vec<2, T>& q) {
             return p.x < q.x || (p.x == q.x && p.y < q.y);
@@ -71,16 +69,14 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
             piece.segment.a = in, piece.numberOfA = polygon.number(swapped ? last : 0);
         if (later(s.b, out))
             piece.segment.b = out, piece.numberOfB = polygon.number(swapped ? 0 : last);
-        if (later(piece.segment.a, piece.segment.b)) {
-            watch("reject", Method::rejectLine, s, Edge::None);
-            return std::nullopt;
-        }
+        if (later(piece.segment.a, piece.segment.b))
+            return step.reject(Method::rejectLine);
     } else {
         const auto met = a.sign == 0 ? s.a : b.sign == 0 ? s.b : meetOnEdge(edge, edgeA, edgeB, s);
         piece = {
             {met, met}, a.sign == 0 ? 0 : polygon.number(0), b.sign == 0 ? 0 : polygon.number(0)};
     }
-    watch("accept", Method::acceptLine, piece.segment, Edge::None);
+    step.accept(Method::acceptLine, piece.segment);
     return piece;
 }
 

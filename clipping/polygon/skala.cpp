@@ -5,13 +5,13 @@
 //
 //   one by one   O(N): the signs of all corners, as the paper does with a window's four.
 //   searched     O(log N), in the spirit of V. Skala: O(lg N) Line Clipping Algorithm in E2.
-//   Computers
-//                & Graphics 18(4), 1994, 517-524. The corners furthest to the line's left and right
-//                are where the directions of the edges, which are in order, pass that of the line;
-//                between the two the sign changes once on either way round.
+//                Computers & Graphics 18(4), 1994, 517-524. The corners furthest to the line's left
+//                and right are where the directions of the edges, which are in order, pass that of
+//                the line; between the two the sign changes once on either way round.
 //
 // All signs are exact, so that nothing is ever wrongly seen or lost. As with windows, a line that
-// has no corner strictly on its left is asked again with "on it" for "left".
+// has no corner strictly on its left is asked again with "on it" for "left". The lines of the steps
+// are those of the corrected pseudo-code for windows (algorithms/skala.cpp).
 
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
@@ -133,7 +133,7 @@ struct Searched {
 
 template <class Search>
 struct SkalaPolygon {
-    static constexpr int rejectLine = 6, acceptLine = 11;
+    static constexpr int rejectLine = 23, acceptLine = 29;
 
     /// 1 if p is on the inner side of edge i, 0 if it is on it, -1 if it is outside.
     template <class T>
@@ -151,37 +151,33 @@ struct SkalaPolygon {
         return meetOnEdge(edge, line.leftOf(edge.a), line.leftOf(edge.b), line.s);
     }
 
-    template <class T, class Watch>
+    template <class T, class Step>
     static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
-                                               const PolygonIn<T>& polygon, Watch&& watch)
+                                               const PolygonIn<T>& polygon, Step&& step)
     {
         const DirectedLine<T> line(s);
         const auto crossed = Search::crossed(line, polygon);
-        if (!crossed) {
-            watch("reject", 6, s, Edge::None);
-            return std::nullopt;
-        }
+        if (step.test(22, !crossed))
+            return step.reject(rejectLine);
         const auto [enter, leave] = *crossed;
-        watch("line", 7, s, Edge::None, Named{"i", unsigned(polygon.number(enter))},
-              Named{"j", unsigned(polygon.number(leave))});
+        step.set("i", int(polygon.number(enter))), step.let(24, "j", int(polygon.number(leave)));
         const int bEnters = sideOf(s.b, enter, polygon);
         const int aLeaves = bEnters < 0 ? -1 : sideOf(s.a, leave, polygon);
-        if (bEnters < 0 || aLeaves < 0) {
-            watch("reject", 3, s, Edge::None);
-            return std::nullopt;
-        }
+        if (step.test(4, bEnters < 0 || aLeaves < 0))
+            return step.reject(5);
         PolygonPiece<T> piece{s};
         // Where a segment only reaches an edge, both ends are the one that does.
-        if (sideOf(s.a, enter, polygon) < 0) {
+        if (step.test(27, sideOf(s.a, enter, polygon) < 0)) {
             piece.segment.a = bEnters == 0 ? s.b : meet(line, enter, polygon);
             piece.numberOfA = polygon.number(enter);
+            step.cut(28, 0, piece.segment.a, Edge::None);
         }
-        if (sideOf(s.b, leave, polygon) < 0) {
+        if (step.test(25, sideOf(s.b, leave, polygon) < 0)) {
             piece.segment.b = aLeaves == 0 ? s.a : meet(line, leave, polygon);
             piece.numberOfB = polygon.number(leave);
+            step.cut(26, 1, piece.segment.b, Edge::None);
         }
-        watch("cut", 8, piece.segment, Edge::None);
-        watch("accept", 11, piece.segment, Edge::None);
+        step.accept(acceptLine, piece.segment);
         return piece;
     }
 };
