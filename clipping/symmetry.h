@@ -87,28 +87,53 @@ constexpr Edge edgeIn(Edge edge)
     return static_cast<Edge>(std::find(outward.begin(), outward.end(), wanted) - outward.begin());
 }
 
-/// Shows a watcher what happens in another frame as it is in its own. The way back is not counted.
-template <class Symmetry, class Watch>
-struct TurnedWatch {
-    Watch& watch;
-    template <class T, class... Values>
-    void operator()(std::string_view what, int line, const BasicSegment<Counted<T>>& s, Edge edge,
-                    const Values&... values) const
+/// Tells the steps of a procedure that works in another frame in its own, into which Symmetry turns
+/// them: edges and new ends, also as the variables of the procedure. The way there is not counted.
+template <class Symmetry, class Step>
+struct TurnedStep {
+    Step& step;
+    bool test(int line, bool condition, Edge edge) const
     {
-        const BasicSegment<T> seen = plain(s);
-        watch(what, line, counted(BasicSegment<T>{Symmetry::of(seen.a), Symmetry::of(seen.b)}),
-              edgeIn<Symmetry>(edge), values...);
+        return step.test(line, condition, edgeIn<Symmetry>(edge));
+    }
+    template <class T>
+    T let(int line, std::string_view name, T value, Edge edge = Edge::None) const
+    {
+        return step.let(line, name, value, edgeIn<Symmetry>(edge));
+    }
+    template <class T>
+    T set(std::string_view name, T value) const
+    {
+        return step.set(name, value);
+    }
+    template <class T>
+    void cut(int line, int end, T x, T y, Edge edge) const
+    {
+        set(end == 0 ? "x1" : "x2", x), set(end == 0 ? "y1" : "y2", y);
+        cut(line, end, glm::vec<2, T>(x, y), edge);
+    }
+    template <class T>
+    void cut(int line, int end, const glm::vec<2, Counted<T>>& to, Edge edge) const
+    {
+        step.cut(line, end, counted(glm::vec<2, T>(Symmetry::of(values(to)))),
+                 edgeIn<Symmetry>(edge));
+    }
+    template <class T>
+    void left(int line, const BasicSegment<Counted<T>>& segment) const
+    {
+        const BasicSegment<T> seen = plain(segment);
+        step.left(line, counted(BasicSegment<T>{Symmetry::of(seen.a), Symmetry::of(seen.b)}));
     }
 };
 
-/// What watches a procedure that runs in a frame which Symmetry turns back.
-template <class Symmetry, class Watch>
-constexpr auto turnedWatch(Watch& watch)
+/// What tells the steps of a procedure that runs in a frame which Symmetry turns back.
+template <class Symmetry, class Step>
+constexpr auto turnedStep(Step& step)
 {
-    if constexpr (std::is_same_v<std::remove_cv_t<Watch>, Unwatched>)
+    if constexpr (std::is_same_v<std::remove_cv_t<Step>, Unwatched>)
         return Unwatched{};
     else
-        return TurnedWatch<Symmetry, Watch>{watch};
+        return TurnedStep<Symmetry, Step>{step};
 }
 
 } // namespace clipping

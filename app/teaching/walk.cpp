@@ -47,11 +47,16 @@ QStringList endsIn(const QStringList& code)
     return {QStringLiteral("x1"), QStringLiteral("y1"), QStringLiteral("x2"), QStringLiteral("y2")};
 }
 
+std::array<double, 4> coordinates(const clipping::Segment& s)
+{
+    return {s.a.x, s.a.y, s.b.x, s.b.y};
+}
+
 /// What is known after a step: what was, with what is new.
 std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
-                                     const std::vector<Variable>& earlier)
+                                     const Moment* before)
 {
-    std::vector<Variable> variables = earlier;
+    std::vector<Variable> variables = before ? before->variables : std::vector<Variable>{};
     for (Variable& variable : variables)
         variable.before = variable.value;
     const auto put = [&](const QString& name, double value, clipping::ValueKind kind) {
@@ -61,11 +66,11 @@ std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
         else
             known->value = value, known->kind = kind;
     };
-    const auto& [a, b] = step.segment;
-    constexpr auto number = clipping::ValueKind::Number;
-    const std::array coordinates{a.x, a.y, b.x, b.y};
-    for (std::size_t i = 0; i < coordinates.size(); ++i)
-        put(ends[qsizetype(i)], coordinates[i], number);
+    // An end that has not moved is what it was told to be, as in a plane that is turned.
+    const auto now = coordinates(step.segment);
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (!before || now[i] != coordinates(before->left)[i])
+            put(ends[qsizetype(i)], now[i], clipping::ValueKind::Number);
     for (const auto& value : step.values)
         put(latin(value.name), value.value, value.kind);
     return variables;
@@ -92,8 +97,7 @@ Moment momentOf(Telling telling, const Teller* teller, const QStringList& ends,
     Moment moment{.mark = markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
                   .line = step.line,
                   .sentence = {},
-                  .variables = variablesAfter(
-                      step, ends, earlier ? earlier->variables : std::vector<Variable>{}),
+                  .variables = variablesAfter(step, ends, earlier),
                   .left = step.segment,
                   .edge = step.edge,
                   .candidate = candidateOf(telling, teller),

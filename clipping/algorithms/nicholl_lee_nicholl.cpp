@@ -5,11 +5,9 @@
 //   T. M. Nicholl, D. T. Lee, R. A. Nicholl: An Efficient New Algorithm for 2-D Line Clipping: Its
 //   Development and Analysis. Computer Graphics 21(4) (SIGGRAPH '87), 253-262.
 //
-// The nine regions that the first end may lie in are turned and mirrored into three; every
-// procedure below works in a frame where its own case is the one it was written for. It changes
-// `s` into what is visible, and says whether anything is.
-//
-// Corrected: a new end is held inside the window.
+// Published is the paper's procedures, which are written for an End 1 inside the window, beyond its
+// left edge, or beyond its top left corner; for the other regions the plane is turned or mirrored.
+// Corrected: the coordinate of a new end that is not its edge's own is held inside the window.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -30,219 +28,610 @@ struct NichollLeeNicholl {
         .ulps = 24, // README.md, "How far off"
     };
 
-    template <Form form, class T, class Watch>
-    static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
-                                                         const BasicWindow<T>& w, Watch&& watch)
+    /// What a procedure is given and may change: the window, the ends, and whether any is visible.
+    template <class T>
+    struct Parameters {
+        T xmin, ymax, xmax, ymin, x1, y1, x2, y2;
+        bool display;
+    };
+
+    /// What a procedure is given in the plane as Symmetry turns it.
+    template <class Symmetry, class T, class Step>
+    struct Turned {
+        int line; ///< of the call
+        Parameters<T>& outside;
+        Step& outsideStep;
+        Parameters<T> inside;
+        decltype(turnedStep<typename Symmetry::Inverse>(std::declval<Step&>())) step;
+
+        /// Turns back what the procedure has left.
+        constexpr void back()
+        {
+            using Back = typename Symmetry::Inverse;
+            using V = glm::vec<2, T>;
+            const V a = Back::of(V(inside.x1, inside.y1)), b = Back::of(V(inside.x2, inside.y2));
+            outside.x1 = a.x, outside.y1 = a.y, outside.x2 = b.x, outside.y2 = b.y;
+            outside.display = inside.display;
+            tell(outside, outsideStep), outsideStep.set("ymin", outside.ymin);
+            outsideStep.left(line, BasicSegment<T>{a, b});
+        }
+    };
+
+    /// Turns the plane for a call: window and ends, before the procedure runs.
+    template <class Symmetry, class T, class Step>
+    static constexpr Turned<Symmetry, T, Step> turned(int line, Parameters<T>& p, Step& step)
     {
-        BasicSegment<T> visible = s;
-        if (!Procedures<form, T>::clip(visible, w, watch))
-            return std::nullopt;
-        watch("accept", 6, visible, Edge::None);
-        return visible;
+        using V = glm::vec<2, T>;
+        const auto w = Symmetry::window(BasicWindow<T>{{p.xmin, p.ymin}, {p.xmax, p.ymax}});
+        const V a = Symmetry::of(V(p.x1, p.y1)), b = Symmetry::of(V(p.x2, p.y2));
+        const Parameters<T> inside{w.min.x, w.max.y, w.max.x, w.min.y,  a.x,
+                                   a.y,     b.x,     b.y,     p.display};
+        tell(inside, step);
+        step.let(line, "ymin", inside.ymin);
+        return {line, p, step, inside, turnedStep<typename Symmetry::Inverse>(step)};
     }
 
-    template <Form form, class T>
-    struct Procedures {
-        using S = BasicSegment<T>;
-        using W = BasicWindow<T>;
-        using V = glm::vec<2, T>;
+    /// What a procedure is given from here on, but for ymin.
+    template <class T>
+    static constexpr void tell(const Parameters<T>& p, auto& step)
+    {
+        step.set("xmin", p.xmin), step.set("ymax", p.ymax), step.set("xmax", p.xmax);
+        step.set("x1", p.x1), step.set("y1", p.y1), step.set("x2", p.x2), step.set("y2", p.y2);
+    }
 
-        /// A new end on `edge`: its side coordinate is the edge's own.
-        static constexpr V held(Edge edge, V p, const W& w)
+    static constexpr std::string_view publishedCode = R"(
+display = true
+if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)
+else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)
+else: centreColumn(xmin, ymax, xmax, ymin)
+if not display: reject
+accept the line from x1, y1 to x2, y2
+leftColumn(xmin, ymax, xmax, ymin):
+  if x2 < xmin: display = false
+  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)
+  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)
+  else: leftEdge(xmin, ymax, xmax, ymin)
+topLeftCorner(xmin, ymax, xmax, ymin):
+  if y2 > ymax: display = false,  return
+  dx = x2-x1,  dy = y2-y1
+  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy
+  if pymax > pxmin
+    leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin)
+  else
+    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)
+leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin):
+  if y2 >= ymin
+    if x2 > xmax: y2 = y1 + (xmax-x1) * dy / dx,  x2 = xmax
+  else
+    pymin = (ymin-y1) * dx
+    if pymin > pxmin: display = false,  return
+    if x2 > xmax
+      pxmax = (xmax-x1) * dy
+      if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin
+      else: y2 = y1 + pxmax / dx,  x2 = xmax
+    else: x2 = x1 + pymin / dy,  y2 = ymin
+  y1 = y1 + pxmin / dx,  x1 = xmin
+leftEdge(xmin, ymax, xmax, ymin):
+  if x2 < xmin: display = false
+  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)
+  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)
+  else
+    dx = x2-x1,  dy = y2-y1
+    if x2 > xmax: y2 = y1 + dy * (xmax-x1) / dx,  x2 = xmax
+    y1 = y1 + dy * (xmin-x1) / dx,  x1 = xmin
+p2Bottom(xmin, ymax, xmax, ymin):
+  dx = x2-x1,  dy = y2-y1
+  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx
+  if pymin > pxmin: display = false,  return
+  if x2 > xmax
+    pxmax = (xmax-x1) * dy
+    if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin
+    else: y2 = y1 + pxmax / dx,  x2 = xmax
+  else: x2 = x1 + pymin / dy,  y2 = ymin
+  y1 = y1 + pxmin / dx,  x1 = xmin
+centreColumn(xmin, ymax, xmax, ymin):
+  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)
+  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)
+  else: inside(xmin, ymax, xmax, ymin)
+inside(xmin, ymax, xmax, ymin):
+  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)
+  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)
+  else if y2 > ymax
+    x2 = x1 + (x2-x1) * (ymax-y1) / (y2-y1),  y2 = ymax
+  else if y2 < ymin
+    x2 = x1 + (x2-x1) * (ymin-y1) / (y2-y1),  y2 = ymin
+p2Left(xmin, ymax, xmax, ymin):
+  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)
+  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)
+  else: y2 = y1 + (y2-y1) * (xmin-x1) / (x2-x1),  x2 = xmin
+p2LeftTop(xmin, ymax, xmax, ymin):
+  dx = x2-x1,  dy = y2-y1
+  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)
+  if pymax > pxmin: x2 = x1 + pymax / dy,  y2 = ymax
+  else: y2 = y1 + pxmin / dx,  x2 = xmin
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
+    {
+        Parameters<T> p{w.min.x, w.max.y, w.max.x, w.min.y, s.a.x, s.a.y, s.b.x, s.b.y, true};
+        auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+        step.set("display", display);
+        if (step.test(2, x1 < xmin, Edge::Left))
+            Published::leftColumn(p, step);
+        else if (step.test(3, x1 > xmax, Edge::Right)) {
+            auto half = turned<HalfTurn>(3, p, step);
+            Published::leftColumn(half.inside, half.step);
+            half.back();
+        } else
+            Published::centreColumn(p, step);
+        if (step.test(5, !display))
+            return step.reject(5);
+        return step.accept(6, BasicSegment<T>{{x1, y1}, {x2, y2}});
+    }
+    /// The procedures, in the order of the pseudo-code.
+    struct Published {
+        /// End 1 is left of the window.
+        static constexpr void leftColumn(auto& p, auto& step)
         {
-            if constexpr (form == Form::Corrected)
-                return clampedAlong(edge, p, w);
-            return p;
-        }
-        static constexpr bool reject(int line, const S& s, Edge edge, auto& watch)
-        {
-            watch("reject", line, s, edge);
-            return false;
-        }
-        static constexpr void cutA(int line, S& s, Edge edge, V p, const W& w, auto& watch)
-        {
-            s.a = held(edge, p, w);
-            watch("cut a", line, s, edge);
-        }
-        static constexpr void cutB(int line, S& s, Edge edge, V p, const W& w, auto& watch)
-        {
-            s.b = held(edge, p, w);
-            watch("cut b", line, s, edge);
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(8, x2 < xmin, Edge::Left))
+                display = step.let(8, "display", false, Edge::Left);
+            else if (step.test(9, y1 > ymax, Edge::Top))
+                topLeftCorner(p, step);
+            else if (step.test(10, y1 < ymin, Edge::Bottom)) {
+                auto mirrored = turned<MirrorInX>(10, p, step);
+                topLeftCorner(mirrored.inside, mirrored.step);
+                mirrored.back();
+            } else
+                leftEdge(p, step);
         }
 
-        static constexpr bool clip(S& s, const W& w, auto& watch)
+        /// End 1 is left of the window and above it.
+        static constexpr void topLeftCorner(auto& p, auto& step)
         {
-            if (asked(s.a.x < w.min.x, 1, s, Edge::Left, watch))
-                return fromLeft(s, w, watch);
-            if (asked(s.a.x > w.max.x, 2, s, Edge::Right, watch))
-                return in<HalfTurn>(s, w, watch, [](auto&... x) { return fromLeft(x...); });
-            return fromCentre(s, w, watch);
-        }
-
-        /// a is neither left nor right of the window.
-        static constexpr bool fromCentre(S& s, const W& w, auto& watch)
-        {
-            if (asked(s.a.y > w.max.y, 3, s, Edge::Top, watch))
-                return in<ThreeQuarterTurn>(s, w, watch, [](auto&... x) { return fromEdge(x...); });
-            if (asked(s.a.y < w.min.y, 4, s, Edge::Bottom, watch))
-                return in<QuarterTurn>(s, w, watch, [](auto&... x) { return fromEdge(x...); });
-            watch("inside", 5, s, Edge::None);
-            return fromInside(s, w, watch);
-        }
-
-        /// a is left of the window.
-        static constexpr bool fromLeft(S& s, const W& w, auto& watch)
-        {
-            if (asked(s.b.x < w.min.x, 7, s, Edge::Left, watch))
-                return reject(7, s, Edge::Left, watch);
-            if (asked(s.a.y > w.max.y, 8, s, Edge::Top, watch))
-                return fromCorner(s, w, watch);
-            if (asked(s.a.y < w.min.y, 9, s, Edge::Bottom, watch))
-                return in<MirrorInX>(s, w, watch, [](auto&... x) { return fromCorner(x...); });
-            watch("beside", 10, s, Edge::Left);
-            return fromEdge(s, w, watch);
-        }
-
-        /// a is beyond the top left corner.
-        static constexpr bool fromCorner(S& s, const W& w, auto& watch)
-        {
-            if (asked(s.b.y > w.max.y, 11, s, Edge::Top, watch))
-                return reject(11, s, Edge::Top, watch);
-            const V d = extent(12, s, watch);
-            const T top = (w.max.y - s.a.y) * d.x, left = (w.min.x - s.a.x) * d.y;
-            watch("products", 13, s, Edge::Left, Named{"pymax", top}, Named{"pxmin", left});
-            if (asked(top > left, 14, s, Edge::Left, watch, Named{"pymax", top},
-                      Named{"pxmin", left}))
-                return acrossLeft(s, w, watch, d, left);
-            watch("mirror", 15, s, Edge::Top);
-            return in<MirrorInDiagonal>(s, w, watch, [&](S& t, const W& v, auto& inner) {
-                return acrossLeft(t, v, inner, MirrorInDiagonal::of(d), top);
-            });
-        }
-
-        /// The line comes from the top left corner's region and passes below that corner.
-        static constexpr bool acrossLeft(S& s, const W& w, auto& watch, const V& d, T left)
-        {
-            const V a = s.a;
-            if (asked(!(s.b.y >= w.min.y), 16, s, Edge::Bottom, watch)) {
-                const T bottom = (w.min.y - a.y) * d.x;
-                watch("product", 17, s, Edge::Bottom, Named{"pymin", bottom});
-                if (asked(bottom > left, 18, s, Edge::Left, watch, Named{"pymin", bottom},
-                          Named{"pxmin", left}))
-                    return reject(18, s, Edge::Bottom, watch);
-                leaveBelow(s, w, watch, d, bottom);
-            } else if (asked(s.b.x > w.max.x, 20, s, Edge::Right, watch))
-                cutB(21, s, Edge::Right, {w.max.x, a.y + (w.max.x - a.x) * d.y / d.x}, w, watch);
-            cutA(22, s, Edge::Left, {w.min.x, a.y + left / d.x}, w, watch);
-            return true;
-        }
-
-        /// b is below the window: the line leaves it at the bottom, or at the right edge.
-        static constexpr void leaveBelow(S& s, const W& w, auto& watch, const V& d, T bottom)
-        {
-            if (asked(s.b.x > w.max.x, 23, s, Edge::Right, watch)) {
-                const T right = (w.max.x - s.a.x) * d.y;
-                watch("product", 24, s, Edge::Right, Named{"pxmax", right});
-                if (asked(!(bottom > right), 25, s, Edge::Right, watch, Named{"pymin", bottom},
-                          Named{"pxmax", right}))
-                    return cutB(26, s, Edge::Right, {w.max.x, s.a.y + right / d.x}, w, watch);
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(13, y2 > ymax, Edge::Top))
+                return void(display = step.let(13, "display", false, Edge::Top));
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(14, "dy", y2 - y1);
+            const auto pymax = step.set("pymax", (ymax - y1) * dx);
+            const auto pxmin = step.let(15, "pxmin", (xmin - x1) * dy, Edge::Left);
+            if (step.test(16, pymax > pxmin, Edge::Left))
+                leftBottomRegion(p, dx, dy, pxmin, step);
+            else {
+                const auto right = step.set("dx", -dy), up = step.set("dy", -dx);
+                step.set("pxmin", pymax);
+                auto mirrored = turned<MirrorInDiagonal>(19, p, step);
+                leftBottomRegion(mirrored.inside, right, up, pymax, mirrored.step);
+                mirrored.back();
             }
-            cutB(27, s, Edge::Bottom, {s.a.x + bottom / d.y, w.min.y}, w, watch);
         }
 
-        /// a is beyond the left edge.
-        static constexpr bool fromEdge(S& s, const W& w, auto& watch)
+        /// End 1 is beyond the top left corner, and the line passes below that corner.
+        template <class T>
+        // NOLINTNEXTLINE(readability-function-size): nested as in the pseudo-code
+        static constexpr void leftBottomRegion(Parameters<T>& p, T dx, T dy, T pxmin, auto& step)
         {
-            if (asked(s.b.x < w.min.x, 28, s, Edge::Left, watch))
-                return reject(28, s, Edge::Left, watch);
-            if (asked(s.b.y < w.min.y, 29, s, Edge::Bottom, watch))
-                return fromEdgeDown(s, w, watch);
-            if (asked(s.b.y > w.max.y, 30, s, Edge::Top, watch))
-                return in<MirrorInX>(s, w, watch, [](auto&... x) { return fromEdgeDown(x...); });
-            const V a = s.a, d = extent(31, s, watch);
-            if (asked(s.b.x > w.max.x, 32, s, Edge::Right, watch))
-                cutB(33, s, Edge::Right, {w.max.x, a.y + d.y * (w.max.x - a.x) / d.x}, w, watch);
-            cutA(34, s, Edge::Left, {w.min.x, a.y + d.y * (w.min.x - a.x) / d.x}, w, watch);
-            return true;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(21, y2 >= ymin, Edge::Bottom)) {
+                if (step.test(22, x2 > xmax, Edge::Right)) {
+                    y2 = y1 + (xmax - x1) * dy / dx, x2 = xmax;
+                    step.cut(22, 1, x2, y2, Edge::Right);
+                }
+            } else {
+                const T pymin = step.let(24, "pymin", (ymin - y1) * dx, Edge::Bottom);
+                if (step.test(25, pymin > pxmin, Edge::Left))
+                    return void(display = step.let(25, "display", false, Edge::Bottom));
+                if (step.test(26, x2 > xmax, Edge::Right)) {
+                    const T pxmax = step.let(27, "pxmax", (xmax - x1) * dy, Edge::Right);
+                    if (step.test(28, pymin > pxmax, Edge::Bottom)) {
+                        x2 = x1 + pymin / dy, y2 = ymin;
+                        step.cut(28, 1, x2, y2, Edge::Bottom);
+                    } else {
+                        y2 = y1 + pxmax / dx, x2 = xmax;
+                        step.cut(29, 1, x2, y2, Edge::Right);
+                    }
+                } else {
+                    x2 = x1 + pymin / dy, y2 = ymin;
+                    step.cut(30, 1, x2, y2, Edge::Bottom);
+                }
+            }
+            y1 = y1 + pxmin / dx, x1 = xmin;
+            step.cut(31, 0, x1, y1, Edge::Left);
         }
 
-        /// a is beyond the left edge, and b below the window.
-        static constexpr bool fromEdgeDown(S& s, const W& w, auto& watch)
+        /// End 1 is left of the window, neither above nor below it.
+        static constexpr void leftEdge(auto& p, auto& step)
         {
-            const V a = s.a, d = extent(35, s, watch);
-            const T left = (w.min.x - a.x) * d.y, bottom = (w.min.y - a.y) * d.x;
-            watch("products", 36, s, Edge::Left, Named{"pxmin", left}, Named{"pymin", bottom});
-            if (asked(bottom > left, 37, s, Edge::Left, watch, Named{"pymin", bottom},
-                      Named{"pxmin", left}))
-                return reject(37, s, Edge::Bottom, watch);
-            leaveBelow(s, w, watch, d, bottom);
-            cutA(39, s, Edge::Left, {w.min.x, a.y + left / d.x}, w, watch);
-            return true;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(33, x2 < xmin, Edge::Left))
+                display = step.let(33, "display", false, Edge::Left);
+            else if (step.test(34, y2 < ymin, Edge::Bottom))
+                p2Bottom(p, step);
+            else if (step.test(35, y2 > ymax, Edge::Top)) {
+                auto mirrored = turned<MirrorInX>(35, p, step);
+                p2Bottom(mirrored.inside, mirrored.step);
+                mirrored.back();
+            } else {
+                const auto dx = step.set("dx", x2 - x1), dy = step.let(37, "dy", y2 - y1);
+                if (step.test(38, x2 > xmax, Edge::Right)) {
+                    y2 = y1 + dy * (xmax - x1) / dx, x2 = xmax;
+                    step.cut(38, 1, x2, y2, Edge::Right);
+                }
+                y1 = y1 + dy * (xmin - x1) / dx, x1 = xmin;
+                step.cut(39, 0, x1, y1, Edge::Left);
+            }
         }
 
-        static constexpr bool fromInside(S& s, const W& w, auto& watch)
+        /// The same, and End 2 is below the window.
+        static constexpr void p2Bottom(auto& p, auto& step)
         {
-            if (asked(s.b.x < w.min.x, 40, s, Edge::Left, watch))
-                return toLeft(s, w, watch);
-            if (asked(s.b.x > w.max.x, 41, s, Edge::Right, watch))
-                return in<HalfTurn>(s, w, watch, [](auto&... x) { return toLeft(x...); });
-            if (asked(s.b.y > w.max.y, 42, s, Edge::Top, watch))
-                toHeight(43, s, Edge::Top, w.max.y, w, watch);
-            else if (asked(s.b.y < w.min.y, 44, s, Edge::Bottom, watch))
-                toHeight(45, s, Edge::Bottom, w.min.y, w, watch);
-            return true;
-        }
-        static constexpr void toHeight(int line, S& s, Edge edge, T y, const W& w, auto& watch)
-        {
-            const V d{s.b.x - s.a.x, s.b.y - s.a.y};
-            cutB(line, s, edge, {s.a.x + d.x * (y - s.a.y) / d.y, y}, w, watch);
-        }
-
-        /// a is inside, and b left of the window.
-        static constexpr bool toLeft(S& s, const W& w, auto& watch)
-        {
-            if (asked(s.b.y > w.max.y, 46, s, Edge::Top, watch))
-                return toCorner(s, w, watch);
-            if (asked(s.b.y < w.min.y, 47, s, Edge::Bottom, watch))
-                return in<QuarterTurn>(s, w, watch, [](auto&... x) { return toCorner(x...); });
-            const V d{s.b.x - s.a.x, s.b.y - s.a.y};
-            cutB(48, s, Edge::Left, {w.min.x, s.a.y + d.y * (w.min.x - s.a.x) / d.x}, w, watch);
-            return true;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(41, "dy", y2 - y1);
+            const auto pxmin = step.set("pxmin", (xmin - x1) * dy);
+            const auto pymin = step.let(42, "pymin", (ymin - y1) * dx, Edge::Bottom);
+            if (step.test(43, pymin > pxmin, Edge::Left))
+                return void(display = step.let(43, "display", false, Edge::Bottom));
+            if (step.test(44, x2 > xmax, Edge::Right)) {
+                const auto pxmax = step.let(45, "pxmax", (xmax - x1) * dy, Edge::Right);
+                if (step.test(46, pymin > pxmax, Edge::Bottom)) {
+                    x2 = x1 + pymin / dy, y2 = ymin;
+                    step.cut(46, 1, x2, y2, Edge::Bottom);
+                } else {
+                    y2 = y1 + pxmax / dx, x2 = xmax;
+                    step.cut(47, 1, x2, y2, Edge::Right);
+                }
+            } else {
+                x2 = x1 + pymin / dy, y2 = ymin;
+                step.cut(48, 1, x2, y2, Edge::Bottom);
+            }
+            y1 = y1 + pxmin / dx, x1 = xmin;
+            step.cut(49, 0, x1, y1, Edge::Left);
         }
 
-        /// a is inside, and b beyond the top left corner.
-        static constexpr bool toCorner(S& s, const W& w, auto& watch)
+        /// End 1 is neither left nor right of the window.
+        static constexpr void centreColumn(auto& p, auto& step)
         {
-            const V d = extent(49, s, watch);
-            const T left = d.y * (w.min.x - s.a.x), top = d.x * (w.max.y - s.a.y);
-            watch("products", 50, s, Edge::Top, Named{"pxmin", left}, Named{"pymax", top});
-            if (asked(top > left, 51, s, Edge::Top, watch, Named{"pymax", top},
-                      Named{"pxmin", left}))
-                cutB(52, s, Edge::Top, {s.a.x + top / d.y, w.max.y}, w, watch);
-            else
-                cutB(53, s, Edge::Left, {w.min.x, s.a.y + left / d.x}, w, watch);
-            return true;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(51, y1 > ymax, Edge::Top)) {
+                auto left = turned<ThreeQuarterTurn>(51, p, step);
+                leftEdge(left.inside, left.step);
+                left.back();
+            } else if (step.test(52, y1 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>(52, p, step);
+                leftEdge(right.inside, right.step);
+                right.back();
+            } else
+                inside(p, step);
         }
 
-        /// How far b is from a on each axis.
-        static constexpr V extent(int line, const S& s, auto& watch)
+        /// End 1 is inside the window.
+        static constexpr void inside(auto& p, auto& step)
         {
-            const V d{s.b.x - s.a.x, s.b.y - s.a.y};
-            watch("dx, dy", line, s, Edge::None, Named{"dx", d.x}, Named{"dy", d.y});
-            return d;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(55, x2 < xmin, Edge::Left))
+                p2Left(p, step);
+            else if (step.test(56, x2 > xmax, Edge::Right)) {
+                auto half = turned<HalfTurn>(56, p, step);
+                p2Left(half.inside, half.step);
+                half.back();
+            } else if (step.test(57, y2 > ymax, Edge::Top)) {
+                x2 = x1 + (x2 - x1) * (ymax - y1) / (y2 - y1), y2 = ymax;
+                step.cut(58, 1, x2, y2, Edge::Top);
+            } else if (step.test(59, y2 < ymin, Edge::Bottom)) {
+                x2 = x1 + (x2 - x1) * (ymin - y1) / (y2 - y1), y2 = ymin;
+                step.cut(60, 1, x2, y2, Edge::Bottom);
+            }
         }
 
-        /// Runs a procedure in another frame, and turns what it leaves back.
-        template <class Symmetry>
-        static constexpr bool in(S& s, const W& w, auto& watch, auto procedure)
+        /// End 1 is inside the window, End 2 left of it.
+        static constexpr void p2Left(auto& p, auto& step)
         {
-            S turned{Symmetry::of(s.a), Symmetry::of(s.b)};
-            const W window = Symmetry::window(w);
-            auto inner = turnedWatch<typename Symmetry::Inverse>(watch);
-            const bool visible = procedure(turned, window, inner);
-            using Back = typename Symmetry::Inverse;
-            s = {Back::of(turned.a), Back::of(turned.b)};
-            return visible;
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(62, y2 > ymax, Edge::Top))
+                p2LeftTop(p, step);
+            else if (step.test(63, y2 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>(63, p, step);
+                p2LeftTop(right.inside, right.step);
+                right.back();
+            } else {
+                y2 = y1 + (y2 - y1) * (xmin - x1) / (x2 - x1), x2 = xmin;
+                step.cut(64, 1, x2, y2, Edge::Left);
+            }
+        }
+
+        /// End 1 is inside the window, End 2 left of it and above it.
+        static constexpr void p2LeftTop(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(66, "dy", y2 - y1);
+            const auto pxmin = step.set("pxmin", dy * (xmin - x1));
+            const auto pymax = step.let(67, "pymax", dx * (ymax - y1), Edge::Top);
+            if (step.test(68, pymax > pxmin, Edge::Top)) {
+                x2 = x1 + pymax / dy, y2 = ymax;
+                step.cut(68, 1, x2, y2, Edge::Top);
+            } else {
+                y2 = y1 + pxmin / dx, x2 = xmin;
+                step.cut(69, 1, x2, y2, Edge::Left);
+            }
+        }
+    };
+
+    static constexpr std::string_view correctedCode = R"(
+display = true
+if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)
+else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)
+else: centreColumn(xmin, ymax, xmax, ymin)
+if not display: reject
+accept the line from x1, y1 to x2, y2
+leftColumn(xmin, ymax, xmax, ymin):
+  if x2 < xmin: display = false
+  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)
+  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)
+  else: leftEdge(xmin, ymax, xmax, ymin)
+topLeftCorner(xmin, ymax, xmax, ymin):
+  if y2 > ymax: display = false,  return
+  dx = x2-x1,  dy = y2-y1
+  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy
+  if pymax > pxmin
+    leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin)
+  else
+    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)
+leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin):
+  if y2 >= ymin
+    if x2 > xmax: y2 = held(y1 + (xmax-x1) * dy / dx),  x2 = xmax
+  else
+    pymin = (ymin-y1) * dx
+    if pymin > pxmin: display = false,  return
+    if x2 > xmax
+      pxmax = (xmax-x1) * dy
+      if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin
+      else: y2 = held(y1 + pxmax / dx),  x2 = xmax
+    else: x2 = held(x1 + pymin / dy),  y2 = ymin
+  y1 = held(y1 + pxmin / dx),  x1 = xmin
+leftEdge(xmin, ymax, xmax, ymin):
+  if x2 < xmin: display = false
+  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)
+  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)
+  else
+    dx = x2-x1,  dy = y2-y1
+    if x2 > xmax: y2 = held(y1 + dy * (xmax-x1) / dx),  x2 = xmax
+    y1 = held(y1 + dy * (xmin-x1) / dx),  x1 = xmin
+p2Bottom(xmin, ymax, xmax, ymin):
+  dx = x2-x1,  dy = y2-y1
+  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx
+  if pymin > pxmin: display = false,  return
+  if x2 > xmax
+    pxmax = (xmax-x1) * dy
+    if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin
+    else: y2 = held(y1 + pxmax / dx),  x2 = xmax
+  else: x2 = held(x1 + pymin / dy),  y2 = ymin
+  y1 = held(y1 + pxmin / dx),  x1 = xmin
+centreColumn(xmin, ymax, xmax, ymin):
+  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)
+  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)
+  else: inside(xmin, ymax, xmax, ymin)
+inside(xmin, ymax, xmax, ymin):
+  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)
+  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)
+  else if y2 > ymax
+    x2 = held(x1 + (x2-x1) * (ymax-y1) / (y2-y1)),  y2 = ymax
+  else if y2 < ymin
+    x2 = held(x1 + (x2-x1) * (ymin-y1) / (y2-y1)),  y2 = ymin
+p2Left(xmin, ymax, xmax, ymin):
+  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)
+  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)
+  else: y2 = held(y1 + (y2-y1) * (xmin-x1) / (x2-x1)),  x2 = xmin
+p2LeftTop(xmin, ymax, xmax, ymin):
+  dx = x2-x1,  dy = y2-y1
+  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)
+  if pymax > pxmin: x2 = held(x1 + pymax / dy),  y2 = ymax
+  else: y2 = held(y1 + pxmin / dx),  x2 = xmin
+)";
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
+    {
+        Parameters<T> p{w.min.x, w.max.y, w.max.x, w.min.y, s.a.x, s.a.y, s.b.x, s.b.y, true};
+        auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+        step.set("display", display);
+        if (step.test(2, x1 < xmin, Edge::Left))
+            Corrected::leftColumn(p, step);
+        else if (step.test(3, x1 > xmax, Edge::Right)) {
+            auto half = turned<HalfTurn>(3, p, step);
+            Corrected::leftColumn(half.inside, half.step);
+            half.back();
+        } else
+            Corrected::centreColumn(p, step);
+        if (step.test(5, !display))
+            return step.reject(5);
+        return step.accept(6, BasicSegment<T>{{x1, y1}, {x2, y2}});
+    }
+    /// The procedures, in the order of the pseudo-code.
+    struct Corrected {
+        /// End 1 is left of the window.
+        static constexpr void leftColumn(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(8, x2 < xmin, Edge::Left))
+                display = step.let(8, "display", false, Edge::Left);
+            else if (step.test(9, y1 > ymax, Edge::Top))
+                topLeftCorner(p, step);
+            else if (step.test(10, y1 < ymin, Edge::Bottom)) {
+                auto mirrored = turned<MirrorInX>(10, p, step);
+                topLeftCorner(mirrored.inside, mirrored.step);
+                mirrored.back();
+            } else
+                leftEdge(p, step);
+        }
+
+        /// End 1 is left of the window and above it.
+        static constexpr void topLeftCorner(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(13, y2 > ymax, Edge::Top))
+                return void(display = step.let(13, "display", false, Edge::Top));
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(14, "dy", y2 - y1);
+            const auto pymax = step.set("pymax", (ymax - y1) * dx);
+            const auto pxmin = step.let(15, "pxmin", (xmin - x1) * dy, Edge::Left);
+            if (step.test(16, pymax > pxmin, Edge::Left))
+                leftBottomRegion(p, dx, dy, pxmin, step);
+            else {
+                const auto right = step.set("dx", -dy), up = step.set("dy", -dx);
+                step.set("pxmin", pymax);
+                auto mirrored = turned<MirrorInDiagonal>(19, p, step);
+                leftBottomRegion(mirrored.inside, right, up, pymax, mirrored.step);
+                mirrored.back();
+            }
+        }
+
+        /// End 1 is beyond the top left corner, and the line passes below that corner.
+        template <class T>
+        // NOLINTNEXTLINE(readability-function-size): nested as in the pseudo-code
+        static constexpr void leftBottomRegion(Parameters<T>& p, T dx, T dy, T pxmin, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(21, y2 >= ymin, Edge::Bottom)) {
+                if (step.test(22, x2 > xmax, Edge::Right)) {
+                    y2 = clamped(y1 + (xmax - x1) * dy / dx, ymin, ymax), x2 = xmax;
+                    step.cut(22, 1, x2, y2, Edge::Right);
+                }
+            } else {
+                const T pymin = step.let(24, "pymin", (ymin - y1) * dx, Edge::Bottom);
+                if (step.test(25, pymin > pxmin, Edge::Left))
+                    return void(display = step.let(25, "display", false, Edge::Bottom));
+                if (step.test(26, x2 > xmax, Edge::Right)) {
+                    const T pxmax = step.let(27, "pxmax", (xmax - x1) * dy, Edge::Right);
+                    if (step.test(28, pymin > pxmax, Edge::Bottom)) {
+                        x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
+                        step.cut(28, 1, x2, y2, Edge::Bottom);
+                    } else {
+                        y2 = clamped(y1 + pxmax / dx, ymin, ymax), x2 = xmax;
+                        step.cut(29, 1, x2, y2, Edge::Right);
+                    }
+                } else {
+                    x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
+                    step.cut(30, 1, x2, y2, Edge::Bottom);
+                }
+            }
+            y1 = clamped(y1 + pxmin / dx, ymin, ymax), x1 = xmin;
+            step.cut(31, 0, x1, y1, Edge::Left);
+        }
+
+        /// End 1 is left of the window, neither above nor below it.
+        static constexpr void leftEdge(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(33, x2 < xmin, Edge::Left))
+                display = step.let(33, "display", false, Edge::Left);
+            else if (step.test(34, y2 < ymin, Edge::Bottom))
+                p2Bottom(p, step);
+            else if (step.test(35, y2 > ymax, Edge::Top)) {
+                auto mirrored = turned<MirrorInX>(35, p, step);
+                p2Bottom(mirrored.inside, mirrored.step);
+                mirrored.back();
+            } else {
+                const auto dx = step.set("dx", x2 - x1), dy = step.let(37, "dy", y2 - y1);
+                if (step.test(38, x2 > xmax, Edge::Right)) {
+                    y2 = clamped(y1 + dy * (xmax - x1) / dx, ymin, ymax), x2 = xmax;
+                    step.cut(38, 1, x2, y2, Edge::Right);
+                }
+                y1 = clamped(y1 + dy * (xmin - x1) / dx, ymin, ymax), x1 = xmin;
+                step.cut(39, 0, x1, y1, Edge::Left);
+            }
+        }
+
+        /// The same, and End 2 is below the window.
+        static constexpr void p2Bottom(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(41, "dy", y2 - y1);
+            const auto pxmin = step.set("pxmin", (xmin - x1) * dy);
+            const auto pymin = step.let(42, "pymin", (ymin - y1) * dx, Edge::Bottom);
+            if (step.test(43, pymin > pxmin, Edge::Left))
+                return void(display = step.let(43, "display", false, Edge::Bottom));
+            if (step.test(44, x2 > xmax, Edge::Right)) {
+                const auto pxmax = step.let(45, "pxmax", (xmax - x1) * dy, Edge::Right);
+                if (step.test(46, pymin > pxmax, Edge::Bottom)) {
+                    x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
+                    step.cut(46, 1, x2, y2, Edge::Bottom);
+                } else {
+                    y2 = clamped(y1 + pxmax / dx, ymin, ymax), x2 = xmax;
+                    step.cut(47, 1, x2, y2, Edge::Right);
+                }
+            } else {
+                x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
+                step.cut(48, 1, x2, y2, Edge::Bottom);
+            }
+            y1 = clamped(y1 + pxmin / dx, ymin, ymax), x1 = xmin;
+            step.cut(49, 0, x1, y1, Edge::Left);
+        }
+
+        /// End 1 is neither left nor right of the window.
+        static constexpr void centreColumn(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(51, y1 > ymax, Edge::Top)) {
+                auto left = turned<ThreeQuarterTurn>(51, p, step);
+                leftEdge(left.inside, left.step);
+                left.back();
+            } else if (step.test(52, y1 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>(52, p, step);
+                leftEdge(right.inside, right.step);
+                right.back();
+            } else
+                inside(p, step);
+        }
+
+        /// End 1 is inside the window.
+        static constexpr void inside(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(55, x2 < xmin, Edge::Left))
+                p2Left(p, step);
+            else if (step.test(56, x2 > xmax, Edge::Right)) {
+                auto half = turned<HalfTurn>(56, p, step);
+                p2Left(half.inside, half.step);
+                half.back();
+            } else if (step.test(57, y2 > ymax, Edge::Top)) {
+                x2 = clamped(x1 + (x2 - x1) * (ymax - y1) / (y2 - y1), xmin, xmax), y2 = ymax;
+                step.cut(58, 1, x2, y2, Edge::Top);
+            } else if (step.test(59, y2 < ymin, Edge::Bottom)) {
+                x2 = clamped(x1 + (x2 - x1) * (ymin - y1) / (y2 - y1), xmin, xmax), y2 = ymin;
+                step.cut(60, 1, x2, y2, Edge::Bottom);
+            }
+        }
+
+        /// End 1 is inside the window, End 2 left of it.
+        static constexpr void p2Left(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            if (step.test(62, y2 > ymax, Edge::Top))
+                p2LeftTop(p, step);
+            else if (step.test(63, y2 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>(63, p, step);
+                p2LeftTop(right.inside, right.step);
+                right.back();
+            } else {
+                y2 = clamped(y1 + (y2 - y1) * (xmin - x1) / (x2 - x1), ymin, ymax), x2 = xmin;
+                step.cut(64, 1, x2, y2, Edge::Left);
+            }
+        }
+
+        /// End 1 is inside the window, End 2 left of it and above it.
+        static constexpr void p2LeftTop(auto& p, auto& step)
+        {
+            auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
+            const auto dx = step.set("dx", x2 - x1), dy = step.let(66, "dy", y2 - y1);
+            const auto pxmin = step.set("pxmin", dy * (xmin - x1));
+            const auto pymax = step.let(67, "pymax", dx * (ymax - y1), Edge::Top);
+            if (step.test(68, pymax > pxmin, Edge::Top)) {
+                x2 = clamped(x1 + pymax / dy, xmin, xmax), y2 = ymax;
+                step.cut(68, 1, x2, y2, Edge::Top);
+            } else {
+                y2 = clamped(y1 + pxmin / dx, ymin, ymax), x2 = xmin;
+                step.cut(69, 1, x2, y2, Edge::Left);
+            }
         }
     };
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/latin.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 // The procedures work in a frame that may be turned or mirrored; the steps, and these sentences,
@@ -15,6 +18,11 @@ using clipping::Edge;
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("nicholl-lee-nicholl", text); }
+
+// Lines of the pseudo-code, which are the same in both forms.
+constexpr std::array linesOfEndOne{2, 3, 9, 10, 51, 52};
+constexpr std::array cutsOfEndOne{31, 39, 49};
+constexpr int displayLine = 5, notBelowLine = 21, insideLine = 52;
 
 /// The edge on the other axis than the step's that an end is beyond.
 Edge otherEdge(const Telling& telling, int end)
@@ -36,24 +44,29 @@ Corner cornerBeyond(const Telling& telling, int end)
             edgeWords(other, telling.specimen.y)};
 }
 
+/// The procedures are written for one region of End 1; what is done where it is in another.
 QString whereEndOneIs(const Telling& telling)
 {
     const QString beyond = words::whetherBeyond(telling, 1);
     if (!telling.holds())
-        return tr("%1.").arg(beyond);
+        return telling.step.line == insideLine
+                   ? tr("%1: End 1 is inside the window, so something is visible for certain, and "
+                        "only End 2 is in question.")
+                         .arg(beyond)
+                   : tr("%1.").arg(beyond);
     switch (telling.step.line) {
-    case 2:
-        return tr("%1: the plane is turned by half, so that right becomes left and one procedure "
-                  "does for both. The picture stays as it is.")
-            .arg(beyond);
     case 3:
-    case 4:
-        return tr("%1, neither left nor right of it: the plane is turned by a quarter, so that "
-                  "this side becomes the left one. The picture stays as it is.")
+        return tr("%1: the plane will be turned by half, so that right becomes left and one "
+                  "procedure does for both.")
             .arg(beyond);
-    case 9:
-        return tr("%1, beyond a corner: the plane is mirrored, so that this becomes the corner "
-                  "that the procedure was written for. The picture stays as it is.")
+    case 51:
+    case 52:
+        return tr("%1, neither left nor right of it: the plane will be turned by a quarter, so "
+                  "that this side becomes the left one.")
+            .arg(beyond);
+    case 10:
+        return tr("%1, beyond a corner: the plane will be mirrored, so that this becomes the "
+                  "corner that the procedure was written for.")
             .arg(beyond);
     default:
         return tr("%1.").arg(beyond);
@@ -63,53 +76,76 @@ QString whereEndOneIs(const Telling& telling)
 QString whereEndTwoIs(const Telling& telling)
 {
     const QString beyond = words::whetherBeyond(telling, 2);
-    if (!telling.holds())
+    const bool isBeyond = telling.step.line == notBelowLine ? !telling.holds() : telling.holds();
+    if (!isBeyond)
         return tr("%1.").arg(beyond);
     switch (telling.step.line) {
-    case 7:
-    case 11:
-    case 28:
+    case 8:
+    case 13:
+    case 33:
         return tr("%1, and so does End 1.").arg(beyond);
-    case 16:
-    case 29:
+    case 21:
+    case 34:
         return tr("%1: it must be asked whether the line passes the window there.").arg(beyond);
-    case 30:
-        return tr("%1: the plane is mirrored, so that one procedure does for both sides.")
+    case 35:
+        return tr("%1: the plane will be mirrored, so that one procedure does for both sides.")
             .arg(beyond);
-    case 20:
-    case 32:
+    case 22:
+    case 38:
         return tr("%1: the line leaves the window through %2.").arg(beyond, telling.edgeText());
-    case 23:
-    case 46:
+    case 26:
+    case 44:
+    case 62:
         return tr("%1: the line could leave through either of two edges.").arg(beyond);
-    case 47:
-        return tr("%1: the line could leave through either of two edges. The plane is turned by a "
-                  "quarter.")
+    case 63:
+        return tr("%1: the line could leave through either of two edges. The plane will be turned "
+                  "by a quarter.")
             .arg(beyond);
-    case 41:
-        return tr("%1: the plane is turned by half, so that right becomes left.").arg(beyond);
+    case 56:
+        return tr("%1: the plane will be turned by half, so that right becomes left.").arg(beyond);
     default:
         return tr("%1: the line must leave the window.").arg(beyond);
     }
 }
 
-/// A test of slopes, as products: the first value against the second.
-QString passesCorner(const Telling& telling)
+/// A question about a corner of the window: which of two products is larger.
+struct CornerTest {
+    int line;
+    std::string_view first, second;
+    int end; ///< that lies beyond the corner
+    enum { Enters, Leaves, Misses } asks;
+};
+constexpr std::array cornerTests{
+    CornerTest{16, "pymax", "pxmin", 1, CornerTest::Enters},
+    CornerTest{25, "pymin", "pxmin", 2, CornerTest::Misses},
+    CornerTest{28, "pymin", "pxmax", 2, CornerTest::Leaves},
+    CornerTest{43, "pymin", "pxmin", 2, CornerTest::Misses},
+    CornerTest{46, "pymin", "pxmax", 2, CornerTest::Leaves},
+    CornerTest{68, "pymax", "pxmin", 2, CornerTest::Leaves},
+};
+const CornerTest* cornerTestOf(const Telling& telling)
 {
-    const int line = telling.step.line;
-    const Corner corner = cornerBeyond(telling, line == 14 ? 1 : 2);
-    const double first = telling.step.values[0].value, second = telling.step.values[1].value;
+    const auto* const test = std::ranges::find(cornerTests, telling.step.line, &CornerTest::line);
+    return telling.step.what == clipping::What::Test && test != cornerTests.end() ? test : nullptr;
+}
+
+/// A test of slopes, as products.
+QString passesCorner(const Telling& telling, const CornerTest& test)
+{
+    const Corner corner = cornerBeyond(telling, test.end);
+    const double first = telling.known(test.first).value_or(0);
+    const double second = telling.known(test.second).value_or(0);
     const QString relation = words::compared(first, second);
     const QString through = telling.holds() ? corner.edge : corner.other;
     if (!std::isfinite(first) || !std::isfinite(second))
         return tr("The products are too large for a number (%1): what they say of %2 means "
                   "nothing, but it is believed.")
             .arg(relation, corner.name);
-    if (line == 14)
+    if (test.asks == CornerTest::Enters)
         return tr("Slopes are compared as products, without a division (%1): the line passes %2 on "
                   "the side of %3. Only there can it enter.")
             .arg(relation, corner.name, through);
-    if (line == 25 || line == 51)
+    if (test.asks == CornerTest::Leaves)
         return tr("At %1 the products say (%2): the line leaves through %3.")
             .arg(corner.name, relation, through);
     if (telling.holds())
@@ -119,31 +155,23 @@ QString passesCorner(const Telling& telling)
         .arg(corner.name, relation, corner.edge);
 }
 
+/// One product, or two of one line of the pseudo-code.
 QString product(const Telling& telling)
 {
-    const Telling& t = telling;
-    switch (t.step.line) {
-    case 13:
-    case 50:
-        return tr("Two products hold what a corner says of the line's slope: pymax = %1, "
-                  "pxmin = %2. No division is needed to compare slopes.")
-            .arg(words::value(t, "pymax"), words::value(t, "pxmin"));
-    case 36:
-        return tr("Two products hold what a corner says of the line's slope: pxmin = %1, "
-                  "pymin = %2. No division is needed to compare slopes.")
-            .arg(words::value(t, "pxmin"), words::value(t, "pymin"));
-    case 17:
-        return tr("One more product, for the next corner: pymin = %1.")
-            .arg(words::value(t, "pymin"));
-    default:
-        return tr("One more product, for the next corner: pxmax = %1.")
-            .arg(words::value(t, "pxmax"));
-    }
+    const auto& last = telling.step.values.back();
+    if (telling.step.values.size() == 1)
+        return tr("One more product, for the next corner: %1 = %2.")
+            .arg(latin(last.name), words::number(last.value));
+    const auto& first = telling.step.values.front();
+    return tr("Two products hold what a corner says of the line's slope: %1 = %2, %3 = %4. No "
+              "division is needed to compare slopes.")
+        .arg(latin(first.name), words::number(first.value), latin(last.name),
+             words::number(last.value));
 }
 
 QString cut(const Telling& telling)
 {
-    const int end = telling.step.name == "cut a" ? 1 : 2;
+    const int end = std::ranges::count(cutsOfEndOne, telling.step.line) != 0 ? 1 : 2;
     return tr("%1 moves along the line to %2, to %3. It is certain by now that this end is "
               "visible.")
         .arg(words::end(end), telling.edgeText(), words::point(words::endOf(end, telling)));
@@ -160,45 +188,54 @@ QString extent(const Telling& telling)
         .arg(words::value(telling, "dx"), words::value(telling, "dy"));
 }
 
-QString other(const Telling& telling)
+/// Where the ends are in the plane that has been turned or mirrored for a procedure.
+QString turned(const Telling& telling)
+{
+    const auto end = [&](const char* x, const char* y) {
+        return words::point({telling.value(x).value_or(0), telling.value(y).value_or(0)});
+    };
+    return tr("For this procedure End 1 is at %1 and End 2 at %2. The picture stays as it is.")
+        .arg(end("x1", "y1"), end("x2", "y2"));
+}
+
+QString let(const Telling& telling)
 {
     const auto& name = telling.step.name;
-    if (name == "dx, dy")
+    if (name == "display")
+        return words::isBeyond(telling, 1, telling.edge())
+                       && words::isBeyond(telling, 2, telling.edge())
+                   ? words::bothBeyond(telling)
+                   : tr("The line misses the window, and nothing had to be divided to know that.");
+    if (name == "dy")
         return extent(telling);
-    if (name == "inside")
-        return tr("End 1 is inside the window: something is visible for certain, and only End 2 is "
-                  "in question.");
-    if (name == "beside")
-        return tr("End 1 is beside the window, neither above nor below it.");
-    if (name == "mirror")
-        return tr("The plane is mirrored in a diagonal, so that %1 becomes the left one and the "
-                  "same procedure does for it. The picture stays as it is.")
-            .arg(telling.edgeText());
-    if (name.starts_with("product"))
-        return product(telling);
-    return {};
+    if (name == "ymin")
+        return turned(telling);
+    if (name == "left")
+        return tr("The plane is turned back, and the ends with it.");
+    return product(telling);
 }
 
 QString sentence(const Telling& telling)
 {
     const auto& step = telling.step;
-    if (step.what == clipping::What::Test) {
-        if (!step.values.empty())
-            return passesCorner(telling);
-        return step.line <= 4 || step.line == 8 || step.line == 9 ? whereEndOneIs(telling)
-                                                                  : whereEndTwoIs(telling);
-    }
-    if (step.what == clipping::What::Reject)
-        return step.line == 18 || step.line == 37
-                   ? tr("The line misses the window: nothing of it is visible, and nothing had to "
-                        "be divided to know that.")
-                         + words::lost(telling)
-                   : words::bothBeyond(telling);
-    if (step.what == clipping::What::Cut)
+    switch (step.what) {
+    case clipping::What::Test:
+        if (step.line == displayLine)
+            return telling.holds() ? tr("Nothing has been found to be visible.")
+                                   : tr("Nothing has ruled the line out.");
+        if (const CornerTest* test = cornerTestOf(telling))
+            return passesCorner(telling, *test);
+        return std::ranges::count(linesOfEndOne, step.line) != 0 ? whereEndOneIs(telling)
+                                                                 : whereEndTwoIs(telling);
+    case clipping::What::Reject:
+        return tr("Nothing of the line is visible.") + words::lost(telling);
+    case clipping::What::Cut:
         return cut(telling);
-    if (step.what == clipping::What::Accept)
+    case clipping::What::Accept:
         return words::acceptedIfInside(telling);
-    return other(telling);
+    default:
+        return let(telling);
+    }
 }
 
 } // namespace

@@ -42,26 +42,29 @@ private slots:
     void nichollLeeNicholl()
     {
         compare(told("nln:published"),
-                {"1: End 1 lies left of the window (−160 < −100).",
-                 "7: End 2 does not lie left of the window (70 > −100).",
-                 "8: End 1 does not lie above the window (−30 < 75).",
-                 "9: End 1 does not lie below the window (−30 > −75).",
-                 "10: End 1 is beside the window, neither above nor below it.",
-                 "28: End 2 does not lie left of the window (70 > −100).",
-                 "29: End 2 does not lie below the window (130 > −75).",
-                 "30: End 2 lies above the window (130 > 75): the plane is mirrored, so that one "
-                 "procedure does for both sides.",
-                 "35: How far it is from End 1 to End 2 in the plane as it is turned or "
+                {"2: End 1 lies left of the window (−160 < −100).",
+                 "8: End 2 does not lie left of the window (70 > −100).",
+                 "9: End 1 does not lie above the window (−30 < 75).",
+                 "10: End 1 does not lie below the window (−30 > −75).",
+                 "33: End 2 does not lie left of the window (70 > −100).",
+                 "34: End 2 does not lie below the window (130 > −75).",
+                 "35: End 2 lies above the window (130 > 75): the plane will be mirrored, so that "
+                 "one procedure does for both sides.",
+                 "35: For this procedure End 1 is at (−160, 30) and End 2 at (70, −130). The "
+                 "picture stays as it is.",
+                 "41: How far it is from End 1 to End 2 in the plane as it is turned or "
                  "scaled: dx = 230, dy = −160.",
-                 "36: Two products hold what a corner says of the line's slope: pxmin = −9600, "
+                 "42: Two products hold what a corner says of the line's slope: pxmin = −9600, "
                  "pymin = −24150. No division is needed to compare slopes.",
-                 "37: The line passes inside the top left corner (−24150 < −9600): it meets the "
+                 "43: The line passes inside the top left corner (−24150 < −9600): it meets the "
                  "window, and enters through the left edge.",
-                 "23: End 2 does not lie right of the window (70 < 100).",
-                 "27: End 2 moves along the line to the top edge, to (−9.0625, 75). It is certain "
+                 "44: End 2 does not lie right of the window (70 < 100).",
+                 "48: End 2 moves along the line to the top edge, to (−9.0625, 75). It is certain "
                  "by now that this end is visible.",
-                 "39: End 1 moves along the line to the left edge, to (−100, 11.7391). It is "
+                 "49: End 1 moves along the line to the left edge, to (−100, 11.7391). It is "
                  "certain by now that this end is visible.",
+                 "35: The plane is turned back, and the ends with it.",
+                 "5: Nothing has ruled the line out.",
                  "6: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
                  "it is visible."});
     }
@@ -71,16 +74,41 @@ private slots:
     {
         const QStringList all = told("nln:published", {{-160, 150}, {150, -110}});
         QVERIFY(all.contains(
-            "14: Slopes are compared as products, without a division (−23250 < −15600): the line "
+            "16: Slopes are compared as products, without a division (−23250 < −15600): the line "
             "passes the top left corner on the side of the top edge. Only there can it enter."));
-        QVERIFY(all.contains("15: The plane is mirrored in a diagonal, so that the top edge "
-                             "becomes the left one and "
-                             "the same procedure does for it. The picture stays as it is."));
+        QVERIFY(all.contains("19: For this procedure End 1 is at (−150, 160) and End 2 at (110, "
+                             "−150). The picture stays as it is."));
         QVERIFY(
-            all.contains("18: The line passes inside the top right corner (−67600 < −23250): it "
+            all.contains("25: The line passes inside the top right corner (−67600 < −23250): it "
                          "meets the window, and enters through the top edge."));
-        QVERIFY(all.contains("25: At the bottom right corner the products say (−67600 > −69750): "
+        QVERIFY(all.contains("28: At the bottom right corner the products say (−67600 > −69750): "
                              "the line leaves through the right edge."));
+    }
+    /// In the mirrored plane the variables are those of its formulas: End 2 is cut at y2 = ymin.
+    /// Turned back they are those of the picture.
+    void variablesOfAMirroredPlane()
+    {
+        const auto clipper = app::findClipper(QStringLiteral("nln"));
+        QStringList all;
+        for (const auto& moment :
+             app::walkOf({*clipper, line, window, app::YAxis::Up, {}}).moments) {
+            const auto value = [&](const char* name) {
+                const auto& known = moment.variables;
+                const auto found =
+                    std::ranges::find(known, QLatin1StringView(name), &app::Variable::name);
+                return found == known.end() ? QStringLiteral("-") : app::shortText(found->value);
+            };
+            QStringList values;
+            for (const char* name : {"y1", "x2", "y2", "ymin"})
+                values << value(name);
+            all << QStringLiteral("%1: %2").arg(moment.line).arg(values.join(u' '));
+        }
+        compare(all, {"2: −30 70 130 -", "8: −30 70 130 -", "9: −30 70 130 -", "10: −30 70 130 -",
+                      "33: −30 70 130 -", "34: −30 70 130 -", "35: −30 70 130 -",
+                      "35: 30 70 −130 −75", "41: 30 70 −130 −75", "42: 30 70 −130 −75",
+                      "43: 30 70 −130 −75", "44: 30 70 −130 −75", "48: 30 −9.0625 −75 −75",
+                      "49: −11.7391 −9.0625 −75 −75", "35: 11.7391 −9.0625 75 −75",
+                      "5: 11.7391 −9.0625 75 −75", "6: 11.7391 −9.0625 75 −75"});
     }
 
     /// F at the corners: -160 x + 230 y - 18700.

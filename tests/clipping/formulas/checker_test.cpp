@@ -49,10 +49,30 @@ std::vector<Step> goodRun()
     };
 }
 
-std::optional<Fault> faultOf(const std::vector<Step>& steps,
-                             clipping::OperationCounts operations = {1, 1, 1, 9, 0})
+/// In the plane turned to the left the given line comes from (-1, -3) to (-1, 5), and the window's
+/// top is its left edge.
+constexpr const char* turningCode = "if y1 < ymax: turn f(-ymax, xmax, -ymin, xmin)\n"
+                                    "accept the line from x1, y1 to x2, y2\n"
+                                    "f(xmin, ymax, xmax, ymin):\n"
+                                    "  y1 = ymin,  x1 = held(x1)\n";
+std::vector<Step> turningRun()
 {
-    const Code parsed = read(code);
+    const std::vector<clipping::NamedValue> inside{{"ymax", 4}, {"xmax", -0.0}, {"ymin", 0},
+                                                   {"x1", -1},  {"y2", 5},      {"xmin", -4}};
+    return {
+        {What::Test, true, "", 1, given, Edge::Top, {}, {0, 0, 0, 1, 0}},
+        {What::Let, false, "xmin", 1, given, Edge::None, inside, {0, 0, 0, 1, 4}},
+        {What::Cut, false, "", 4, cut, Edge::Left, {{"y1", 0}}, {0, 0, 0, 3, 4}},
+        {What::Let, false, "left", 1, cut, Edge::None, {{"x1", 0}, {"ymax", 4}}, {0, 0, 0, 3, 6}},
+        {What::Accept, false, "", 2, cut, Edge::None, {}, {0, 0, 0, 3, 6}},
+    };
+}
+
+std::optional<Fault> faultOf(const std::vector<Step>& steps,
+                             clipping::OperationCounts operations = {1, 1, 1, 9, 0},
+                             const char* text = code)
+{
+    const Code parsed = read(text);
     Checker checker(parsed);
     return checker.check(given, window, {steps, clipping::Outcome::Visible, held}, operations);
 }
@@ -118,6 +138,54 @@ private slots:
         const auto fault = faultOf(steps);
         QVERIFY(fault.has_value());
         QVERIFY2(fault->line == line, text(*fault).c_str());
+    }
+
+    void noFaultInATurnedPlane()
+    {
+        const auto fault = faultOf(turningRun(), {0, 0, 0, 3, 6}, turningCode);
+        QVERIFY2(!fault, fault ? text(*fault).c_str() : "");
+    }
+    void faultsInATurnedPlane_data()
+    {
+        using Change = std::function<void(std::vector<Step>&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<int>("line");
+        const auto row = [](const char* name, int line, const Change& change) {
+            QTest::newRow(name) << change << line;
+        };
+        row("an edge of the window", 1, [](auto& s) { s[1].values[0].value = 0; });
+        row("an end", 1, [](auto& s) { s[1].values[3].value = 1; });
+        row("the picture is turned", 1, [](auto& s) { s[1].segment = cut; });
+        row("a change of sign", 1, [](auto& s) { s[1].cost.negations = 5; });
+        row("a cut of the picture", 4, [](auto& s) { s[2].segment = held; });
+        row("a cut end", 4, [](auto& s) { s[2].values[0].value = 1; });
+        row("the edge of a cut", 4, [](auto& s) { s[2].edge = Edge::Top; });
+        row("an end that is turned back", 1, [](auto& s) { s[3].values[0].value = -1; });
+        row("an edge that is turned back", 1, [](auto& s) { s[3].values[1].value = 0; });
+        row("another line turns back", 2, [](auto& s) { s[3].line = 2; });
+        row("never turned back", 2, [](auto& s) { s.erase(s.begin() + 3); });
+        row("turned back twice", 1, [](auto& s) { s.insert(s.begin() + 4, s[3]); });
+    }
+    void faultsInATurnedPlane()
+    {
+        QFETCH(std::function<void(std::vector<Step>&)>, change);
+        QFETCH(int, line);
+        auto steps = turningRun();
+        change(steps);
+        const auto fault = faultOf(steps, {0, 0, 0, 3, 6}, turningCode);
+        QVERIFY(fault.has_value());
+        QVERIFY2(fault->line == line, text(*fault).c_str());
+    }
+    /// No step would tell the window of such a call.
+    void anotherWindowWithoutATurn()
+    {
+        for (const char* arguments : {"(xmin, 1)", "(xmax, xmin)", "(-xmax, -xmin)"}) {
+            const std::string call = std::string("f") + arguments;
+            const std::string definition = "\nf(xmin, xmax):\n  dx = xmax-xmin\n";
+            QVERIFY(read("turn " + call + definition).lines.size() == 3);
+            QVERIFY_THROWS_EXCEPTION(Unreadable, read(call + definition));
+        }
+        QVERIFY(read("f(xmin, xmax)\nf(xmin, xmax):\n").lines.size() == 2);
     }
 
     void theReport()

@@ -52,6 +52,18 @@ std::array<int, 4> endsOf(const Code& code)
     return ends;
 }
 
+/// Whether a procedure that takes the window is given other variables than its own, though the
+/// plane is not turned for it: no step tells such a call.
+bool isGivenOthers(const Arguments& call, const Parameters& parameters)
+{
+    const auto isOwn = [](const Formula& argument, int parameter) {
+        return argument.expression.kind == Kind::Name
+               && argument.expression.variables[0] == parameter;
+    };
+    return std::ranges::any_of(parameters.variables, isEdge)
+           && !std::ranges::equal(call.values, parameters.variables, isOwn);
+}
+
 void checkCalls(const Code& code)
 {
     const auto defines = [&](const Arguments& call) {
@@ -65,6 +77,14 @@ void checkCalls(const Code& code)
             if (!defines(call))
                 throw Unreadable("No line defines " + call.of + " of "
                                  + std::to_string(call.values.size()) + " parameters");
+    for (const Line& line : code.lines)
+        for (const Line& other : code.lines)
+            for (const Arguments& call : line.calls)
+                if (!line.turns && other.definition && other.definition->of == call.of
+                    && isGivenOthers(call, *other.definition))
+                    throw Unreadable("The call of " + call.of
+                                     + " neither hands on what there is "
+                                       "nor turns the plane");
 }
 
 bool hasCall(const Expression& e)

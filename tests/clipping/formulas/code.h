@@ -37,14 +37,15 @@ struct Arguments {
 struct Line {
     std::string text;
     bool accepts = false, rejects = false, givesUp = false, holds = false; ///< its words
+    bool turns = false; ///< its call is made in a plane that is turned or mirrored
     std::optional<Formula> condition{};
     std::vector<Assignment> assignments{};
     std::vector<Arguments> calls{};
     std::optional<Parameters> definition{};
-    int loop = -1;                   ///< the variable of a `for` line
-    std::vector<Expression> turns{}; ///< the values that it gets, one after another
-    std::vector<int> ofEach{};       ///< names in a `for each` line
-    std::vector<Formula> accepted{}; ///< the four coordinates after "accept the line from"
+    int loop = -1;                    ///< the variable of a `for` line
+    std::vector<Expression> rounds{}; ///< the values that it gets, one after another
+    std::vector<int> ofEach{};        ///< names in a `for each` line
+    std::vector<Formula> accepted{};  ///< the four coordinates after "accept the line from"
     clipping::OperationCounts mostOperations{}; ///< that its formulas can cost
 };
 

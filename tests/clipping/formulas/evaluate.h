@@ -16,7 +16,8 @@ public:
     double value(int slot) const; ///< throws Unreadable if it is not known
     void set(int slot, double value);
     clipping::Window window() const; ///< of xmin, ymin, xmax, ymax
-    std::string text() const;        ///< every known variable with its value
+    void setWindow(const clipping::Window& window);
+    std::string text() const; ///< every known variable with its value
 
     clipping::Edge edge = clipping::Edge::None; ///< that the step is about
     int axis = -1; ///< of the coordinate that gets the value; -1: it is none

@@ -31,6 +31,11 @@ private:
     std::map<std::string, int, std::less<>> slots_;
 };
 
+/// Whether a slot is that of xmin, ymin, xmax or ymax.
+constexpr bool isEdge(int slot) { return slot >= 4 && slot < 8; }
+/// Whether it is that of x1, y1, x2 or y2.
+constexpr bool isGivenEnd(int slot) { return slot >= 0 && slot < 4; }
+
 enum class Kind {
     Number, ///< and bits and truths
     Name,

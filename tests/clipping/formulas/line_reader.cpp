@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/clipping/formulas/line_reader.h"
 
+#include <algorithm>
+
 namespace formulas {
+
+namespace {
+
+bool isNegativeEdge(const Expression& argument)
+{
+    return argument.kind == Kind::Negative && argument.parts[0].kind == Kind::Name
+           && isEdge(argument.parts[0].variables[0]);
+}
+
+} // namespace
 
 LineReader::LineReader(Code& code, std::string_view text, const std::set<std::string>& loops)
     : code_(code), in_(text, code.names, loops), line_{.text = std::string(text)}
@@ -47,7 +59,7 @@ void LineReader::forLine()
     }
     line_.loop = code_.names.slotOf(in_.word());
     in_.expect("=");
-    line_.turns = in_.list();
+    line_.rounds = in_.list();
 }
 
 /// accept, or accept the line from A, B to C, D.
@@ -79,10 +91,15 @@ void LineReader::statement()
         in_.expect("up");
         return line_.givesUp = true, void(in_.rest());
     }
-    if (!in_.sees("(", 1))
+    line_.turns = in_.takes("turn") || in_.takes("mirror");
+    if (!in_.sees("(", 1) && !line_.turns)
         return assignments();
-    if (formula(in_.expression()).expression.kind != Kind::Call)
+    const Formula call = formula(in_.expression());
+    if (call.expression.kind != Kind::Call)
         in_.fail("A statement");
+    if (line_.turns) // an axis that changes its sign does so at two edges and at both ends
+        line_.mostOperations.negations +=
+            std::uint64_t(std::ranges::count_if(call.expression.parts, isNegativeEdge));
 }
 
 /// Whether the line is f(p, q): and defines f.
@@ -116,7 +133,7 @@ void LineReader::assignments()
             in_.fail("A variable");
         in_.expect("=");
         line_.assignments.push_back({std::move(target), formula(in_.expression())});
-    } while (in_.takes(","));
+    } while (in_.takes(",") && !in_.takes("return"));
 }
 
 Formula LineReader::formula(Expression e)

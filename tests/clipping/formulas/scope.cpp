@@ -33,6 +33,11 @@ clipping::Window Scope::window() const
     return {{values_[4], values_[5]}, {values_[6], values_[7]}};
 }
 
+void Scope::setWindow(const clipping::Window& w)
+{
+    set(4, w.min.x), set(5, w.min.y), set(6, w.max.x), set(7, w.max.y);
+}
+
 std::string Scope::text() const
 {
     std::string all;

@@ -11,6 +11,8 @@ void StepCheck::arguments(const clipping::Step& step)
         for (const Line& line : code_.lines)
             if (line.definition && line.definition->of == call.of) {
                 wrong = passed(call, *line.definition, step);
+                if (!wrong && line_->turns && step.what == clipping::What::Let)
+                    turn(step, call, *line.definition);
                 if (!wrong)
                     return;
             }

@@ -11,10 +11,7 @@ using clipping::What;
 
 namespace {
 
-std::array<double, 4> coordinates(const clipping::Segment& s)
-{
-    return {s.a.x, s.a.y, s.b.x, s.b.y};
-}
+std::array<double, 4> coordinates(const clipping::Segment& s) { return Plane().of(s); }
 
 /// Whether both ends, or one, are said to be new.
 bool movesEnds(const clipping::Step& step)
@@ -28,7 +25,7 @@ std::string text(bool truth) { return truth ? "true" : "false"; }
 
 StepCheck::StepCheck(const Code& code, std::vector<char>& evaluated,
                      const clipping::Segment& segment, const clipping::Window& window)
-    : code_(code), evaluated_(evaluated), scope_(code.names, segment, window),
+    : code_(code), evaluated_(evaluated), scope_(code.names, segment, window), left_(segment),
       ends_(coordinates(segment))
 {
     setEnds();
@@ -40,8 +37,12 @@ void StepCheck::step(const clipping::Step& step)
         throw Wrong{"the code has " + std::to_string(code_.lines.size()) + " lines",
                     "line " + std::to_string(step.line)};
     line_ = &code_.lines[std::size_t(step.line) - 1];
-    scope_.edge = step.edge;
     next_ = ends_, assignsEnds_ = false;
+    windowBefore_ = scope_.window();
+    const bool isDone = line_->turns && movesEnds(step);
+    if (isDone)
+        turnBack(step);
+    scope_.edge = plane_.of(step.edge);
     words(step.what);
     takeFromOtherLines(step);
     if (step.what == What::Test)
@@ -49,7 +50,8 @@ void StepCheck::step(const clipping::Step& step)
     if (step.what == What::Let && !movesEnds(step))
         nameOfLet(step);
     assignments(step);
-    arguments(step);
+    if (!isDone)
+        arguments(step);
     ends(step);
     cost(step);
 }
@@ -64,6 +66,8 @@ void StepCheck::words(What what) const
     must(what != What::Reject || line_->rejects, "reject");
     must(what != What::GiveUp || line_->givesUp, "give up");
     must(what != What::Test || line_->condition.has_value(), "if");
+    if ((what == What::Accept || what == What::Reject) && !turns_.empty())
+        throw Wrong{"the plane is turned back before the end", "that it is not"};
 }
 
 void StepCheck::condition(bool holds)
@@ -96,7 +100,7 @@ void StepCheck::assignments(const clipping::Step& step)
 
 void StepCheck::ends(const clipping::Step& step)
 {
-    if (movesEnds(step) && !assignsEnds_) {
+    if (movesEnds(step) && !assignsEnds_ && !line_->turns) {
         if (!line_->holds)
             throw Wrong{"the line gives no end a new coordinate", "new ends"};
         const auto [a, b] =
@@ -107,13 +111,13 @@ void StepCheck::ends(const clipping::Step& step)
     if (step.what == What::Accept)
         for (std::size_t k = 0; k < line_->accepted.size(); ++k)
             next_[k] = valueOf(line_->accepted[k]);
-    const Ends now = coordinates(step.segment);
+    const Ends now = plane_.of(step.segment);
     for (std::size_t k = 0; k < 4; ++k)
         if (!same(next_[k], now[k]))
             throw Wrong{std::string(k % 2 ? "y" : "x") + " of End " + (k < 2 ? "1" : "2") + " = "
                             + formulas::text(next_[k]),
                         formulas::text(now[k])};
-    ends_ = now;
+    left_ = step.segment, ends_ = now;
     setEnds();
 }
 

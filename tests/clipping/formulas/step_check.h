@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/clipping/formulas/checker.h"
+#include "tests/clipping/formulas/plane.h"
 
 namespace formulas {
 
@@ -33,6 +34,9 @@ private:
     void arguments(const clipping::Step& step);
     std::optional<Wrong> passed(const Arguments& call, const Parameters& parameters,
                                 const clipping::Step& step);
+    void turn(const clipping::Step& step, const Arguments& call, const Parameters& parameters);
+    void turnBack(const clipping::Step& step);
+    void checkGiven(const clipping::Step& step) const;
     void nameOfLet(const clipping::Step& step) const;
     void words(clipping::What what) const;
     void ends(const clipping::Step& step);
@@ -47,7 +51,17 @@ private:
     std::vector<char>& evaluated_;
     Scope scope_;
     const Line* line_ = nullptr;
-    Ends ends_;                        ///< of what is left
+    /// A call that is not done yet.
+    struct Turn {
+        const Line* line;
+        Plane before;
+        clipping::Window window; ///< before
+    };
+    std::vector<Turn> turns_;
+    Plane plane_;
+    clipping::Window windowBefore_{};  ///< of the step
+    clipping::Segment left_;           ///< in the picture
+    Ends ends_;                        ///< of what is left, in the plane as it is turned
     Ends next_{};                      ///< and as the lit line has them
     bool assignsEnds_ = false;         ///< whether it gives one of them a value
     clipping::OperationCounts cost_{}; ///< so far

@@ -52,6 +52,8 @@ int StepCheck::slotOfTold(std::string_view name) const
 
 bool StepCheck::givesValueTo(int slot) const
 {
+    if (line_->turns && isGivenEnd(slot))
+        return true;
     for (const Assignment& assignment : line_->assignments)
         if (hasSlot(assignment.target, scope_) && slotOf(assignment.target, scope_) == slot)
             return true;
@@ -85,7 +87,7 @@ bool StepCheck::isCopied(int slot, double value) const
 {
     return std::ranges::any_of(code_.lines, [&](const Line& line) {
         const auto is = [&](const Expression& e) { return gives(e, value, scope_); };
-        if (line.loop == slot && std::ranges::any_of(line.turns, is))
+        if (line.loop == slot && std::ranges::any_of(line.rounds, is))
             return true;
         if (std::ranges::count(line.ofEach, slot) != 0)
             return isOfAnEdge(value, scope_.window());
