@@ -70,40 +70,68 @@ QPainterPath bar()
     return path;
 }
 
-struct Mark {
+struct OwnMark {
     std::string_view abbreviation;
     QRgb light, dark;
     QPainterPath path;
 };
 
-const Mark& markOf(const clipping::Algorithm& algorithm)
+std::span<const OwnMark> ownMarks()
 {
     constexpr double half = std::numbers::pi;
     static const std::array marks{
-        Mark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
-        Mark{"EX one by one", 0x6B6E66, 0xA9ABA4, star(4, 0.42, 0)}, // of experiments
-        Mark{"CS", 0x091C86, 0x8194FF, disc()},
-        Mark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
-        Mark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
-        Mark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0)},
-        Mark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
-        Mark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
-        Mark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
-        Mark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
-        Mark{"SB", 0x545ABA, 0xC684B5, arch()},
-        Mark{"MS", 0x7C3908, 0x968A38, bar()},
-        Mark{"", 0x1B1E23, 0xE7E9EC, disc()}, // a row without a mark of its own
+        OwnMark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
+        OwnMark{"EX one by one", 0x6B6E66, 0xA9ABA4, star(4, 0.42, 0)}, // of experiments
+        OwnMark{"CS", 0x091C86, 0x8194FF, disc()},
+        OwnMark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
+        OwnMark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
+        OwnMark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0)},
+        OwnMark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
+        OwnMark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
+        OwnMark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
+        OwnMark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
+        OwnMark{"SB", 0x545ABA, 0xC684B5, arch()},
+        OwnMark{"MS", 0x7C3908, 0x968A38, bar()},
     };
-    const auto found = std::ranges::find(marks, algorithm.abbreviation, &Mark::abbreviation);
-    return found == marks.end() ? marks.back() : *found;
+    return marks;
+}
+
+const OwnMark* ownMarkOf(const clipping::Algorithm& algorithm)
+{
+    const auto all = ownMarks();
+    const auto found = std::ranges::find(all, algorithm.abbreviation, &OwnMark::abbreviation);
+    return found == all.end() ? nullptr : &*found;
+}
+
+/// The mark of the row of that number, from 0, among those without their own. Hues a golden angle
+/// apart are as different as they can be; stars of so many points are nobody's own.
+AlgorithmMark spareMark(int number)
+{
+    const int hue = (25 + 137 * number) % 360;
+    return {QColor::fromHsv(hue, 220, 130), QColor::fromHsv(hue, 110, 245),
+            star(6 + number, 0.6, 0)};
 }
 
 } // namespace
 
+AlgorithmMark markOf(const clipping::Algorithm& algorithm,
+                     std::span<const clipping::Algorithm> catalogue)
+{
+    if (const OwnMark* own = ownMarkOf(algorithm))
+        return {QColor(own->light), QColor(own->dark), own->path};
+    int number = 0;
+    for (const clipping::Algorithm& row : catalogue)
+        if (row.key == algorithm.key)
+            return spareMark(number);
+        else
+            number += ownMarkOf(row) == nullptr;
+    return {QColor(0x1B1E23), QColor(0xE7E9EC), disc()};
+}
+
 QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground)
 {
-    const Mark& mark = markOf(algorithm);
-    return QColor(ground == Ground::Dark ? mark.dark : mark.light);
+    const AlgorithmMark mark = markOf(algorithm);
+    return ground == Ground::Dark ? mark.dark : mark.light;
 }
 
 QPainterPath markerPath(const clipping::Algorithm& algorithm) { return markOf(algorithm).path; }

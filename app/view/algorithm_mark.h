@@ -6,12 +6,24 @@
 #include <QColor>
 #include <QPainterPath>
 
+#include <span>
+
 class QPainter;
 
 namespace app {
 
 /// What is painted on: each has its own colours.
 enum class Ground : std::uint8_t { Light, Dark };
+
+/// How an algorithm is told from others.
+struct AlgorithmMark {
+    QColor light, dark; ///< on either ground
+    QPainterPath path;  ///< around (0, 0) in the circle of radius 1
+};
+/// The mark of an algorithm of a catalogue. A row without a mark of its own has one that no other
+/// row of that catalogue has; what is no row of it is a grey disc.
+AlgorithmMark markOf(const clipping::Algorithm& algorithm,
+                     std::span<const clipping::Algorithm> catalogue = clipping::algorithms());
 
 /// The colour of an algorithm: told apart by all kinds of sight, together with its marker.
 QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground);

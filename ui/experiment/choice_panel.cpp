@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/choice_panel.h"
 
+#include "app/experiment/ranking.h"
 #include "app/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/segments.h"
@@ -72,8 +73,11 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
 
 void ChoicePanel::describeFields()
 {
+    const std::size_t all = clipping::algorithms().size();
     runs_->setToolTip(tr("Ten, as in the paper, or as many as it takes to tell which algorithms "
-                         "differ: 12 for 11 algorithms. With fewer there are no ranks."));
+                         "differ: %1 for %2 algorithms. With fewer there are no ranks.")
+                          .arg(app::leastRounds(all))
+                          .arg(all));
     seed_->setValue(1);
     seed_->setGroupSeparatorShown(false);
     lines_->setSpecialValueText(tr("as in the paper"));

@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 using namespace app;
@@ -63,6 +65,30 @@ private slots:
                 const QByteArray pair = QByteArray(all[a].key.data()) + ' ' + all[b].key.data();
                 QVERIFY2(figureOf(all[a]) != figureOf(all[b]), pair);
             }
+    }
+    /// A new algorithm needs no mark of its own.
+    void rowsWithoutAMarkDifferFromAllOthers()
+    {
+        std::vector<clipping::Algorithm> rows(clipping::algorithms().begin(),
+                                              clipping::algorithms().end());
+        static constexpr std::array<std::string_view, 6> added{"a", "b", "c", "d", "e", "f"};
+        for (const std::string_view key : added) {
+            rows.push_back(rows.front());
+            rows.back().key = rows.back().abbreviation = key;
+        }
+        std::set<QRgb> light, dark;
+        std::vector<QPainterPath> paths;
+        for (const clipping::Algorithm& row : rows) {
+            const AlgorithmMark mark = markOf(row, rows);
+            light.insert(mark.light.rgb());
+            dark.insert(mark.dark.rgb());
+            QVERIFY2(std::ranges::find(paths, mark.path) == paths.end(), row.key.data());
+            paths.push_back(mark.path);
+            QVERIFY(mark.light.lightness() < mark.dark.lightness());
+        }
+        QCOMPARE(light.size(), rows.size());
+        QCOMPARE(dark.size(), rows.size());
+        QCOMPARE(markOf(rows.back()).path, markOf({}).path); // it is in no catalogue
     }
     void hollowMarkersHaveTheSameOutline()
     {
