@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/clipping/contract.h"
@@ -58,6 +59,16 @@ Ruling ruling(const HardCase& hard, const Clipper& clipper)
         std::min(ulpsOff(piece, inputOf(hard), truth),
                  ulpsOff(std::optional(Segment{piece->b, piece->a}), inputOf(hard), truth));
     return off > clipper.algorithm->ulps ? Ruling::Moved : Ruling::Right;
+}
+
+/// Whether zoo.json says of this clipper what it does wrong. Not of the form of a new row: that is
+/// judged in the gallery like all others, and its faults are written down when it is to stay.
+bool isListed(const Clipper& clipper)
+{
+    return std::ranges::any_of(hardCases(), [&](const HardCase& hard) {
+        return std::ranges::any_of(
+            hard.faults, [&](const auto& fault) { return fault.first == keyOf(clipper); });
+    });
 }
 
 Ruling listed(const HardCase& hard, const Clipper& clipper)
@@ -132,7 +143,9 @@ private slots:
                 continue;
             const CaseAnswer answer = answerOf(hard, clipper);
             const QByteArray name = keyOf(clipper).toUtf8();
-            QVERIFY2(keyOf(ruling(hard, clipper)) == keyOf(listed(hard, clipper)), name);
+            QVERIFY2(keyOf(answer.ruling) == keyOf(ruling(hard, clipper)), name);
+            if (!isListed(clipper))
+                continue;
             QVERIFY2(answer.ruling == listed(hard, clipper), name);
             faults += answer.good() ? 0 : 1;
         }
@@ -149,8 +162,10 @@ private slots:
                 ways << keyOf(fault);
             }
         for (const Clipper& clipper : clippers())
-            QCOMPARE(failing.contains(keyOf(clipper)), clipper.form == Form::Published);
+            if (isListed(clipper) || clipper.form == Form::Corrected)
+                QCOMPARE(failing.contains(keyOf(clipper)), clipper.form == Form::Published);
         QCOMPARE(ways.size(), 6);
+        QVERIFY(failing.size() >= 12);
     }
 
     void refusesWhatIsWrong_data()
