@@ -3,9 +3,8 @@
 
 #include "app/overlays/overlay.h"
 
-#include <span>
-
-// The families of overlays: a file each, and a row in catalogue.cpp for every algorithm.
+// The families of overlays: a file each. An algorithm's row (app/teaching/teaching.h) names its
+// own.
 
 namespace app {
 
@@ -19,12 +18,6 @@ struct Seeing : OverlaySubject {
         return clipping::usesOf(*clipper.algorithm, clipper.form)->trace(other, window);
     }
 };
-
-struct OverlayFamily {
-    std::string_view key; ///< of the algorithm
-    Overlay (*overlay)(const Seeing&);
-};
-std::span<const OverlayFamily> overlayFamilies();
 
 Overlay outcodeOverlay(const Seeing& seeing);   ///< Cohen-Sutherland
 Overlay scriptOverlay(const Seeing& seeing);    ///< Sobkow-Pospisil-Yang

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/teaching.h"
 #include "app/view/algorithm_mark.h"
 
 #include <QImage>
-
-#include <span>
 
 // The figure on an algorithm's page: ![words](figure:KEY) in its markdown. The program paints it
 // from the library's own trace.
 
 namespace app {
 
-/// One row: a line that tells something about an algorithm, and which step of it to show.
-struct PageFigure {
-    std::string_view key; ///< the algorithm's
-    clipping::Segment line;
-    Mark mark; ///< the last step of this kind
-    clipping::Form form = clipping::Form::Corrected;
-    clipping::Window window{{-100, -75}, {100, 75}}; ///< the paper's
-};
-
-/// The row of an algorithm; one without a row of its own has a line cut at two edges.
-PageFigure pageFigureOf(const clipping::Algorithm& algorithm);
-
-/// What the figure shows, y up.
-Specimen specimenOf(const PageFigure& figure);
+/// What the figure shows: the row's line (teaching.h) in the paper's window, y up.
+Specimen pageSpecimen(const clipping::Algorithm& algorithm);
 /// Its step: the last one with the row's mark; the last of all if there is none.
 std::size_t stepOf(const PageFigure& figure, const Walk& walk);
 /// "Step 11 of 13: End 2 lies above the window …": what stands below it.

@@ -4,9 +4,10 @@
 #include "app/teaching/walk.h"
 
 #include <array>
+#include <optional>
 #include <span>
 
-// How the steps of one algorithm are said: a file in tellers/ and a line in tellers/catalogue.cpp.
+// What a step is said by: a row's own sentences (teaching.h) and those for any algorithm.
 
 namespace app {
 
@@ -14,7 +15,7 @@ namespace app {
 struct Telling {
     const Specimen& specimen;
     const clipping::Step& step;
-    const clipping::Step* before; ///< null: it is the first
+    const clipping::Step* before;          ///< null: it is the first
     std::span<const Variable> variables{}; ///< all that are known by now
     clipping::Edge edge() const { return step.edge; }
     /// "the top edge".
@@ -29,16 +30,8 @@ struct Telling {
     bool holds() const { return step.holds; }
 };
 
-/// One row: how an algorithm's steps are said.
-struct Teller {
-    std::string_view key;                        ///< of the algorithm
-    QString (*sentence)(const Telling& telling); ///< empty: the general words will do
-    std::string_view parameter{}; ///< the value that says how far along the line a cut may be
-    std::array<std::string_view, 2> middle{}; ///< or the two that are the point itself
-};
-std::span<const Teller> tellers();
-
-/// What can be said of any algorithm's step.
+/// What can be said of any algorithm's step, by the lit line of its pseudo-code and the numbers of
+/// its variables: "Is x1 < xmin? -160 < -100: yes."
 QString generalSentence(const Telling& telling);
 
 } // namespace app

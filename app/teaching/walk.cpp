@@ -3,7 +3,7 @@
 
 #include "app/latin.h"
 #include "app/teaching/page.h"
-#include "app/teaching/teller.h"
+#include "app/teaching/teaching.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -76,21 +76,21 @@ std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
     return variables;
 }
 
-std::optional<Point> candidateOf(const Telling& telling, const Teller* teller)
+std::optional<Point> candidateOf(const Telling& telling, const Teaching& teaching)
 {
-    if (!teller || teller->parameter.empty())
+    if (teaching.parameter.empty())
         return std::nullopt;
-    const auto x = telling.value(teller->middle[0]), y = telling.value(teller->middle[1]);
+    const auto x = telling.value(teaching.middle[0]), y = telling.value(teaching.middle[1]);
     if (x && y && std::isfinite(*x) && std::isfinite(*y))
         return Point{*x, *y};
-    const auto t = telling.value(teller->parameter);
+    const auto t = telling.value(teaching.parameter);
     if (!t || !std::isfinite(*t))
         return std::nullopt;
     const auto& [a, b] = telling.specimen.line;
     return a + *t * (b - a);
 }
 
-Moment momentOf(Telling telling, const Teller* teller, const QStringList& ends,
+Moment momentOf(Telling telling, const Teaching& teaching, const QStringList& ends,
                 const Moment* earlier)
 {
     const Step& step = telling.step;
@@ -100,13 +100,10 @@ Moment momentOf(Telling telling, const Teller* teller, const QStringList& ends,
                   .variables = variablesAfter(step, ends, earlier),
                   .left = step.segment,
                   .edge = step.edge,
-                  .candidate = candidateOf(telling, teller),
+                  .candidate = candidateOf(telling, teaching),
                   .cost = step.cost};
     telling.variables = moment.variables;
-    if (teller)
-        moment.sentence = teller->sentence(telling);
-    if (moment.sentence.isEmpty())
-        moment.sentence = generalSentence(telling);
+    moment.sentence = sentenceOf(teaching, telling);
     if (step.what == clipping::What::Test)
         moment.answer = step.holds;
     return moment;
@@ -165,14 +162,12 @@ Walk walkOf(const Specimen& specimen)
     walk.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         walk.visible = trace.visible;
-    const auto rows = tellers();
-    const auto row = std::ranges::find(rows, specimen.clipper.algorithm->key, &Teller::key);
-    const Teller* teller = row == rows.end() ? nullptr : &*row;
+    const Teaching teaching = teachingOf(*specimen.clipper.algorithm);
     const QStringList ends = endsIn(walk.code);
     const Step* before = nullptr;
     for (const Step& step : trace.steps) {
         const Moment* earlier = walk.moments.empty() ? nullptr : &walk.moments.back();
-        Moment moment = momentOf({specimen, step, before}, teller, ends, earlier);
+        Moment moment = momentOf({specimen, step, before}, teaching, ends, earlier);
         walk.moments.push_back(std::move(moment));
         before = &step;
     }

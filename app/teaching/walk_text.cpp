@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
-#include "app/teaching/teller.h"
+#include "app/teaching/walk.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -48,22 +47,6 @@ QString valueText(const Variable& variable)
     default:
         return exactText(variable.value);
     }
-}
-
-QString generalSentence(const Telling& telling)
-{
-    const auto& step = telling.step;
-    const QString edge = telling.edgeText();
-    if (step.what == clipping::What::Accept)
-        return tr("What is left is inside the window: it is visible.");
-    if (step.what == clipping::What::Reject)
-        return edge.isEmpty() ? tr("The line cannot meet the window: nothing of it is visible.")
-                              : tr("The line lies beyond %1: nothing of it is visible.").arg(edge);
-    if (step.what == clipping::What::GiveUp)
-        return tr("It goes round and round: it is stopped here, and nothing is visible.");
-    if (step.what == clipping::What::Cut)
-        return edge.isEmpty() ? tr("The line is cut.") : tr("The line is cut at %1.").arg(edge);
-    return tr("It looks at %1.").arg(latin(step.name));
 }
 
 } // namespace app

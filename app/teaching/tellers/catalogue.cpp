@@ -1,38 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/teller.h"
+#include "app/teaching/teaching.h"
+
+#include <algorithm>
 
 namespace app {
 
 // Each is defined in the file of its algorithm.
-extern const Teller cohenSutherlandTeller;
-extern const Teller liangBarskyTeller;
-extern const Teller cyrusBeckTeller;
-extern const Teller nichollLeeNichollTeller;
-extern const Teller skalaTeller;
-extern const Teller kodituwakkuWijeweeraChamikaraTeller;
-extern const Teller matthesDrakopoulosTeller;
-extern const Teller midpointSubdivisionTeller;
-extern const Teller sobkowPospisilYangTeller;
-extern const Teller slaterBarskyTeller;
-extern const Teller exactTeller;
+extern const Teaching cohenSutherlandTeaching;
+extern const Teaching liangBarskyTeaching;
+extern const Teaching cyrusBeckTeaching;
+extern const Teaching nichollLeeNichollTeaching;
+extern const Teaching skalaTeaching;
+extern const Teaching kodituwakkuWijeweeraChamikaraTeaching;
+extern const Teaching matthesDrakopoulosTeaching;
+extern const Teaching midpointSubdivisionTeaching;
+extern const Teaching sobkowPospisilYangTeaching;
+extern const Teaching slaterBarskyTeaching;
+extern const Teaching exactTeaching;
 
-// THE CATALOGUE. An algorithm without a row is told in general words.
-std::span<const Teller> tellers()
+// THE CATALOGUE. An algorithm without a row has the defaults.
+std::span<const Teaching> teachings()
 {
     static const std::array rows{
-        cohenSutherlandTeller,
-        liangBarskyTeller,
-        cyrusBeckTeller,
-        nichollLeeNichollTeller,
-        skalaTeller,
-        kodituwakkuWijeweeraChamikaraTeller,
-        matthesDrakopoulosTeller,
-        midpointSubdivisionTeller,
-        sobkowPospisilYangTeller,
-        slaterBarskyTeller,
-        exactTeller,
+        cohenSutherlandTeaching,
+        liangBarskyTeaching,
+        cyrusBeckTeaching,
+        nichollLeeNichollTeaching,
+        skalaTeaching,
+        kodituwakkuWijeweeraChamikaraTeaching,
+        matthesDrakopoulosTeaching,
+        midpointSubdivisionTeaching,
+        sobkowPospisilYangTeaching,
+        slaterBarskyTeaching,
+        exactTeaching,
     };
     return rows;
+}
+
+Teaching teachingOf(const clipping::Algorithm& algorithm)
+{
+    const auto rows = teachings();
+    const auto row = std::ranges::find(rows, algorithm.key, &Teaching::key);
+    return row == rows.end() ? Teaching{.key = algorithm.key} : *row;
+}
+
+QString sentenceOf(const Teaching& teaching, const Telling& telling)
+{
+    const QString own = teaching.sentence(telling);
+    return own.isEmpty() ? generalSentence(telling) : own;
 }
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -203,7 +205,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller cohenSutherlandTeller;
-const Teller cohenSutherlandTeller{.key = "cohen-sutherland", .sentence = sentence};
+extern const Teaching cohenSutherlandTeaching;
+const Teaching cohenSutherlandTeaching{
+    .key = "cohen-sutherland",
+    .sentence = sentence,
+    .overlay = outcodeOverlay,
+    .figure = {.line = {{-170, -120}, {130, 60}}}, // an end is cut twice
+};
 
 } // namespace app

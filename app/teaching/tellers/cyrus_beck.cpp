@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 #include "app/teaching/tellers/part.h"
 
@@ -119,7 +121,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller cyrusBeckTeller;
-const Teller cyrusBeckTeller{.key = "cyrus-beck", .sentence = sentence, .parameter = "t"};
+extern const Teaching cyrusBeckTeaching;
+const Teaching cyrusBeckTeaching{
+    .key = "cyrus-beck",
+    .sentence = sentence,
+    .parameter = "t",
+    .overlay = parameterOverlay,
+};
 
 } // namespace app

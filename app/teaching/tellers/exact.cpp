@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/words.h"
 
 #include <QCoreApplication>
@@ -164,7 +166,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller exactTeller;
-const Teller exactTeller{.key = "exact", .sentence = sentence};
+extern const Teaching exactTeaching;
+const Teaching exactTeaching{
+    .key = "exact",
+    .sentence = sentence,
+    .overlay = turnOverlay,
+    .figure = {.line = {{-160, 10}, {-20, 120}}}, // close by a corner
+};
 
 } // namespace app

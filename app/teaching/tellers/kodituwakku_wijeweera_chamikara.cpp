@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -194,8 +196,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller kodituwakkuWijeweeraChamikaraTeller;
-const Teller kodituwakkuWijeweeraChamikaraTeller{.key = "kodituwakku-wijeweera-chamikara",
-                                                 .sentence = sentence};
+extern const Teaching kodituwakkuWijeweeraChamikaraTeaching;
+const Teaching kodituwakkuWijeweeraChamikaraTeaching{
+    .key = "kodituwakku-wijeweera-chamikara",
+    .sentence = sentence,
+    .overlay = pushOverlay,
+    .figure = {.line = {{-150, -110}, {120, 100}}},
+};
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 #include "app/teaching/tellers/part.h"
 
@@ -107,7 +109,13 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller liangBarskyTeller;
-const Teller liangBarskyTeller{.key = "liang-barsky", .sentence = sentence, .parameter = "r"};
+extern const Teaching liangBarskyTeaching;
+const Teaching liangBarskyTeaching{
+    .key = "liang-barsky",
+    .sentence = sentence,
+    .parameter = "r",
+    .overlay = parameterOverlay,
+    .figure = {.mark = Mark::Divide}, // a parameter, and where it is on the line
+};
 
 } // namespace app

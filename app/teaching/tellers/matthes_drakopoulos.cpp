@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -131,7 +133,11 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller matthesDrakopoulosTeller;
-const Teller matthesDrakopoulosTeller{.key = "matthes-drakopoulos", .sentence = sentence};
+extern const Teaching matthesDrakopoulosTeaching;
+const Teaching matthesDrakopoulosTeaching{
+    .key = "matthes-drakopoulos",
+    .sentence = sentence,
+    .overlay = pushOverlay,
+};
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -244,8 +246,14 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller midpointSubdivisionTeller;
-const Teller midpointSubdivisionTeller{
-    .key = "midpoint-subdivision", .sentence = sentence, .parameter = "t", .middle = {"xm", "ym"}};
+extern const Teaching midpointSubdivisionTeaching;
+const Teaching midpointSubdivisionTeaching{
+    .key = "midpoint-subdivision",
+    .sentence = sentence,
+    .parameter = "t",
+    .middle = {"xm", "ym"},
+    .overlay = midpointOverlay,
+    .figure = {.line = {{-40, -10}, {160, 110}}}, // halves without division
+};
 
 } // namespace app

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/latin.h"
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -240,7 +242,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller nichollLeeNichollTeller;
-const Teller nichollLeeNichollTeller{"nicholl-lee-nicholl", sentence};
+extern const Teaching nichollLeeNichollTeaching;
+const Teaching nichollLeeNichollTeaching{
+    .key = "nicholl-lee-nicholl",
+    .sentence = sentence,
+    .overlay = sectorOverlay,
+    .figure = {.line = {{-160, -100}, {150, 20}}},
+};
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 #include "app/teaching/tellers/part.h"
 
@@ -289,7 +291,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller skalaTeller;
-const Teller skalaTeller{.key = "skala", .sentence = sentence};
+extern const Teaching skalaTeaching;
+const Teaching skalaTeaching{
+    .key = "skala",
+    .sentence = sentence,
+    .overlay = signOverlay,
+    .figure = {.line = {{-170, -20}, {60, 140}}}, // two intersections at once
+};
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -292,7 +294,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller slaterBarskyTeller;
-const Teller slaterBarskyTeller{.key = "slater-barsky", .sentence = sentence};
+extern const Teaching slaterBarskyTeaching;
+const Teaching slaterBarskyTeaching{
+    .key = "slater-barsky",
+    .sentence = sentence,
+    .overlay = cellOverlay,
+    .figure = {.line = {{-150, 20}, {140, -40}}},
+};
 
 } // namespace app

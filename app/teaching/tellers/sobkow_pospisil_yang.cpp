@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
@@ -128,7 +130,12 @@ QString sentence(const Telling& telling)
 
 } // namespace
 
-extern const Teller sobkowPospisilYangTeller;
-const Teller sobkowPospisilYangTeller{"sobkow-pospisil-yang", sentence};
+extern const Teaching sobkowPospisilYangTeaching;
+const Teaching sobkowPospisilYangTeaching{
+    .key = "sobkow-pospisil-yang",
+    .sentence = sentence,
+    .overlay = scriptOverlay,
+    .figure = {.line = {{-150, 40}, {20, -120}}},
+};
 
 } // namespace app

@@ -76,13 +76,24 @@ class RegionsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Whether it has an overlay of its own or not: what is seen says something of any line.
     void everyAlgorithmHasItsOverlay()
     {
-        const auto families = app::overlayFamilies();
-        QCOMPARE(families.size(), clipping::algorithms().size());
-        for (const clipping::Algorithm& algorithm : clipping::algorithms())
-            QVERIFY2(std::ranges::count(families, algorithm.key, &app::OverlayFamily::key) == 1,
-                     algorithm.key.data());
+        const Window w{{-4, -3}, {4, 3}};
+        const Segment line{{-6, -1}, {3, 5}};
+        for (const Clipper& clipper : everyForm()) {
+            const Overlay without = app::overlayOf({clipper, w, std::nullopt, {}, everything}),
+                          with = app::overlayOf({clipper, w, line, {}, everything});
+            for (const Overlay* overlay : {&without, &with}) {
+                QVERIFY2(overlay->areas.size() + overlay->lines.size() >= 4,
+                         said(clipper, w, line));
+                QVERIFY2(!overlay->caption.isEmpty(), said(clipper, w, line));
+            }
+            for (const Point& end : {line.a, line.b})
+                QVERIFY2(std::ranges::count(with.marks, end, &app::OverlayMark::at) == 1,
+                         said(clipper, w, line));
+            QVERIFY2(with.caption != without.caption, said(clipper, w, line));
+        }
     }
 
     void theRegionUnderThePointerIsTheLibrarys()

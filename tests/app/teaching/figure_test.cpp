@@ -403,9 +403,8 @@ private slots:
     void pagesHaveTellingFigures()
     {
         for (const auto& algorithm : clipping::algorithms()) {
-            const PageFigure figure = pageFigureOf(algorithm);
-            QCOMPARE(figure.key, algorithm.key);
-            const Walk walk = walkOf(specimenOf(figure));
+            const PageFigure figure = teachingOf(algorithm).figure;
+            const Walk walk = walkOf(pageSpecimen(algorithm));
             QVERIFY2(walk.visible, algorithm.key.data());
             QVERIFY2(walk.moments[stepOf(figure, walk)].mark == figure.mark, algorithm.key.data());
             const QString address = "figure:" + QString::fromUtf8(algorithm.key.data());

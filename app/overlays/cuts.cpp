@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/parts.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+// What can be shown of an algorithm that has no overlay of its own: what its trace tells.
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+/// The lines of the four edges; those that cut the line are lit.
+std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    std::vector<OverlayLine> lines;
+    for (const clipping::Edge edge : windowEdges)
+        if (auto line = border(edge, seeing)) {
+            line->label = edgeName(edge, seeing.y);
+            if (std::ranges::find(moves, edge, &EndMove::edge) != moves.end())
+                line->emphasis = Emphasis::Lit;
+            lines.push_back(*line);
+        }
+    return lines;
+}
+
+OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    OverlayTable table{{tr("cut"), tr("end and edge")}, {}, {}};
+    for (const EndMove& move : moves)
+        table.rows.push_back(
+            {QString::number(table.rows.size() + 1),
+             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, seeing.y))});
+    return table;
+}
+
+QString caption(const Seeing& seeing, std::span<const EndMove> moves)
+{
+    if (!seeing.line)
+        return tr("The lines of the window's four edges. %1").arg(pointAtALine());
+    const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
+    if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
+        return tr("Its steps go round and round: it is stopped.");
+    if (moves.empty())
+        return visible ? tr("Its steps cut nothing: the whole line is visible.")
+                       : tr("Its steps cut nothing, they reject the line: nothing is visible.");
+    QStringList names;
+    for (const EndMove& move : moves)
+        if (const QString edge = edgeWords(move.edge, seeing.y); !names.contains(edge))
+            names << edge;
+    const QString where = names.join(tr(" and "));
+    return visible ? tr("Its steps cut the line at %1: what is left is visible.").arg(where)
+                   : tr("Its steps cut the line at %1, then they reject it: nothing is visible.")
+                         .arg(where);
+}
+
+} // namespace
+
+Overlay traceOverlay(const Seeing& seeing)
+{
+    std::vector<EndMove> moves;
+    if (seeing.line)
+        moves = movesOf(seeing.trace, *seeing.line);
+    constexpr std::size_t enough = 8; // more marks than these would hide each other
+    if (moves.size() > enough)
+        moves.resize(enough);
+    Overlay overlay{.lines = edges(seeing, moves), .caption = caption(seeing, moves)};
+    if (!seeing.line)
+        return overlay;
+    for (OverlayLine& line : moveLines(seeing, moves))
+        overlay.lines.push_back(std::move(line));
+    overlay.marks = moveMarks(seeing, moves);
+    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+        overlay.marks.push_back(std::move(mark));
+    if (!moves.empty())
+        overlay.table = table(seeing, moves);
+    return overlay;
+}
+
+} // namespace app
