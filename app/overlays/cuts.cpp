@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/latin.h"
 #include "app/overlays/parts.h"
 #include "app/teaching/teaching.h"
 
@@ -42,20 +43,21 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 {
     if (!seeing.line)
         return tr("The lines of the window's four edges. %1").arg(pointAtALine());
+    const QString name = latin(seeing.clipper.algorithm->name);
     const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
     if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
-        return tr("Its steps go round and round: it is stopped.");
+        return tr("%1 goes round and round and is stopped: nothing is visible.").arg(name);
     if (moves.empty())
-        return visible ? tr("Its steps cut nothing: the whole line is visible.")
-                       : tr("Its steps cut nothing, they reject the line: nothing is visible.");
-    QStringList names;
+        return (visible ? tr("%1 cuts nothing: the whole line is visible.")
+                        : tr("%1 rejects the line without a cut: nothing is visible."))
+            .arg(name);
+    QStringList edges;
     for (const EndMove& move : moves)
-        if (const QString edge = edgeWords(move.edge, seeing.y); !names.contains(edge))
-            names << edge;
-    const QString where = names.join(tr(" and "));
-    return visible ? tr("Its steps cut the line at %1: what is left is visible.").arg(where)
-                   : tr("Its steps cut the line at %1, then they reject it: nothing is visible.")
-                         .arg(where);
+        if (const QString edge = edgeWords(move.edge, seeing.y); !edges.contains(edge))
+            edges << edge;
+    return (visible ? tr("%1 cuts the line at %2: what is left is visible.")
+                    : tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
+        .arg(name, edges.join(tr(" and ")));
 }
 
 } // namespace

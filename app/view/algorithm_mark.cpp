@@ -103,11 +103,11 @@ const OwnMark* ownMarkOf(const clipping::Algorithm& algorithm)
     return found == all.end() ? nullptr : &*found;
 }
 
-/// The mark of the row of that number, from 0, among those without their own. Hues a golden angle
-/// apart are as different as they can be; stars of so many points are nobody's own.
+/// The mark of the row of that number, from 0, among those without their own: crimson and olive
+/// first, which are no row's own. No row has a star of so many points.
 AlgorithmMark spareMark(int number)
 {
-    const int hue = (25 + 137 * number) % 360;
+    const int hue = (350 + 85 * number) % 360;
     return {QColor::fromHsv(hue, 220, 130), QColor::fromHsv(hue, 110, 245),
             star(6 + number, 0.6, 0)};
 }

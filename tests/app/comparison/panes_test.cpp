@@ -32,6 +32,21 @@ QString words(const Panes& panes)
     return all.join(" ");
 }
 
+/// The panes of all algorithms in the order of the catalogue, the exact one first and
+/// Kodituwakku-Wijeweera-Chamikara in both forms; one of them is shown as `active`.
+QString allOf(const QString& abbreviation, const QString& active)
+{
+    QStringList all{"EX"};
+    for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
+        const QString word = QString::fromStdString(std::string(algorithm.abbreviation));
+        if (&algorithm != &clipping::exactAlgorithm())
+            all << (word == abbreviation ? active : word);
+        if (word == "KWC")
+            all << "KWC'";
+    }
+    return all.join(" ");
+}
+
 bool twice(const Panes& panes)
 {
     std::set<std::pair<const void*, clipping::Form>> seen;
@@ -79,18 +94,18 @@ private slots:
     {
         Panes panes(row("lb"));
         panes.showAll();
-        QCOMPARE(words(panes), "EX CS [LB] CB NLN Skala KWC KWC' MD MS SPY SB");
+        QCOMPARE(words(panes), allOf("LB", "[LB]"));
         panes.choose(row("kwc", published));
         QCOMPARE(panes.active(), std::size_t(7));
         panes.choose(row("cs", published));
-        QCOMPARE(words(panes), "EX [CS'] LB CB NLN Skala KWC KWC' MD MS SPY SB");
+        QCOMPARE(words(panes), allOf("CS", "[CS']"));
         panes.choose(row("cs"));
-        QCOMPARE(words(panes), "EX [CS] LB CB NLN Skala KWC KWC' MD MS SPY SB");
+        QCOMPARE(words(panes), allOf("CS", "[CS]"));
         panes.show(4);
         QCOMPARE(words(panes), "EX [CS] KWC' MD");
         panes.choose(row("sb", published));
         panes.showAll();
-        QCOMPARE(words(panes), "EX CS LB CB NLN Skala KWC KWC' MD MS SPY [SB']");
+        QCOMPARE(words(panes), allOf("SB", "[SB']"));
     }
     void closingLeavesTheOthers()
     {

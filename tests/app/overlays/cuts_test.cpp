@@ -76,12 +76,15 @@ private slots:
         const Clipper md{clipping::findAlgorithm("MD")};
         const Window w{{0, 0}, {4, 3}};
         const auto caption = [&](const Segment& line) { return of(md, w, line).caption; };
-        QCOMPARE(caption({{1, 1}, {2, 2}}), "Its steps cut nothing: the whole line is visible.");
+        const QString name = "Matthes-Drakopoulos ";
+        QCOMPARE(caption({{1, 1}, {2, 2}}), name + "cuts nothing: the whole line is visible.");
         QCOMPARE(caption({{-2, 1}, {-1, 2}}),
-                 "Its steps cut nothing, they reject the line: nothing is visible.");
-        QCOMPARE(caption({{-2, 1}, {6, 1}}), "Its steps cut the line at the left edge and the "
-                                             "right edge: what is left is visible.");
-        QVERIFY(caption({{-2, 2}, {1, 5}}).endsWith("then they reject it: nothing is visible."));
+                 name + "rejects the line without a cut: nothing is visible.");
+        QCOMPARE(caption({{-2, 1}, {6, 1}}),
+                 name
+                     + "cuts the line at the left edge and the right edge: what is left is "
+                       "visible.");
+        QVERIFY(caption({{-2, 2}, {1, 5}}).endsWith("and then rejects it: nothing is visible."));
         const Clipper cs{clipping::findAlgorithm("CS"), clipping::Form::Published};
         QVERIFY(of(cs, {{0.1, 0.1}, {3, 3}}, {{1, 1}, {-1, -1}}).caption.contains("round"));
     }
