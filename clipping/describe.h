@@ -7,8 +7,9 @@
 #include <cassert>
 #include <cmath>
 
-// How one template, `Method::clip<form>`, becomes the uses of an algorithm. Only the files in
-// algorithms/ include this; each ends with `template Algorithm describe<ItsOwnName>();`.
+// How a row's two functions, `Method::published` and `Method::corrected`, become the uses of an
+// algorithm. Only the files in algorithms/ include this; each ends with
+// `template Algorithm describe<ItsOwnName>();`.
 
 namespace clipping {
 
@@ -19,16 +20,6 @@ struct About {
     std::string_view idea;
     double ulps;
 };
-
-/// A test on a line of the pseudo-code, told to the watcher; whether it holds.
-template <class S, class Watch, class... T>
-// NOLINTNEXTLINE(readability-function-size): the test's outcome, and what its step is made of
-constexpr bool asked(bool holds, int line, const S& segment, Edge edge, Watch& watch,
-                     const Named<T>&... values)
-{
-    watch(yesOrNo(holds), line, segment, edge, values...);
-    return holds;
-}
 
 /// Whether the contract promises anything for this input: all finite, and min <= max.
 template <class T, glm::length_t N>
@@ -78,13 +69,11 @@ BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
     return found;
 }
 
-/// Runs one form of a method: its function of that name, or `clip<form>` where one text is both.
+/// Runs one form of a method: its function of that name.
 template <class Method, Form form, class S, class W, class Step>
 constexpr std::optional<S> run(const S& segment, const W& window, Step&& step)
 {
-    if constexpr (requires { Method::template clip<form>(segment, window, step); })
-        return Method::template clip<form>(segment, window, step);
-    else if constexpr (form == Form::Published)
+    if constexpr (form == Form::Published)
         return Method::published(segment, window, step);
     else
         return Method::corrected(segment, window, step);
@@ -183,8 +172,7 @@ BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N
     operations = {};
     BasicRecorder<N> recorder;
     recorder.begin(inDouble(given->segment), inDouble(given->window));
-    const auto piece =
-        run<Method, form>(counted(given->segment), counted(given->window), recorder);
+    const auto piece = run<Method, form>(counted(given->segment), counted(given->window), recorder);
     BasicTrace<N> trace = recorder.take();
     if (piece && trace.outcome != Outcome::DidNotEnd) {
         trace.outcome = Outcome::Visible;
@@ -239,8 +227,8 @@ constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
         return nullptr;
 }
 
-/// The form in three dimensions: what the row names (box/), or its corrected function if that is for
-/// any number of axes; else none.
+/// The form in three dimensions: what the row names (box/), or its corrected function if that is
+/// for any number of axes; else none.
 template <class Method>
 constexpr const Uses<Segment3, Window3>* boxUses()
 {

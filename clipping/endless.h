@@ -9,8 +9,8 @@
 #include <cassert>
 #include <limits>
 
-// How `Method::clip<form, reach>` becomes the uses of an algorithm on lines and rays. A row that
-// has them says `endless`, and writes one text for all three reaches.
+// How `Method::clip<reach>`, a text in algorithms/lines_and_rays/, becomes the uses of an algorithm
+// on lines and rays.
 
 namespace clipping {
 
@@ -43,18 +43,18 @@ template <class Method, Reach reach>
 std::optional<Segment> clipEndless(const Segment& points, const Window& w)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
-        const auto piece = Method::template clip<Form::Corrected, reach>(
-            segmentIn<T>(points), windowIn<T>(w), Unwatched{});
+        const auto piece =
+            Method::template clip<reach>(segmentIn<T>(points), windowIn<T>(w), Unwatched{});
         return piece ? std::optional(inDouble(*piece)) : std::nullopt;
     };
     return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
 }
 template <class Method, Reach reach>
-std::optional<Segment> clipEndlessCounted(const Segment& points, const Window& w, auto& watch)
+std::optional<Segment> clipEndlessCounted(const Segment& points, const Window& w, auto& step)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
-        const auto piece = Method::template clip<Form::Corrected, reach>(
-            segmentIn<Counted<T>>(points), windowIn<Counted<T>>(w), watch);
+        const auto piece = Method::template clip<reach>(segmentIn<Counted<T>>(points),
+                                                        windowIn<Counted<T>>(w), step);
         return piece ? std::optional(inDouble(plain(*piece))) : std::nullopt;
     };
     return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
@@ -98,10 +98,10 @@ template <class Method, Reach reach>
 OperationCounts countManyEndless(std::span<const Endless<reach>> in, const Window& w)
 {
     operations = {};
-    Unwatched watch;
+    Unwatched step;
     for (const auto& [a, b] : in)
         if (isEndless({a, b}, w))
-            clipEndlessCounted<Method, reach>({a, b}, w, watch);
+            clipEndlessCounted<Method, reach>({a, b}, w, step);
     return operations;
 }
 
@@ -128,8 +128,7 @@ constexpr Uses<Endless<reach>, Window, Segment> endlessUses{
     clipOneEndless<Method, reach>, clipManyEndless<Method, reach>, countManyEndless<Method, reach>,
     traceOneEndless<Method, reach>};
 
-/// The form for lines, or for rays; none unless the row names one (algorithms/lines_and_rays/) or
-/// says `endless`.
+/// The form for lines, or for rays; none unless the row names one (algorithms/lines_and_rays/).
 template <class Method, Reach reach>
 constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
 {
@@ -138,9 +137,7 @@ constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
             return Method::line;
         else
             return Method::ray;
-    } else if constexpr (requires { Method::endless; })
-        return &endlessUses<Method, reach>;
-    else
+    } else
         return nullptr;
 }
 

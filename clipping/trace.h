@@ -66,9 +66,6 @@ using Trace = BasicTrace<2>;
 /// They return what they were given, so that a line of the code and its step are one expression:
 /// without a listener `step.test(l, c)` is `(c)`, and `step.let(l, n, v)` is `(v)`.
 struct Unwatched {
-    constexpr void operator()(const auto&...) const {} ///< a step
-    constexpr void didNotEnd() const {}                ///< the run was stopped
-
     /// A question about an edge, or about the two edges of an axis; whether the condition holds.
     constexpr bool test(int, bool condition, Edge = Edge::None, Edge = Edge::None) const
     {
@@ -103,52 +100,10 @@ struct Unwatched {
     }
 };
 
-/// What a test's step is called by a row that does not yet tell in the words above.
-constexpr std::string_view yesOrNo(bool holds) { return holds ? "yes" : "no"; }
-/// What such a row's word means.
-constexpr What whatOf(std::string_view word)
-{
-    return word == "yes" || word == "no" ? What::Test
-           : word.starts_with("cut")     ? What::Cut
-           : word == "accept"            ? What::Accept
-           : word == "reject"            ? What::Reject
-           : word == "give up"           ? What::GiveUp
-                                         : What::Let;
-}
-
-/// A value as an algorithm hands it to its watcher.
-template <class T>
-struct Named {
-    std::string_view name; ///< as in the pseudo-code
-    T value;               ///< counted or not
-};
-template <class T>
-Named(const char*, T) -> Named<T>;
-
 /// Writes every step down. An algorithm hands over what it has; it computes nothing to be watched.
 template <glm::length_t N>
 class BasicRecorder {
 public:
-    /// A step: what was done, on which line of the pseudo-code, what is left of the segment, the
-    /// edge it is about, and what the algorithm had at hand. The cost is the thread's so far.
-    template <class Number, class... T>
-    void operator()(std::string_view what, int line,
-                    const BasicSegment<Counted<Number>, N>& segment, Edge edge,
-                    const Named<T>&... values)
-    {
-        trace_.steps.push_back(
-            {whatOf(what),
-             what == "yes",
-             whatOf(what) == What::Let || what.starts_with("cut ") ? what : std::string_view(),
-             line,
-             inDouble(plain(segment)),
-             edge,
-             {NamedValue{values.name, plain(values.value), kindOf<T>}...},
-             operations});
-    }
-    /// The run was stopped.
-    void didNotEnd() { trace_.outcome = Outcome::DidNotEnd; }
-
     /// What the algorithm begins with.
     void begin(const BasicSegment<double, N>& segment, const BasicWindow<double, N>& window)
     {
@@ -201,7 +156,7 @@ public:
     }
     std::nullopt_t giveUp(int line)
     {
-        didNotEnd();
+        trace_.outcome = Outcome::DidNotEnd;
         return tell({What::GiveUp}, line, Edge::None), std::nullopt;
     }
     std::nullopt_t reject(int line)

@@ -12,8 +12,8 @@
 // ends are those of the visible part, or both are one point, in reach of the last axis but not of
 // another.
 //
-// The lines of the steps are those of the pseudo-code for the plane, which has none for near and
-// far.
+// The lines of the steps are those of the corrected pseudo-code for the plane, which has none for
+// near and far.
 
 #include "clipping/box/moving_end.h"
 #include "clipping/box/uses.h"
@@ -26,13 +26,12 @@ namespace {
 struct MatthesDrakopoulosBox {
     static constexpr int lineOf(Edge side)
     {
-        return side < Edge::Near ? 6 + 3 * static_cast<int>(side) : 0; // 9, 12, 15, 18
+        return side < Edge::Near ? 7 + 3 * static_cast<int>(side) : 0; // 10, 13, 16, 19
     }
 
-    /// Pushes `moving` to the sides it is beyond; `end` is which end of `visible` it is.
-    template <class T, class Watch>
-    static constexpr void push(MovingEnd<T>& moving, glm::vec<3, T> BasicSegment<T, 3>::*end,
-                               BasicSegment<T, 3>& visible, Watch& watch)
+    /// Pushes end number `end` to the sides it is beyond.
+    template <class T, class Step>
+    static constexpr void push(int end, MovingEnd<T>& moving, Step& step)
     {
         for (glm::length_t k = 0; k < 3; ++k) {
             const Edge side = moving.isBelow(k)   ? lowerEdge(k)
@@ -41,35 +40,32 @@ struct MatthesDrakopoulosBox {
             if (side == Edge::None)
                 continue;
             moving.moveTo(side);
-            visible.*end = moving.at();
-            watch("cut", lineOf(side), visible, side);
+            step.cut(lineOf(side), end, moving.at(), side);
         }
     }
 
-    template <Form, class T, class Watch>
+    template <class T, class Step>
     static constexpr std::optional<BasicSegment<T, 3>>
-    clip(const BasicSegment<T, 3>& s, const BasicWindow<T, 3>& w, Watch&& watch)
+    corrected(const BasicSegment<T, 3>& s, const BasicWindow<T, 3>& w, Step&& step)
     {
         for (glm::length_t k = 0; k < 3; ++k)
-            if ((s.a[k] < w.min[k] && s.b[k] < w.min[k])
-                || (s.a[k] > w.max[k] && s.b[k] > w.max[k])) {
-                watch("reject", k < 2 ? 2 + 2 * k : 0, s, Edge::None);
-                return std::nullopt;
-            }
+            if (step.test(k < 2 ? 1 + 2 * k : 0,
+                          (s.a[k] < w.min[k] && s.b[k] < w.min[k])
+                              || (s.a[k] > w.max[k] && s.b[k] > w.max[k]),
+                          lowerEdge(k), upperEdge(k)))
+                return step.reject(k < 2 ? 2 + 2 * k : 0);
         const glm::vec<3, T> d{s.b.x - s.a.x, s.b.y - s.a.y, s.b.z - s.a.z};
         MovingEnd<T> a(s.a, d, w), b(s.b, d, w);
-        BasicSegment<T, 3> visible = s;
-        push(a, &BasicSegment<T, 3>::a, visible, watch);
-        push(b, &BasicSegment<T, 3>::b, visible, watch);
+        push(0, a, step);
+        push(1, b, step);
         constexpr glm::length_t lastAxis = 2; // no question there
         for (glm::length_t k = 0; k < lastAxis; ++k)
-            if ((a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k))) {
-                watch("reject", 20, visible, Edge::None);
-                return std::nullopt;
-            }
-        visible = between(a, b);
-        watch("accept", 21, visible, Edge::None);
-        return visible;
+            if (step.test(20, (a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k)),
+                          lowerEdge(k), upperEdge(k)))
+                return step.reject(21);
+        const BasicSegment<T, 3> visible = between(a, b);
+        step.left(22, visible);
+        return step.accept(23, visible);
     }
 };
 

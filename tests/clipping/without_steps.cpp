@@ -91,5 +91,5 @@ int main(int, char** arguments)
 {
     std::ifstream in(arguments[1]);
     const std::string text{std::istreambuf_iterator(in), {}};
-    std::ofstream(arguments[2]) << "#define watch(...) static_cast<void>(0)\n" << without(text);
+    std::ofstream(arguments[2]) << without(text);
 }

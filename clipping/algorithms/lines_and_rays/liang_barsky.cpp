@@ -14,7 +14,7 @@ namespace clipping {
 namespace {
 
 struct OnLinesAndRays {
-    template <Form, Reach reach, class T, class Step>
+    template <Reach reach, class T, class Step>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Step&& step)
     {

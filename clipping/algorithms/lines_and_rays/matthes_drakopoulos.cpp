@@ -67,7 +67,7 @@ struct OnLinesAndRays {
         return p;
     }
 
-    template <Form, Reach reach, class T, class Step>
+    template <Reach reach, class T, class Step>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Step&& step)
     {

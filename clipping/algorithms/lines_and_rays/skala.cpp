@@ -24,7 +24,7 @@ struct OnLinesAndRays {
                || ((code & outcode::top) && s.b.y >= s.a.y);
     }
 
-    template <Form, Reach reach, class T, class Step>
+    template <Reach reach, class T, class Step>
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Step&& step)
     {
