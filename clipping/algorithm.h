@@ -68,7 +68,7 @@ inline constexpr double polygonUlps = 32;
 /// "Boxes").
 inline constexpr double boxUlps = 48;
 
-/// The two forms of an algorithm: with its published defects mended, and as its authors printed it.
+/// The two forms of an algorithm: with its published defects corrected, and as its authors printed it.
 enum class Form : std::uint8_t { Corrected, Published };
 
 /// One row of the catalogue. A null pointer: there is no such form (`single` is never null).
@@ -79,7 +79,7 @@ struct Algorithm {
     int year;                               ///< of its first publication
     std::string_view idea;                  ///< one sentence
     double ulps;                            ///< k of the contract
-    Uses<Segment, Window> corrected;        ///< what everybody uses: keeps the contract
+    Uses<Segment, Window> corrected;        ///< the form to use: keeps the contract
     const Uses<Segment, Window>* published; ///< as its authors printed it
     const Uses<BasicSegment<float>, BasicWindow<float>>* single; ///< corrected, for float data
     const Uses<Segment, ConvexPolygon>* polygon;         ///< a window that is a convex polygon

@@ -68,7 +68,7 @@ private:
     T value_; // uninitialised on purpose: GLM keeps it in a union
 };
 
-/// The number behind a number: what a watcher shows, never counted.
+/// The number behind a number: what a trace shows, never counted.
 constexpr double plain(double x) { return x; }
 template <class T>
 constexpr double plain(Counted<T> x)

@@ -5,11 +5,9 @@
 #include "clipping/outcode.h"
 
 #include <cassert>
-#include <cmath>
 
 // How a row's two functions, `Method::published` and `Method::corrected`, become the uses of an
-// algorithm. Only the files in algorithms/ include this; each ends with
-// `template Algorithm describe<ItsOwnName>();`.
+// algorithm. The file of a row ends with `template Algorithm describe<ItsOwnName>();`.
 
 namespace clipping {
 

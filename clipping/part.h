@@ -35,7 +35,7 @@ constexpr int lineOn(glm::length_t axis, int line) { return axis < 2 ? line : 0;
 ///     else
 ///       x1 = held(x1),  y1 = held(y1)
 ///
-/// The ends of what has none beyond b, or beyond both, are cut without asking.
+/// A ray's far end and both ends of a line are always cut; nothing is tested there.
 template <Reach reach = Reach::Bounded, class T, glm::length_t N, class Step>
 constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N>& s,
                                     const glm::vec<N, T>& d, const BasicWindow<T, N>& w, int line,

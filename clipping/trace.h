@@ -33,7 +33,7 @@ struct NamedValue {
 /// stopped.
 enum class What : std::uint8_t { Test, Let, Cut, Accept, Reject, GiveUp };
 
-/// One moment in the run of an algorithm.
+/// One step in the run of an algorithm.
 template <glm::length_t N>
 struct BasicStep {
     What what;
@@ -60,7 +60,7 @@ struct BasicTrace {
 };
 using Trace = BasicTrace<2>;
 
-/// Tells nobody and costs nothing: what the fast path hands to an algorithm as its `step`.
+/// Records nothing and costs nothing: what the fast path hands to an algorithm as its `step`.
 ///
 /// The words in which an algorithm tells its steps, each with its line of the form's pseudo-code.
 /// They return what they were given, so that a line of the code and its step are one expression:

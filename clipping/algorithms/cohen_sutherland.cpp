@@ -149,8 +149,8 @@ accept the line from x[1], y[1] to x[2], y[2]
         Edge edge = Edge::None;           ///< that has cut it last
     };
 
-    /// The line that asks whether an end is to be cut at an edge, or one of the three after it; 0
-    /// for Near and Far, which the plane does not have.
+    /// The line of the test for an edge, plus `after`; 0 for Near and Far, which the plane does not
+    /// have.
     static constexpr int lineOf(Edge edge, int after = 0)
     {
         return edge <= Edge::Top ? 27 - 4 * static_cast<int>(edge) + after : 0;
@@ -183,7 +183,8 @@ accept the line from x[1], y[1] to x[2], y[2]
         end.code = step.let(27, codes[end.i], end.code & ~end.done);
     }
 
-    /// Cuts an end at the last edge that its outcode names, `edge` or one before it.
+    /// Finds the edge at which to cut, in the order of lines 11, 15, 19 and 23, and cuts there; in
+    /// space Far and Near come first.
     template <Edge edge, class T, glm::length_t N, class Step>
     static constexpr void cut(End<T, N>& end, const BasicSegment<T, N>& s,
                               const BasicWindow<T, N>& w, Step& step)

@@ -95,6 +95,8 @@ accept the line from x1, y1 to x2, y2
         return step.accept(20, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
+    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
+    // between the window's edges of that axis.
     static constexpr std::string_view correctedCode = R"(
 tE = 0,  tL = 1,  dx = x2-x1,  dy = y2-y1
 for each edge, with a corner (xv, yv) and an inner normal (nx, ny)

@@ -20,7 +20,7 @@
 namespace clipping {
 namespace {
 
-/// The double in which coordinates of type T are computed with, and the way there and back.
+/// Coordinates of type T, computed with in double, and the way there and back.
 template <class T>
 struct Computing {
     using Number = double;
@@ -77,7 +77,7 @@ struct Exact {
         .ulps = 0.5,
     };
 
-    static constexpr bool ours = true; // nothing was published but this
+    static constexpr bool ours = true; // no published form
 
     template <class T>
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,

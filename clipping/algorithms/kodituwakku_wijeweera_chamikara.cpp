@@ -8,9 +8,9 @@
 //
 // Published is the listing of its appendix. It takes a result shorter than one pixel for a miss,
 // and so loses short pieces, steep ones, contacts, and all that lies on an edge. Corrected: every
-// comparison is closed, and a miss is known by position: an end is pushed from an edge that the
-// other end is beyond as well, which for a miss happens to one of them. The slope stays a fraction,
-// each end moves from where it was given, and new ends are held inside the window.
+// comparison is closed. A segment is rejected by position: an end beyond an edge that the other end
+// is beyond, too, proves a miss, and every miss shows this at one of its ends. The slope stays a
+// fraction, each end moves from where it was given, and new ends are held inside the window.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"

@@ -107,6 +107,8 @@ if clipt(-dx, x1-xmin)
         return std::nullopt;
     }
 
+    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
+    // between the window's edges of that axis.
     static constexpr std::string_view correctedCode = R"(
 clipt(p, q):
   if p < 0

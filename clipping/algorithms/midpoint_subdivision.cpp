@@ -15,9 +15,9 @@
 // so it is where both ends are neighbours. A new end takes the coordinate of the edge that the next
 // point is beyond, and is held inside the window.
 //
-// How far off: two points of the last step are 2^-53*D apart, 2 units of README.md, which stands
-// where it has the two differences that one multiplies and divides; so its k = 24 holds here too.
-// An outcode is wrong within 3e, 6 units: a contact of two ends is off by both steps, both outcodes
+// How far off: two points of the last step are 2^-53*D apart, 2 ulps; in README.md they take the
+// place of the two differences in step 1, so its k = 24 holds here too.
+// An outcode is wrong within 3e, 6 ulps: a contact of two ends is off by both steps, both outcodes
 // and the 5 of a way that is added, 4 + 12 + 5 = 21. So it is in three dimensions, where this is
 // far below the k of README.md, "Boxes".
 
@@ -91,7 +91,7 @@ seek(xn, yn, near, xf, yf, far):
         Point<T> near, far;
     };
 
-    /// `line` calls it.
+    /// `line` is that of the call.
     template <class T, class Step>
     static constexpr std::optional<Found<T>>
     seek(int line, const Point<T>& from, const Point<T>& to, const BasicWindow<T>& w, Step& step)
@@ -236,7 +236,7 @@ place(t, s):
     }
 
     /// Halves a bracket until two neighbours are left; nothing if they are beyond one edge. Line
-    /// `line` calls it.
+    /// `line` is that of the call.
     template <class T, glm::length_t N, class Step>
     static constexpr std::optional<Bracket<T>> seek(int line, Bracket<T> bracket,
                                                     const Ways<T, N>& ways, Step& step)
@@ -266,7 +266,7 @@ place(t, s):
         return bracket;
     }
 
-    /// The point at t, which lies on the sides that `sides` names. Line `line` calls it.
+    /// The point at t, which lies on the sides that `sides` names. `line` is that of the call.
     template <class T, glm::length_t N, class Step>
     static constexpr glm::vec<N, T> place(int line, const T& t, unsigned sides,
                                           const BasicSegment<T, N>& s, const BasicWindow<T, N>& w,
@@ -322,7 +322,7 @@ place(t, s):
             if (step.test(18, last && last->near - first->near <= least)) {
                 contact = step.set("contact", true);
                 first->nearCode = step.let(19, "near", first->nearCode | last->codes());
-                if constexpr (N > 2) // the neighbour that was found first; in the plane the other
+                if constexpr (N > 2) // in space both ends take the parameter found first: one point
                     first->near = last->near;
             }
             visible.a = place(20, first->near, first->codes(), s, w, ways, step);

@@ -107,7 +107,7 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
     /// The pseudo-code's names of the corners' answers.
     static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
 
-    /// The cross product of the line p and edge n, which line `line` asks for.
+    /// The cross product of the line p and edge n, for the call on line `line`.
     template <class T, class Step>
     static constexpr Homogeneous<T> meet(int line, int n, const Homogeneous<T>& p,
                                          const BasicWindow<T>& window, Step& step)
@@ -171,6 +171,8 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         return step.accept(27, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
+    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
+    // between the window's edges of that axis.
     static constexpr std::string_view correctedCode = R"(
 code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
 if code1 | code2 == 0000

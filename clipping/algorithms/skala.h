@@ -16,8 +16,8 @@ inline constexpr std::array edgesFromCorners{Edge::Bottom, Edge::Right, Edge::To
 struct Passage {
     int enter, leave;
 };
-/// By the pattern of the corners that lie on the line's left: bit k is that of corner k. Of 0 and
-/// 15 nobody asks, and 5 and 10 cannot be, not even by rounding, which keeps products in order.
+/// By the pattern of the corners that lie on the line's left: bit k is that of corner k. 0 and
+/// 15 are rejected before; 5 and 10 cannot occur, as rounding keeps products in order.
 // clang-format off
 inline constexpr std::array<Passage, 16> passages{{
     {}, {0, 3}, {1, 0}, {1, 3},
@@ -52,7 +52,7 @@ constexpr std::optional<Crossing<T>> crossingOf(const BasicSegment<T>& s, const 
     int c2 = step.let(11, "c[2]", f[2] >= f[1] ? 1 : 0);
     int c3 = step.let(12, "c[3]", f[2] >= f[3] ? 1 : 0);
     auto c = step.let(13, "c", unsigned(c0 + 2 * c1 + 4 * c2 + 8 * c3));
-    if (step.test(14, c == 0b1111)) { // on the line counted for left of it
+    if (step.test(14, c == 0b1111)) { // corners on the line counted as left of it; now they count as right
         c0 = step.let(15, "c[0]", f[0] > f[3] ? 1 : 0);
         c1 = step.let(16, "c[1]", f[0] > f[1] ? 1 : 0);
         c2 = step.let(17, "c[2]", f[2] > f[1] ? 1 : 0);

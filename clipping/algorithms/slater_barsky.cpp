@@ -7,8 +7,7 @@
 //
 // Published is the function CLIPLINE that the program EnergyPlus made of it; we have seen only
 // parts of the paper. CLIPLINE writes the first lines out for each cell, and asks line 22 once for
-// the whole walk. Where line 52 has c <= 3 it asks c == 3, and goes round for ever if y2 is no
-// number. Corrected: a segment along an axis has its ends held inside the window, so that nothing
+// the whole walk. Where line 52 has c <= 3 it asks c == 3, and goes round for ever if y2 is NaN. Corrected: a segment along an axis has its ends held inside the window, so that nothing
 // is divided by 0; a tie at a corner goes towards the window; the sign of dy is asked once; a new
 // end is held inside the window on the side where rounding may have left it outside.
 //
@@ -21,9 +20,9 @@
 // products that start it, one for each step to another cell, two such steps before the last
 // question. Each product is off by 3e of itself, and they add up to t(x) + t(y) <= 2: 6e; three
 // sums of at most 1 are off by e each: 9e in all. A wrong decision therefore needs two points of
-// the segment that are 9e*D apart, D <= 2M being its extent: 18 units. A new end is off by the
-// same, by the quotient's rounding (2 units, for it is no longer than 2M) and by that of the last
-// sum (1): 21 units. Both together are 39, and 40 leaves one for terms of second order.
+// the segment that are 9e*D apart, D <= 2M being its extent: 18 ulps. A new end is off by the
+// same, by the quotient's rounding (2 ulps, for it is no longer than 2M) and by that of the last
+// sum (1): 21 ulps. Both together are 39, and 40 leaves one for terms of second order.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -44,7 +43,7 @@ struct SlaterBarsky {
         .ulps = 40,
     };
 
-    /// The edge in whose line the right side of a cell lies.
+    /// The window's edge on the line of a cell's right side.
     static constexpr Edge rightOf(int c) { return c % 3 == 0 ? Edge::Left : Edge::Right; }
 
     static constexpr std::string_view publishedCode = R"(

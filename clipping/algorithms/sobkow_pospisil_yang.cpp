@@ -67,7 +67,7 @@ struct SobkowPospisilYang {
     template <Form form, class T, class Step>
     static constexpr auto player = players<form, T, Step>();
 
-    /// Of lines for the four edges, one after another, that of an edge.
+    /// The line of an edge, where each of the four has one, from `first` on.
     static constexpr int lineOf(int first, Edge edge) { return first + static_cast<int>(edge) - 1; }
 
     static constexpr std::string_view publishedCode = R"(

@@ -9,12 +9,6 @@
 
 namespace formulas {
 
-/// Rows whose pseudo-code is not yet beside their functions.
-// clang-format off
-inline const std::vector<std::string_view> notYetTold{
-};
-// clang-format on
-
 /// A code that is longer than others may be, and why.
 struct Long {
     std::string_view key;
