@@ -28,7 +28,7 @@ isWanted() { # KEY: on the command line, or nothing is there
     [[ -z $wanted || " $wanted " == *" $1 "* ]]
 }
 wanted=$*
-mapfile -t tests < <(sed -n 's/^\([^#: ]*\): .*/\1/p' "$here/mutants.txt" | sort -u | while read -r key; do
+mapfile -t tests < <(sed -n 's/^\([^#@: ]*\)[^#: ]*: .*/\1/p' "$here/mutants.txt" | sort -u | while read -r key; do
     if isWanted "$key"; then testsOf "$key" | tr ' ' '\n'; fi
 done | sort -u)
 work=$(mktemp -d)
@@ -97,14 +97,18 @@ alive=0 total=0
 while IFS= read -r entry; do
     [[ $entry && $entry != \#* ]] || continue
     key=${entry%%: *} change=${entry#*: }
+    part=${key#*@} key=${key%@*}
     isWanted "$key" || continue
     from=${change%% => *} to=${change#* => }
     file=$(fileOf "$key")
     text=$(<"$root/$file")
-    [[ $text == *"$from"* ]] || { echo "not in $file: $from"; exit 1; }
+    before=
+    [[ $part == "$key" ]] || before=${text%%"$part"Code*}
+    after=${text#"$before"}
+    [[ $after == *"$from"* ]] || { echo "not in $file: $from"; exit 1; }
     rm -rf "$work/tree"
     mkdir -p "$work/tree/$(dirname "$file")"
-    printf '%s\n' "${text/"$from"/"$to"}" >"$work/tree/$file"
+    printf '%s\n' "$before${after/"$from"/"$to"}" >"$work/tree/$file"
     total=$((total + 1))
     if ! compile "$file"; then
         echo "does not compile: $entry"
