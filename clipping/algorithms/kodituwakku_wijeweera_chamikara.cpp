@@ -219,31 +219,24 @@ pushInY(i, yi, yo):
                                                             const BasicWindow<T>& w, Step& step)
     {
         const T dx = step.set("dx", s.b.x - s.a.x), dy = step.let(4, "dy", s.b.y - s.a.y);
-        const auto end1 = push(1, s, {dx, dy}, w, step);
-        if (!end1)
+        BasicSegment<T> visible = s;
+        const auto edge1 = push(1, visible.a, s, {dx, dy}, w, step);
+        if (!edge1)
             return std::nullopt;
-        const auto end2 = push(2, s, {dx, dy}, w, step);
-        if (!end2)
+        const auto edge2 = push(2, visible.b, s, {dx, dy}, w, step);
+        if (!edge2)
             return std::nullopt;
-        const BasicSegment<T> visible{clampedAlong(end1->edge, end1->at, w),
-                                      clampedAlong(end2->edge, end2->at, w)};
+        visible = {clampedAlong(*edge1, visible.a, w), clampedAlong(*edge2, visible.b, w)};
         step.left(7, visible);
         return step.accept(18, visible);
     }
 
-    /// Where an end arrives, and the edge that it was pushed to last.
-    template <class T>
-    struct Pushed {
-        glm::vec<2, T> at;
-        Edge edge = Edge::None;
-    };
-
-    /// Pushes End i to the edges that it is beyond; nothing if the other end is beyond one of them,
-    /// too.
+    /// Pushes End i, which is at `at`, to the edges that it is beyond. The last of them; nothing if
+    /// the other end is beyond one of them, too.
     template <class T, class Step>
-    static constexpr std::optional<Pushed<T>> push(int i, const BasicSegment<T>& s,
-                                                   const glm::vec<2, T>& d, const BasicWindow<T>& w,
-                                                   Step& step)
+    static constexpr std::optional<Edge> push(int i, glm::vec<2, T>& at, const BasicSegment<T>& s,
+                                              const glm::vec<2, T>& d, const BasicWindow<T>& w,
+                                              Step& step)
     {
         const T dx = d.x, dy = d.y;
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
@@ -252,35 +245,35 @@ pushInY(i, yi, yo):
         bool moved = step.set("moved", false);
         const T xi = step.set("xi", end.x), yi = step.set("yi", end.y);
         const T xo = step.set("xo", other.x), yo = step.let(4 + i, "yo", other.y);
-        Pushed<T> pushed{end};
+        Edge edge = Edge::None;
         T rise(0);
         if (step.test(21, xi < xmin, Edge::Left)) {
             if (step.test(22, xo < xmin, Edge::Left))
                 return step.reject(22);
             rise = step.let(23, "rise", dy * (xmin - xi) / dx, Edge::Left);
-            pushed = {{xmin, yi + rise}, Edge::Left}, moved = step.set("moved", true);
-            step.cut(24, i - 1, pushed.at, Edge::Left);
+            at = {xmin, yi + rise}, edge = Edge::Left, moved = step.set("moved", true);
+            step.cut(24, i - 1, at, edge);
         } else if (step.test(25, xi > xmax, Edge::Right)) {
             if (step.test(26, xo > xmax, Edge::Right))
                 return step.reject(26);
             rise = step.let(27, "rise", dy * (xmax - xi) / dx, Edge::Right);
-            pushed = {{xmax, yi + rise}, Edge::Right}, moved = step.set("moved", true);
-            step.cut(28, i - 1, pushed.at, Edge::Right);
+            at = {xmax, yi + rise}, edge = Edge::Right, moved = step.set("moved", true);
+            step.cut(28, i - 1, at, edge);
         }
         if (step.test(29, moved ? rise < ymin - yi : yi < ymin, Edge::Bottom)) {
             if (step.test(30, yo < ymin, Edge::Bottom))
                 return step.reject(30);
             const T run = step.let(31, "run", dx * (ymin - yi) / dy, Edge::Bottom);
-            pushed = {{xi + run, ymin}, Edge::Bottom};
-            step.cut(32, i - 1, pushed.at, Edge::Bottom);
+            at = {xi + run, ymin}, edge = Edge::Bottom;
+            step.cut(32, i - 1, at, edge);
         } else if (step.test(33, moved ? rise > ymax - yi : yi > ymax, Edge::Top)) {
             if (step.test(34, yo > ymax, Edge::Top))
                 return step.reject(34);
             const T run = step.let(35, "run", dx * (ymax - yi) / dy, Edge::Top);
-            pushed = {{xi + run, ymax}, Edge::Top};
-            step.cut(36, i - 1, pushed.at, Edge::Top);
+            at = {xi + run, ymax}, edge = Edge::Top;
+            step.cut(36, i - 1, at, edge);
         }
-        return pushed;
+        return edge;
     }
 
     /// A line along x (axis 0: lines 10 and 11) or y (axis 1: lines 16 and 17) that runs between

@@ -80,12 +80,12 @@ template <class T>
 constexpr glm::vec<2, T> crossedAt(int k, const Crossing<T>& line, const glm::vec<2, T>& a,
                                    const BasicWindow<T>& w)
 {
-    const Edge edge = edgesFromCorners[k];
-    const T level = levelOf(edge, w), product = line.f[k];
-    return clampedAlong(edge,
-                        axisOf(edge) == 0 ? glm::vec<2, T>{level, a.y + product / line.d.x}
-                                          : glm::vec<2, T>{a.x + product / line.d.y, level},
-                        w);
+    const T product = line.f[k];
+    return clampedAlong(
+        edgesFromCorners[k],
+        k % 2 == 0 ? glm::vec<2, T>{a.x + product / line.d.y, k == 0 ? w.min.y : w.max.y}
+                   : glm::vec<2, T>{k == 1 ? w.max.x : w.min.x, a.y + product / line.d.x},
+        w);
 }
 
 } // namespace clipping
