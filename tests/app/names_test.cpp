@@ -21,7 +21,7 @@ void addTypesOf(const QString& path, Places& places)
     static const QRegularExpression opens(
         QStringLiteral(R"(^(?:inline )?namespace\s*([\w:]*)\s*\{)"));
     static const QRegularExpression defines(
-        QStringLiteral(R"(^(?:struct|class|enum|enum class)\s+(\w+)(?:\s+final)?\s*(?::.*)?\{)"));
+        QStringLiteral(R"(^(?:struct|class|enum|enum class)\s+(\w+)(?:\s+final)?\s*(?::[^:].*)?\{)"));
     QFile file(path);
     QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
     QStringList within;
