@@ -38,6 +38,13 @@ double area(const std::vector<Point>& polygon)
 
 } // namespace
 
+bool isBeyond(const Point& p, Edge edge, const Window& window)
+{
+    const auto axis = clipping::axisOf(edge);
+    const double level = clipping::levelOf(edge, window);
+    return edge == clipping::lowerEdge(axis) ? p[axis] < level : p[axis] > level;
+}
+
 HalfPlane beyond(Edge edge, const Window& window)
 {
     const bool low = edge == clipping::lowerEdge(clipping::axisOf(edge));

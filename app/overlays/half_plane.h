@@ -15,6 +15,8 @@ struct HalfPlane {
     HalfPlane other() const { return {on, -normal}; }
 };
 
+/// Whether a point lies strictly beyond an edge of the window. Not for Edge::None.
+bool isBeyond(const Point& p, clipping::Edge edge, const clipping::Window& window);
 /// What lies beyond an edge of the window.
 HalfPlane beyond(clipping::Edge edge, const clipping::Window& window);
 /// The side of the line through `from` and `through` that `inside` lies in; the whole plane where

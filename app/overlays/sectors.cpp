@@ -45,7 +45,7 @@ public:
     Around(const Point& eye, const Seeing& seeing) : eye_(eye), seeing_(seeing)
     {
         for (const Edge edge : windowEdges)
-            if (isBeyond(edge))
+            if (isBeyond(eye, edge, seeing.window))
                 facing_.push_back(edge);
     }
 
@@ -74,12 +74,6 @@ public:
     }
 
 private:
-    bool isBeyond(Edge edge) const
-    {
-        const auto axis = clipping::axisOf(edge);
-        const double level = clipping::levelOf(edge, seeing_.window);
-        return edge == clipping::lowerEdge(axis) ? eye_[axis] < level : eye_[axis] > level;
-    }
     /// The wedge in which the eye sees an edge.
     void addWedge(std::vector<HalfPlane>& halves, Edge edge) const
     {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/corner_signs.h"
 #include "app/overlays/parts.h"
 
 #include <QCoreApplication>
 
 namespace app {
 
-using clipping::Edge;
-
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
-
-/// Skala's edges e0 to e3; edge k joins corner k to the next.
-constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
 /// The corners whose bits are set lie on the line's left, where y points up. Nothing: it was not
 /// asked, because the outcodes had decided.
@@ -40,9 +36,8 @@ QString crossedBy(unsigned pattern, YAxis y)
     if (isImpossible(pattern))
         return tr("impossible");
     QStringList crossed;
-    for (unsigned k = 0; k < 4; ++k)
-        if ((pattern >> k & 1U) != (pattern >> (k + 1) % 4 & 1U))
-            crossed << edgeName(edges[k], y);
+    for (const clipping::Edge edge : crossedEdges(pattern))
+        crossed << edgeName(edge, y);
     return crossed.isEmpty() ? tr("none") : crossed.join(tr(", "));
 }
 
@@ -90,8 +85,6 @@ QString caption(const Seeing& seeing, std::optional<unsigned> pattern)
     const QString signs = tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
                               .arg(*pattern)
                               .arg(bitsOf(*pattern));
-    if (isImpossible(*pattern))
-        return signs + tr("no line does that, only rounding.");
     return signs
            + (crossedBy(*pattern, seeing.y) == crossedBy(0, seeing.y)
                   ? tr("all corners lie on one side, nothing is visible.")
