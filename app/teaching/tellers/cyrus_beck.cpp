@@ -39,8 +39,8 @@ QString asked(const Telling& telling)
                          "rest of the line: this edge cuts nothing."))
             .arg(edge, knownNumber(telling, "N"));
     case 9:
-        return (telling.holds() ? tr("D = %1 is greater than 0: at %2 the line comes in.")
-                                : tr("D = %1 is less than 0: at %2 the line goes out."))
+        return (telling.holds() ? tr("D = %1 is greater than 0: at %2 the line enters.")
+                                : tr("D = %1 is less than 0: at %2 the line leaves."))
             .arg(knownNumber(telling, "D"), edge);
     case 10:
         return (telling.holds()
@@ -59,7 +59,7 @@ QString asked(const Telling& telling)
 QString concluded(const Telling& telling)
 {
     if (telling.holds())
-        return tr("The line goes out before it comes in (tE > tL: %1).")
+        return tr("The line leaves before it enters (tE > tL: %1).")
             .arg(knownCompared(telling, "tE", "tL"));
     return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): what lies "
               "between them is visible.")

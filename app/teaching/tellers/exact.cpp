@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
+#include "app/overlays/half_plane.h"
 #include "app/teaching/teaching.h"
 #include "app/teaching/tellers/words.h"
 
@@ -18,12 +19,6 @@ struct Side {
     Edge x, y;             ///< those that the line passes there
     bool beyondX, beyondY; ///< whether the end lies beyond them
 };
-
-bool isBeyond(const Point& p, Edge edge, const clipping::Window& w)
-{
-    const double v = p[clipping::axisOf(edge)], level = clipping::levelOf(edge, w);
-    return edge == clipping::lowerEdge(clipping::axisOf(edge)) ? v < level : v > level;
-}
 
 Side sideOf(const Point& p, Edge x, Edge y, const clipping::Window& w)
 {
@@ -101,8 +96,9 @@ QString corner(const Telling& telling)
         return tr("The line reaches %2 no later than %1: the corner between them does not keep it "
                   "out. That is certain, whatever the rounding.")
             .arg(exit, entry);
-    return tr("The line need not come in at %2 and go out at %1, so the corner between them cannot "
-              "keep it out.")
+    return tr("The line need not enter at %2 and leave at %1, so the corner between them cannot "
+              "keep "
+              "it out.")
         .arg(exit, entry);
 }
 
@@ -124,15 +120,16 @@ QString cutWhere(const Telling& telling)
         return tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
     if (entering)
         return (telling.holds()
-                    ? tr("Of the two edges that it enters by, %1 comes after %2: End 1 is cut "
-                         "there.")
-                    : tr("Of the two edges that it enters by, %2 comes later than %1: it "
-                         "is not cut at %1."))
+                    ? tr("Of the two edges that the line enters by, it passes %1 no earlier than "
+                         "%2: End 1 is cut at %1.")
+                    : tr("Of the two edges that the line enters by, it passes %2 later than %1: "
+                         "End 1 is not cut at %1."))
             .arg(x, y);
     return (telling.holds()
-                ? tr("Of the two edges that it leaves by, %1 comes before %2: End 2 is cut there.")
-                : tr(
-                    "Of the two edges that it leaves by, %2 comes before %1: it is not cut at %1."))
+                ? tr("Of the two edges that the line leaves by, it passes %1 no later than %2: "
+                     "End 2 is cut at %1.")
+                : tr("Of the two edges that the line leaves by, it passes %2 before %1: End 2 is "
+                     "not cut at %1."))
         .arg(x, y);
 }
 

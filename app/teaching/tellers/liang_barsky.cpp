@@ -31,11 +31,11 @@ QString direction(const Telling& telling)
                          "does all of the line: this edge cuts nothing."))
             .arg(edge, knownNumber(telling, "q"));
     if (telling.step.line == 7)
-        return (telling.holds() ? tr("p = %1 is greater than 0: at %2 the line goes out.")
+        return (telling.holds() ? tr("p = %1 is greater than 0: at %2 the line leaves.")
                                 : tr("p = %1: the line runs along %2 and never crosses it."))
             .arg(p, edge);
-    return (telling.holds() ? tr("p = %1 is less than 0: at %2 the line comes in.")
-                            : tr("p = %1 is not less than 0: at %2 the line does not come in."))
+    return (telling.holds() ? tr("p = %1 is less than 0: at %2 the line enters.")
+                            : tr("p = %1 is not less than 0: at %2 the line does not enter."))
         .arg(p, edge);
 }
 
@@ -48,15 +48,15 @@ QString crossing(const Telling& telling)
     switch (telling.step.line) {
     case 4:
         return telling.holds()
-                   ? tr("It would come in at %1 only after it has gone out at another edge (%2).")
+                   ? tr("It would enter at %1 only after it has left at another edge (%2).")
                          .arg(edge, toStop)
-                   : tr("It comes in before it goes out (%1), so something may be left.")
+                   : tr("It enters before it leaves (%1), so something may be visible.")
                          .arg(toStop);
     case 9:
         return telling.holds()
-                   ? tr("It has gone out at %1 before it comes in at another edge (%2).")
+                   ? tr("It has left at %1 before it enters at another edge (%2).")
                          .arg(edge, toStart)
-                   : tr("It goes out after it has come in (%1), so something may be left.")
+                   : tr("It leaves after it has entered (%1), so something may be visible.")
                          .arg(toStart);
     case 5:
         return (telling.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
@@ -71,15 +71,26 @@ QString crossing(const Telling& telling)
     }
 }
 
+/// What the signs of p and q say of the line at an edge.
+QString atEdge(const Telling& telling)
+{
+    const double p = telling.known("p").value_or(0), q = telling.known("q").value_or(0);
+    const QString way = p < 0   ? tr("At %1, p = %2 < 0: the line enters.")
+                        : p > 0 ? tr("At %1, p = %2 > 0: the line leaves.")
+                                : tr("At %1, p = %2: the line runs along it.");
+    return way.arg(telling.edgeText(), words::number(p)) + u' '
+           + (q < 0 ? tr("q = %1 < 0: End 1 is outside that edge.")
+                    : tr("q = %1: End 1 is inside that edge."))
+                 .arg(words::number(q));
+}
+
 /// A variable gets its value at an edge, on lines 1 to 12 or where they are called.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;
     const QString edge = telling.edgeText();
     if (name == "q")
-        return tr("The line goes out across %1 at the rate p = %2 (less than 0: it comes in), and "
-                  "End 1 lies q = %3 inside (less than 0: outside).")
-            .arg(edge, knownNumber(telling, "p"), knownNumber(telling, "q"));
+        return atEdge(telling);
     if (name == "u0")
         return tr("What is left begins at %1, with u0 = %2.").arg(edge, knownNumber(telling, "u0"));
     if (name == "u1")

@@ -395,43 +395,42 @@ private slots:
     }
     void liangBarsky()
     {
-        const QString seen(
-            "%1: The line goes out across the %2 edge at the rate p = %3 (less than 0: "
-            "it comes in), and End 1 lies q = %4 inside (less than 0: outside).");
+        const QString entry("%1: At the %2 edge, p = %3 < 0: the line enters. %4");
+        const QString exit("%1: At the %2 edge, p = %3 > 0: the line leaves. %4");
         compareLists(
             sentences("lb:published", across),
             {"13: The whole line is left, from u0 = 0 (End 1) to u1 = 1 (End 2). From End 1 to End "
              "2 "
              "it goes 230 in x.",
-             seen.arg("14", "left", "−230", "−60"),
-             "2: p = −230 is less than 0: at the left edge the line comes in.",
+             entry.arg("14", "left", "−230", "q = −60 < 0: End 1 is outside that edge."),
+             "2: p = −230 is less than 0: at the left edge the line enters.",
              "3: The line enters across the left edge at r = q/p = 0.26087 (0 is End 1, 1 is End "
              "2).",
-             "4: It comes in before it goes out (0.26087 < 1), so something may be left.",
+             "4: It enters before it leaves (0.26087 < 1), so something may be visible.",
              "5: Of all entries so far, the one at the left edge is the last (0.26087 > 0).",
              "6: What is left begins at the left edge, with u0 = 0.26087.",
-             seen.arg("15", "right", "230", "260"),
-             "2: p = 230 is not less than 0: at the right edge the line does not come in.",
-             "7: p = 230 is greater than 0: at the right edge the line goes out.",
+             exit.arg("15", "right", "230", "q = 260: End 1 is inside that edge."),
+             "2: p = 230 is not less than 0: at the right edge the line does not enter.",
+             "7: p = 230 is greater than 0: at the right edge the line leaves.",
              "8: The line leaves across the right edge at r = q/p = 1.13043 (0 is End 1, 1 is End "
              "2).",
-             "9: It goes out after it has come in (1.13043 > 0.26087), so something may be left.",
+             "9: It leaves after it has entered (1.13043 > 0.26087), so something may be visible.",
              "10: The part that is left ends before that (1.13043 > 1): the right edge cuts "
              "nothing off.",
              "16: From End 1 to End 2 it goes 160 in y.",
-             seen.arg("17", "bottom", "−160", "45"),
-             "2: p = −160 is less than 0: at the bottom edge the line comes in.",
+             entry.arg("17", "bottom", "−160", "q = 45: End 1 is inside that edge."),
+             "2: p = −160 is less than 0: at the bottom edge the line enters.",
              "3: The line enters across the bottom edge at r = q/p = −0.28125 (0 is End 1, 1 is "
              "End 2).",
-             "4: It comes in before it goes out (−0.28125 < 1), so something may be left.",
+             "4: It enters before it leaves (−0.28125 < 1), so something may be visible.",
              "5: The part that is left begins later than that (−0.28125 < 0.26087): the bottom "
              "edge cuts nothing off.",
-             seen.arg("18", "top", "160", "105"),
-             "2: p = 160 is not less than 0: at the top edge the line does not come in.",
-             "7: p = 160 is greater than 0: at the top edge the line goes out.",
+             exit.arg("18", "top", "160", "q = 105: End 1 is inside that edge."),
+             "2: p = 160 is not less than 0: at the top edge the line does not enter.",
+             "7: p = 160 is greater than 0: at the top edge the line leaves.",
              "8: The line leaves across the top edge at r = q/p = 0.65625 (0 is End 1, 1 is End "
              "2).",
-             "9: It goes out after it has come in (0.65625 > 0.26087), so something may be left.",
+             "9: It leaves after it has entered (0.65625 > 0.26087), so something may be visible.",
              "10: Of all exits so far, the one at the top edge is the first (0.65625 < 1).",
              "11: What is left ends at the top edge, with u1 = 0.65625.",
              "19: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
@@ -469,8 +468,8 @@ private slots:
                       "30: Both ends lie inside the window, so all of the line is visible."});
         const auto missing = sentences("lb:published", {{-200, 50}, {0, 150}});
         compareLists(missing.last(2),
-                     {"9: It has gone out at the top edge before it comes in at another edge (0.25 "
-                      "< 0.5).",
+                     {"9: It has left at the top edge before it enters at another edge (0.25 < "
+                      "0.5).",
                       "9: Nothing of the line is visible."});
     }
     /// The published normals are as long as the edges, 200 and 150.
@@ -501,22 +500,22 @@ private slots:
                 "1: The whole line is left, from tE = 0 (End 1) to tL = 1 (End 2). From End "
                 "1 to End 2 it goes 230 in x and 160 in y."}
                 + edge("bottom", "0, 200", "32000", "9000", "−0.28125")
-                + QStringList{"10: D = 32000 is greater than 0: at the bottom edge the line comes "
-                              "in.",
+                + QStringList{"10: D = 32000 is greater than 0: at the bottom edge the line "
+                              "enters.",
                               "11: What is left begins no earlier than that (−0.28125 < 0): the "
                               "bottom edge cuts nothing off."}
                 + edge("right", "−150, 0", "−34500", "39000", "1.13043")
-                + QStringList{"10: D = −34500 is less than 0: at the right edge the line goes out.",
+                + QStringList{"10: D = −34500 is less than 0: at the right edge the line leaves.",
                               "13: What is left ends no later than that (1.13043 > 1): the right "
                               "edge cuts nothing off."}
                 + edge("top", "0, −200", "−32000", "21000", "0.65625")
-                + QStringList{"10: D = −32000 is less than 0: at the top edge the line goes out.",
+                + QStringList{"10: D = −32000 is less than 0: at the top edge the line leaves.",
                               "13: Of all exits so far, the one at the top edge is the first "
                               "(0.65625 < 1).",
                               "14: What is left ends at the top edge, with tL = 0.65625."}
                 + edge("left", "150, 0", "34500", "−9000", "0.26087")
                 + QStringList{
-                    "10: D = 34500 is greater than 0: at the left edge the line comes in.",
+                    "10: D = 34500 is greater than 0: at the left edge the line enters.",
                     "11: Of all entries so far, the one at the left edge is the last (0.26087 > "
                     "0).",
                     "12: What is left begins at the left edge, with tE = 0.26087.",
@@ -555,7 +554,7 @@ private slots:
              "12: End 2 is beyond the top edge (130 > 75).",
              "13: The line reaches the left edge no later than the top edge: the corner between "
              "them does not keep it out. That is certain, whatever the rounding.",
-             "15: The line need not come in at the bottom edge and go out at the right edge, so "
+             "15: The line need not enter at the bottom edge and leave at the right edge, so "
              "the corner between them cannot keep it out.",
              "17: End 1 is beyond the left edge and no other edge: it is cut there.",
              "18: End 1 moves along the line to the left edge, to (−100, 11.7391): the true point, "
