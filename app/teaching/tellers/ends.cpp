@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/tellers/ends.h"
 
+#include "app/overlays/half_plane.h"
 #include "clipping/outcode.h"
 
 #include <QCoreApplication>
@@ -50,11 +51,8 @@ Point endOf(int number, const Telling& telling)
 
 bool isBeyond(const Telling& telling, int number, Edge edge)
 {
-    if (edge == Edge::None)
-        return false;
-    const double value = endOf(number, telling)[clipping::axisOf(edge)];
-    const double level = clipping::levelOf(edge, telling.specimen.window);
-    return edge == clipping::lowerEdge(clipping::axisOf(edge)) ? value < level : value > level;
+    return edge != Edge::None
+           && app::isBeyond(endOf(number, telling), edge, telling.specimen.window);
 }
 
 QString whetherBeyond(const Telling& telling, int number)
@@ -65,6 +63,11 @@ QString whetherBeyond(const Telling& telling, int number)
     return isBeyond(telling, number, telling.edge())
                ? tr("%1 lies %2 (%3)").arg(end(number), side, relation)
                : tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
+}
+
+bool asksTheWay(const Telling& telling)
+{
+    return telling.known("moved") == 1 && clipping::axisOf(telling.edge()) == 1;
 }
 
 QString whetherPassed(const Telling& telling, int number)
@@ -111,6 +114,13 @@ QString outcodes(const Telling& telling)
     };
     return tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
         .arg(code("code1"), code("code2"), outcodeBits());
+}
+
+QString productsTooLarge(const QString& products, const QString& corner)
+{
+    return tr("The products are too large for a number (%1): what they say of %2 means nothing, "
+              "but it is believed.")
+        .arg(products, corner);
 }
 
 QString value(const Telling& telling, std::string_view name)

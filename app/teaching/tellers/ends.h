@@ -15,8 +15,10 @@ bool isBeyond(const Telling& telling, int number, clipping::Edge edge);
 /// The answer to whether an end is beyond the step's edge: "End 2 lies above the window (130 > 75)"
 /// or "End 2 does not lie above the window (60 < 75)"; without a full stop.
 QString whetherBeyond(const Telling& telling, int number);
-/// The same of an end of a corrected form that has been moved in x: it asks about the way that the
-/// end has risen (rise), from where it was given (yi), and not about the rounded place.
+/// Whether a corrected form's test is about the way that an end moved in x has risen (rise), from
+/// where it was given (yi), and not about the rounded place.
+bool asksTheWay(const Telling& telling);
+/// The answer to such a test.
 QString whetherPassed(const Telling& telling, int number);
 /// Why nothing is visible if both ends of the given line lie beyond the step's edge or, where that
 /// is none, beyond any.
@@ -25,6 +27,10 @@ QString bothBeyond(const Telling& telling);
 QString corner(clipping::Edge one, clipping::Edge other, YAxis y);
 /// "End 1 is 0001, End 2 is 1000": of the values code1 and code2.
 QString outcodes(const Telling& telling);
+
+/// What an overflow means for a question about a corner of the window; `products`: their
+/// comparison.
+QString productsTooLarge(const QString& products, const QString& corner);
 
 /// A value that the algorithm had at hand, in six digits; empty: it has none of that name.
 QString value(const Telling& telling, std::string_view name);

@@ -79,7 +79,7 @@ QString tooShort(const Telling& telling, glm::length_t axis)
 /// Whether an end must be pushed to the step's edge.
 QString push(const Telling& telling, int number)
 {
-    if (telling.known("moved") == 1 && clipping::axisOf(telling.edge()) == 1)
+    if (words::asksTheWay(telling))
         return words::whetherPassed(telling, number);
     return telling.holds() ? tr("%1, so it is pushed to %2.")
                                  .arg(words::whetherBeyond(telling, number), telling.edgeText())
@@ -91,7 +91,7 @@ QString other(const Telling& telling)
 {
     const QString where = words::beyond(telling.edge(), telling.specimen.y);
     return telling.holds() ? tr("The other end lies %1, too.").arg(where)
-                           : tr("The other end does not lie %1: the line crosses %2.")
+                           : tr("The other end does not lie %1, so %2 does not rule the line out.")
                                  .arg(where, telling.edgeText());
 }
 

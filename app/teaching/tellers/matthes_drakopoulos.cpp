@@ -39,7 +39,7 @@ QString oneBeyond(const Telling& telling, int number)
 {
     const Edge edge = telling.edge();
     const auto& p = number == 1 ? telling.step.segment.a : telling.step.segment.b;
-    if (telling.known("moved") == 1 && clipping::axisOf(edge) == 1)
+    if (words::asksTheWay(telling))
         return words::whetherPassed(telling, number);
     const QString where = words::beyond(edge, telling.specimen.y), end = words::end(number);
     const QString numbers = words::compared(p, edge, telling.specimen.window);

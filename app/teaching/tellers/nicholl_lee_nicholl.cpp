@@ -58,13 +58,13 @@ QString whereEndOneIs(const Telling& telling)
                    : tr("%1.").arg(beyond);
     switch (telling.step.line) {
     case 3:
-        return tr("%1: the plane will be turned by half, so that right becomes left and one "
-                  "procedure does for both.")
+        return tr("%1: the plane will be turned by 180°, so that right becomes left and one "
+                  "procedure serves both sides.")
             .arg(beyond);
     case 51:
     case 52:
-        return tr("%1, neither left nor right of it: the plane will be turned by a quarter, so "
-                  "that this side becomes the left one.")
+        return tr("%1, neither left nor right of it: the plane will be turned by 90°, so that "
+                  "this side becomes the left one.")
             .arg(beyond);
     case 10:
         return tr("%1, beyond a corner: the plane will be mirrored, so that this becomes the "
@@ -88,9 +88,9 @@ QString whereEndTwoIs(const Telling& telling)
         return tr("%1, and so does End 1.").arg(beyond);
     case 21:
     case 34:
-        return tr("%1: it must be asked whether the line passes the window there.").arg(beyond);
+        return tr("%1: it must be asked whether the line misses the window there.").arg(beyond);
     case 35:
-        return tr("%1: the plane will be mirrored, so that one procedure does for both sides.")
+        return tr("%1: the plane will be mirrored, so that one procedure serves both sides.")
             .arg(beyond);
     case 22:
     case 38:
@@ -101,10 +101,10 @@ QString whereEndTwoIs(const Telling& telling)
         return tr("%1: the line could leave through either of two edges.").arg(beyond);
     case 63:
         return tr("%1: the line could leave through either of two edges. The plane will be turned "
-                  "by a quarter.")
+                  "by 90°.")
             .arg(beyond);
     case 56:
-        return tr("%1: the plane will be turned by half, so that right becomes left.").arg(beyond);
+        return tr("%1: the plane will be turned by 180°, so that right becomes left.").arg(beyond);
     default:
         return tr("%1: the line must leave the window.").arg(beyond);
     }
@@ -140,9 +140,7 @@ QString passesCorner(const Telling& telling, const CornerTest& test)
     const QString relation = words::compared(first, second);
     const QString through = telling.holds() ? corner.edge : corner.other;
     if (!std::isfinite(first) || !std::isfinite(second))
-        return tr("The products are too large for a number (%1): what they say of %2 means "
-                  "nothing, but it is believed.")
-            .arg(relation, corner.name);
+        return words::productsTooLarge(relation, corner.name);
     if (test.asks == CornerTest::Enters)
         return tr("Slopes are compared as products, without a division (%1): the line passes %2 on "
                   "the side of %3. Only there can it enter.")
@@ -183,10 +181,9 @@ QString extent(const Telling& telling)
 {
     const Point d = telling.specimen.line.b - telling.specimen.line.a;
     const bool changed = telling.value("dx") != d.x || telling.value("dy") != d.y;
-    return (changed
-                ? tr("How far it is from End 1 to End 2 in the plane as it is turned or scaled: "
-                     "dx = %1, dy = %2.")
-                : tr("How far it is from End 1 to End 2: dx = %1, dy = %2."))
+    return (changed ? tr("How far it is from End 1 to End 2 in the plane as it is now: dx = %1, "
+                         "dy = %2.")
+                    : tr("How far it is from End 1 to End 2: dx = %1, dy = %2."))
         .arg(words::value(telling, "dx"), words::value(telling, "dy"));
 }
 
@@ -196,7 +193,8 @@ QString turned(const Telling& telling)
     const auto end = [&](const char* x, const char* y) {
         return words::point({telling.value(x).value_or(0), telling.value(y).value_or(0)});
     };
-    return tr("For this procedure End 1 is at %1 and End 2 at %2. The picture stays as it is.")
+    return tr("In the plane of this procedure End 1 is at %1 and End 2 at %2. The picture is not "
+              "turned.")
         .arg(end("x1", "y1"), end("x2", "y2"));
 }
 

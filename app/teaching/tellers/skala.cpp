@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/corner_signs.h"
 #include "app/overlays/family.h"
 #include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"
@@ -13,15 +14,12 @@
 
 namespace app {
 
-using clipping::Edge, clipping::What;
+using clipping::What;
 using words::knownNumber;
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
-
-/// The edges e0 to e3 of the table; edge k joins corner k to the next.
-constexpr std::array edges{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
 unsigned known(const Telling& telling, const char* name)
 {
@@ -33,7 +31,7 @@ QString codeText(const Telling& telling, const char* name)
 }
 QString edgeOfTable(const Telling& telling, unsigned k)
 {
-    return edgeWords(edges[k % 4], telling.specimen.y);
+    return edgeWords(edgesFromCorners[k % 4], telling.specimen.y);
 }
 
 /// "left" or "right" of the line's direction; where y points down, the sides change.
@@ -54,7 +52,7 @@ std::array<double, 2> numbersOf(const Telling& telling, unsigned corner)
 
 QString cornerText(const Telling& telling, unsigned k)
 {
-    return words::corner(edges[k], edges[(k + 3) % 4], telling.specimen.y);
+    return words::corner(edgesFromCorners[k], edgesFromCorners[(k + 3) % 4], telling.specimen.y);
 }
 
 /// The answer for a corner: c[0] to c[3].
@@ -68,11 +66,9 @@ QString cornerSide(const Telling& telling)
     const QString relation = words::isPublished(telling) ? tr("F = %1").arg(words::number(one))
                                                          : words::compared(one, other);
     const QString all =
-        tr("%1, so c[%2] = %3").arg(relation, QString::number(k), isSet ? tr("1") : tr("0"));
+        tr("%1, so c[%2] = %3").arg(relation, QString::number(k), QString::number(isSet ? 1 : 0));
     if (!std::isfinite(one) || !std::isfinite(other))
-        return tr("The products are too large for a number (%1): what they say of %2 means "
-                  "nothing, but it is believed.")
-            .arg(all, corner);
+        return words::productsTooLarge(all, corner);
     if (one == other)
         return (isSet ? tr("The line goes right through %1 (%2): counted as %3 of it.")
                       : tr("Asked strictly: the line goes right through %1 (%2), so that corner "
@@ -92,9 +88,8 @@ QString pattern(const Telling& telling)
                   "table, c = %1.")
             .arg(text);
     QStringList crossed;
-    for (unsigned k = 0; k < 4; ++k)
-        if ((c >> k & 1U) != (c >> (k + 1) % 4 & 1U))
-            crossed << edgeOfTable(telling, k);
+    for (const clipping::Edge edge : crossedEdges(c))
+        crossed << edgeWords(edge, telling.specimen.y);
     if (crossed.size() != 2)
         return tr("The four answers make c = %1: no edge of the window has its corners on "
                   "different sides of the line.")
@@ -109,7 +104,7 @@ QString named(const Telling& telling)
 {
     const unsigned i = known(telling, "i"), j = known(telling, "j");
     if (!words::isPublished(telling))
-        return tr("The table tells that the line comes in at %1 and goes out at %2.")
+        return tr("The table tells that the line enters at %1 and leaves at %2.")
             .arg(edgeOfTable(telling, i), edgeOfTable(telling, j));
     return tr("The table names both: edge %1 is %2, edge %3 is %4.")
         .arg(QString::number(i), edgeOfTable(telling, i), QString::number(j),
@@ -214,7 +209,7 @@ QString meeting(const Telling& telling)
 {
     const auto& name = telling.step.name;
     if (name == "n")
-        return tr("Wanted is the point where the line meets %1, edge %2 of the table.")
+        return tr("The next point to compute is where the line meets %1, edge %2 of the table.")
             .arg(telling.edgeText(), knownNumber(telling, "n"));
     if (name == "x")
         return tr("The cross product of both is the point where the line meets %1, times w. Its x "
@@ -223,7 +218,7 @@ QString meeting(const Telling& telling)
     if (name == "y")
         return tr("The y of the cross product is %1.").arg(knownNumber(telling, "y"));
     if (name == "w")
-        return tr("The third is w = %1. What is left to do is to divide x and y by it.")
+        return tr("The third number is w = %1. Dividing x and y by it gives the point.")
             .arg(knownNumber(telling, "w"));
     return tr("A vector, like that of the line, stands for %1: (%2, %3, %4).")
         .arg(telling.edgeText(), knownNumber(telling, "ex[n]"), knownNumber(telling, "ey[n]"),
@@ -240,8 +235,8 @@ QString cut(const Telling& telling)
     const Point way = step.segment.b - step.segment.a;
     const Point given = telling.specimen.line.b - telling.specimen.line.a;
     if (published && step.line == 18 && glm::dot(way, given) < 0)
-        return tr("%1 goes to %2, to %3. The published table does not tell where the line comes in "
-                  "from where it goes out: the two ends are exchanged now.")
+        return tr("%1 goes to %2, to %3. The published table does not tell the edge where the line "
+                  "enters from the edge where it leaves: the two ends are exchanged now.")
             .arg(words::end(end), telling.edgeText(), at);
     return tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
         .arg(words::end(end), telling.edgeText(), at);
@@ -251,7 +246,7 @@ QString reject(const Telling& telling)
 {
     if (telling.step.line == 5)
         return words::bothBeyond(telling);
-    return tr("The line passes the window: nothing of it is visible.") + words::lost(telling);
+    return tr("The line misses the window: nothing of it is visible.") + words::lost(telling);
 }
 
 QString given(const Telling& telling)

@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace app {
 
 using clipping::Edge;
@@ -61,6 +63,9 @@ QString place(const Telling& telling)
 
 QString errorTerm(const Telling& telling)
 {
+    if (std::isnan(telling.known("e").value_or(0)))
+        return tr("The products are too large for a number: the error term e is not a number "
+                  "(NaN).");
     return tr("The error term e = %1 tells on which side of the corner ahead the line passes, "
               "without a division.")
         .arg(words::value(telling, "e"));
@@ -94,6 +99,10 @@ QString leaving(const Telling& telling)
     const double e = telling.known("e").value_or(0);
     const QString relation = words::compared(e, 0);
     const QString edge = edgeWords(crossed(telling), telling.specimen.y);
+    if (std::isnan(e))
+        return tr("The products are too large for a number: e is not a number (NaN), and the walk "
+                  "goes on over the line of %1 all the same.")
+            .arg(edge);
     if (e == 0)
         return tr("The line goes right through the corner ahead (e = 0): the walk goes on over the "
                   "line of %1.")
@@ -119,8 +128,8 @@ QString inCell(const Telling& telling, const char* cells, Fate fate)
         return (fate == Fate::Misses
                     ? tr("The walk is not in cell %1, from where it would miss the window.")
                 : fate == Fate::Enters
-                    ? tr("It is not in cell %1, from where it would come into the window, either.")
-                    : tr("It is not in cell %1, from where it would leave the window, either."))
+                    ? tr("Nor is it in cell %1, from where it would come into the window.")
+                    : tr("Nor is it in cell %1, from where it would leave the window."))
             .arg(tr(cells));
     return (fate == Fate::Misses
                 ? tr("The walk is in cell %1, %2: going on from there, it misses the window.")
@@ -136,7 +145,7 @@ QString insideTest(const Telling& telling)
     if (telling.step.line == 17)
         return telling.holds()
                    ? tr("The walk begins in the middle cell, and the other end is there, too.")
-                   : tr("Not both ends are inside the window, so the walk has to show what is.");
+                   : tr("Not both ends are inside the window: the walk finds the part that is.");
     return telling.holds() ? tr("%1 is inside: the walk is over.").arg(words::end(last(telling)))
                            : tr("%1 is not inside: the walk goes on, out of the window again.")
                                  .arg(words::end(last(telling)));
@@ -234,14 +243,16 @@ QString rejected(const Telling& telling)
            + words::lost(telling);
 }
 
+QString nextCorner(const Telling& telling)
+{
+    return tr("The next corner ahead gives e = %1.").arg(words::value(telling, "e"));
+}
+
 QString nextCell(const Telling& telling)
 {
     const QString cell =
         tr("The walk is in cell %1 now, %2.").arg(cellOf(telling)).arg(place(telling));
-    return telling.value("e")
-               ? cell + u' '
-                     + tr("The next corner ahead gives e = %1.").arg(words::value(telling, "e"))
-               : cell;
+    return telling.value("e") ? cell + u' ' + nextCorner(telling) : cell;
 }
 
 /// What a variable is now.
@@ -271,9 +282,7 @@ QString given(const Telling& telling)
     if (name == "Y")
         return tr("The corner ahead is at %1.")
             .arg(words::point({telling.known("X").value_or(0), telling.known("Y").value_or(0)}));
-    return telling.step.line == 44
-               ? tr("The next corner ahead gives e = %1.").arg(words::value(telling, "e"))
-               : errorTerm(telling);
+    return telling.step.line == 44 ? nextCorner(telling) : errorTerm(telling);
 }
 
 QString sentence(const Telling& telling)

@@ -19,18 +19,13 @@ int endNamed(const Telling& telling) { return telling.known("i") == 2.0 ? 2 : 1;
 QString script(const Telling& telling)
 {
     const QString code = words::value(telling, "code");
-    return telling.value("code") == 0.0
-               ? tr("Both outcodes together are the number %1, the code of this pair of regions. "
-                    "The "
-                    "table has a script for each of the 81 pairs. This one is empty: both ends are "
-                    "inside.")
-                     .arg(code)
-               : tr("Both outcodes together are the number %1, the code of this pair of regions. "
-                    "The "
-                    "table has a script for each of the 81 pairs; it does and asks no more than "
-                    "this "
-                    "pair needs.")
-                     .arg(code);
+    return tr("Both outcodes together are the number %1, the code of this pair of regions. The "
+              "table has a script for each of the 81 pairs.")
+               .arg(code)
+           + u' '
+           + (telling.value("code") == 0.0
+                  ? tr("This one is empty: both ends are inside.")
+                  : tr("This one does and asks no more than this pair needs."));
 }
 
 /// A question of the script. Where the rounded end is on the edge, the way it has gone decides.
@@ -43,10 +38,10 @@ QString question(const Telling& telling)
         found = tr("%1 comes to lie on %2 by rounding, but the way it has gone leads beyond it")
                     .arg(words::end(end), telling.edgeText());
     if (mayReject)
-        return telling.holds() ? tr("%1, and that is past the window.").arg(found)
+        return telling.holds() ? tr("%1, so the line misses the window.").arg(found)
                                : tr("%1: here the line does not miss the window.").arg(found);
     return telling.holds() ? tr("%1: it has to move once more.").arg(found)
-                           : tr("%1: it is where it belongs.").arg(found);
+                           : tr("%1, so it need not move again.").arg(found);
 }
 
 QString tested(const Telling& telling)

@@ -49,11 +49,11 @@ private slots:
                  "33: End 2 does not lie left of the window (70 > −100).",
                  "34: End 2 does not lie below the window (130 > −75).",
                  "35: End 2 lies above the window (130 > 75): the plane will be mirrored, so that "
-                 "one procedure does for both sides.",
-                 "35: For this procedure End 1 is at (−160, 30) and End 2 at (70, −130). The "
-                 "picture stays as it is.",
-                 "41: How far it is from End 1 to End 2 in the plane as it is turned or "
-                 "scaled: dx = 230, dy = −160.",
+                 "one procedure serves both sides.",
+                 "35: In the plane of this procedure End 1 is at (−160, 30) and End 2 at (70, "
+                 "−130). The picture is not turned.",
+                 "41: How far it is from End 1 to End 2 in the plane as it is now: dx = 230, "
+                 "dy = −160.",
                  "42: Two products hold what a corner says of the line's slope: pxmin = −9600, "
                  "pymin = −24150. No division is needed to compare slopes.",
                  "43: The line passes inside the top left corner (−24150 < −9600): it meets the "
@@ -76,8 +76,8 @@ private slots:
         QVERIFY(all.contains(
             "16: Slopes are compared as products, without a division (−23250 < −15600): the line "
             "passes the top left corner on the side of the top edge. Only there can it enter."));
-        QVERIFY(all.contains("19: For this procedure End 1 is at (−150, 160) and End 2 at (110, "
-                             "−150). The picture stays as it is."));
+        QVERIFY(all.contains("19: In the plane of this procedure End 1 is at (−150, 160) and End "
+                             "2 at (110, −150). The picture is not turned."));
         QVERIFY(
             all.contains("25: The line passes inside the top right corner (−67600 < −23250): it "
                          "meets the window, and enters through the top edge."));
@@ -139,22 +139,25 @@ private slots:
              "11: The corners do not all lie on one side, so the line meets the window.",
              "13: The table names both: edge 2 is the top edge, edge 3 is the left edge.",
              "14: Both ends are outside, so both have to move.",
-             "15: Wanted is the point where the line meets the top edge, edge 2 of the table.",
+             "15: The next point to compute is where the line meets the top edge, edge 2 of the "
+             "table.",
              "34: A vector, like that of the line, stands for the top edge: (0, 1, −75).",
              "29: The cross product of both is the point where the line meets the top edge, times "
              "w. Its x is 1450.",
              "30: The y of the cross product is −12000.",
-             "31: The third is w = −160. What is left to do is to divide x and y by it.",
+             "31: The third number is w = −160. Dividing x and y by it gives the point.",
              "16: End 1 is outside, so it becomes the point where the line crosses the top edge: "
              "(−9.0625, 75).",
-             "17: Wanted is the point where the line meets the left edge, edge 3 of the table.",
+             "17: The next point to compute is where the line meets the left edge, edge 3 of the "
+             "table.",
              "35: A vector, like that of the line, stands for the left edge: (1, 0, 100).",
              "29: The cross product of both is the point where the line meets the left edge, times "
              "w. Its x is 23000.",
              "30: The y of the cross product is −2700.",
-             "31: The third is w = −230. What is left to do is to divide x and y by it.",
+             "31: The third number is w = −230. Dividing x and y by it gives the point.",
              "18: End 2 goes to the left edge, to (−100, 11.7391). The published table does not "
-             "tell where the line comes in from where it goes out: the two ends are exchanged now.",
+             "tell the edge where the line enters from the edge where it leaves: the two ends are "
+             "exchanged now.",
              "27: What is left, from (−9.0625, 75) to (−100, 11.7391), lies inside the window: it "
              "is visible."});
     }
@@ -185,7 +188,7 @@ private slots:
              "top edge and the left edge. There, and only there, the line crosses the window.",
              "14: Not all four bits are set: no corner is asked again.",
              "22: The corners do not all lie on one side, so the line meets the window.",
-             "24: The table tells that the line comes in at the left edge and goes out at the top "
+             "24: The table tells that the line enters at the left edge and leaves at the top "
              "edge.",
              "25: End 2 is outside, with 1000, and has to move.",
              "26: End 2 is outside, so it becomes the point where the line crosses the top edge: "
@@ -224,7 +227,7 @@ private slots:
     void skalaSaysWhatItLoses()
     {
         QCOMPARE(told("skala:published", {{-1, 0}, {1, 0}}, {{0, 0}, {2, 2}}).last(),
-                 "12: The line passes the window: nothing of it is visible. That is wrong: from "
+                 "12: The line misses the window: nothing of it is visible. That is wrong: from "
                  "(0, 0) to (1, 0) the line is inside.");
     }
 
@@ -268,39 +271,41 @@ private slots:
     /// It has no m and no c. rise = 160 * 60 / 230, run = 230 * -55 / 160.
     void kodituwakkuWijeweeraChamikaraCorrected()
     {
-        compare(told("kwc"),
-                {"2: The line is not vertical (−160 < 70).",
-                 "3: The line is not horizontal (−30 < 130).",
-                 "4: The slope stays a fraction: dy = 160 over dx = 230, so that nothing is "
-                 "rounded yet.",
-                 "5: End 1 was given at (−160, −30), the other end at (70, 130).",
-                 "21: End 1 lies left of the window (−160 < −100), so it is pushed to the left "
-                 "edge.",
-                 "22: The other end does not lie left of the window: the line crosses the left "
-                 "edge.",
-                 "23: From End 1 to the left edge it is 60 in x. On that way the line goes 41.7391 "
-                 "in y.",
-                 "24: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
-                 "beyond is gone.",
-                 "29: On its way End 1 has not passed the bottom edge: it has moved by 41.7391 in "
-                 "y, and the bottom edge was −45 away (41.7391 > −45). It does not lie below the "
-                 "window.",
-                 "33: On its way End 1 has not passed the top edge: it has moved by 41.7391 in y, "
-                 "and the top edge was 105 away (41.7391 < 105). It does not lie above the "
-                 "window.",
-                 "6: End 2 was given at (70, 130), the other end at (−160, −30).",
-                 "21: End 2 does not lie left of the window (70 > −100).",
-                 "25: End 2 does not lie right of the window (70 < 100).",
-                 "29: End 2 does not lie below the window (130 > −75).",
-                 "33: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
-                 "34: The other end does not lie above the window: the line crosses the top edge.",
-                 "35: From End 2 to the top edge it is −55 in y. On that way the line goes "
-                 "−79.0625 in x.",
-                 "36: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
-                 "beyond is gone.",
-                 "7: Rounding has put no end outside the window, so both stay where they are.",
-                 "18: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
-                 "it is visible."});
+        compare(
+            told("kwc"),
+            {"2: The line is not vertical (−160 < 70).",
+             "3: The line is not horizontal (−30 < 130).",
+             "4: The slope stays a fraction: dy = 160 over dx = 230, so that nothing is "
+             "rounded yet.",
+             "5: End 1 was given at (−160, −30), the other end at (70, 130).",
+             "21: End 1 lies left of the window (−160 < −100), so it is pushed to the left "
+             "edge.",
+             "22: The other end does not lie left of the window, so the left edge does not rule "
+             "the line out.",
+             "23: From End 1 to the left edge it is 60 in x. On that way the line goes 41.7391 "
+             "in y.",
+             "24: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
+             "beyond is gone.",
+             "29: On its way End 1 has not passed the bottom edge: it has moved by 41.7391 in "
+             "y, and the bottom edge was −45 away (41.7391 > −45). It does not lie below the "
+             "window.",
+             "33: On its way End 1 has not passed the top edge: it has moved by 41.7391 in y, "
+             "and the top edge was 105 away (41.7391 < 105). It does not lie above the "
+             "window.",
+             "6: End 2 was given at (70, 130), the other end at (−160, −30).",
+             "21: End 2 does not lie left of the window (70 > −100).",
+             "25: End 2 does not lie right of the window (70 < 100).",
+             "29: End 2 does not lie below the window (130 > −75).",
+             "33: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
+             "34: The other end does not lie above the window, so the top edge does not rule "
+             "the line out.",
+             "35: From End 2 to the top edge it is −55 in y. On that way the line goes "
+             "−79.0625 in x.",
+             "36: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
+             "beyond is gone.",
+             "7: Rounding has put no end outside the window, so both stay where they are.",
+             "18: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
+             "it is visible."});
         QCOMPARE(told("kwc", {{-160, 0}, {-120, 50}}).last(),
                  "22: Both ends lie left of the window (−160 < −100 and −120 < −100): no point of "
                  "the line can be inside.");
@@ -313,8 +318,8 @@ private slots:
                 {"1: The outcode of End 1 is 0001, that of End 2 is 1000. Their bits mean "
                  "y > ymax, y < ymin, x > xmax, x < xmin.",
                  "2: Both outcodes together are the number 24, the code of this pair of regions. "
-                 "The table has a script for each of the 81 pairs; it does and asks no more than "
-                 "this pair needs.",
+                 "The table has a script for each of the 81 pairs. This one does and asks no more "
+                 "than this pair needs.",
                  "3: The script of this pair is no cross: the line may meet the window.",
                  "10: End 1 is beyond the left edge, so it moves along the line to that edge, to "
                  "(−100, 11.7391).",
@@ -356,7 +361,7 @@ private slots:
              "10: End 2 does not lie below the window (−30 > −75).",
              "13: End 2 does not lie above the window (−30 < 75).",
              "16: End 2 is in cell 3, the cell left of the window: the walk begins there.",
-             "17: Not both ends are inside the window, so the walk has to show what is.",
+             "17: Not both ends are inside the window: the walk finds the part that is.",
              "18: How far it is from End 2 to End 1: dx = 230, dy = 160.",
              "19: The corner ahead is at (−100, 75).",
              "20: The error term e = −14550 tells on which side of the corner ahead the line "
@@ -376,7 +381,7 @@ private slots:
              "23: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
              "goes on over the line of the top edge.",
              "33: The walk is not in cell 3, from where it would miss the window.",
-             "34: It is not in cell 1, from where it would come into the window, either.",
+             "34: Nor is it in cell 1, from where it would come into the window.",
              "37: The walk is in cell 4, the middle cell, which is the window: from there it "
              "leaves the window.",
              "38: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
@@ -407,7 +412,7 @@ private slots:
              "27: By the sign of e (17450 > 0) the line passes left of the corner ahead: the walk "
              "goes on over the line of the top edge.",
              "37: The walk is not in cell 3, from where it would miss the window.",
-             "38: It is not in cell 1 or 7, from where it would come into the window, either.",
+             "38: Nor is it in cell 1 or 7, from where it would come into the window.",
              "41: The walk is in cell 4, the middle cell, which is the window: from there it "
              "leaves the window.",
              "42: Here the walk leaves the window: End 1 moves to the top edge, to (−9.0625, 75).",
@@ -421,9 +426,47 @@ private slots:
                  "20: Both ends are held inside the window: what is left goes from (−100, 20) to "
                  "(−20, 20).");
     }
+    /// At a corner the line passes both edges at the same time.
+    void exactThroughTwoCorners()
+    {
+        const QStringList all = told("exact", {{-1, -1}, {3, 3}}, {{0, 0}, {2, 2}});
+        QVERIFY2(all.contains("17: Of the two edges that the line enters by, it passes the left "
+                              "edge no earlier than the bottom edge: End 1 is cut at the left "
+                              "edge."),
+                 qPrintable(all.join('\n')));
+        QVERIFY2(all.contains("21: Of the two edges that the line leaves by, it passes the right "
+                              "edge no later than the top edge: End 2 is cut at the right edge."),
+                 qPrintable(all.join('\n')));
+    }
+    void exactTellsWhichEdgeDoesNotCut()
+    {
+        const QStringList all = told("exact", {{-1, -2}, {3, 4}}, {{0, 0}, {2, 2}});
+        QVERIFY2(all.contains("17: Of the two edges that the line enters by, it passes the bottom "
+                              "edge later than the left edge: End 1 is not cut at the left edge."),
+                 qPrintable(all.join('\n')));
+        QVERIFY2(all.contains("21: Of the two edges that the line leaves by, it passes the top "
+                              "edge before the right edge: End 2 is not cut at the right edge."),
+                 qPrintable(all.join('\n')));
+    }
+    /// It crosses the left edge's line above the window.
+    void anEdgeThatIsNotCrossedDoesNotRuleOut()
+    {
+        const QStringList all = told("kwc", {{-160, 60}, {-20, 300}});
+        QVERIFY2(all.contains("22: The other end does not lie left of the window, so the left edge "
+                              "does not rule the line out."),
+                 qPrintable(all.join('\n')));
+    }
     /// What overflows tells no side, and a rejection that is wrong is called so.
     void overflowIsNoAnswer()
     {
+        const auto slater =
+            told("sb:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});
+        QVERIFY2(slater.filter("tells on which side").isEmpty(), qPrintable(slater.join('\n')));
+        QVERIFY2(slater.filter("By the sign of e").isEmpty(), qPrintable(slater.join('\n')));
+        QVERIFY2(slater.contains("23: The products are too large for a number: e is not a number "
+                                 "(NaN), and the walk goes on over the line of the bottom edge "
+                                 "all the same."),
+                 qPrintable(slater.join('\n')));
         const auto skala =
             told("skala:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});
         QVERIFY(skala.filter("lies on the").isEmpty());
