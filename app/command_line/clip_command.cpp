@@ -3,9 +3,9 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
+#include "app/document/contents.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
-#include "app/document/contents.h"
 #include "app/document/usual_algorithm.h"
 
 #include <algorithm>

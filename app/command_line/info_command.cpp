@@ -3,8 +3,8 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
-#include "app/document/flatten.h"
 #include "app/document/contents.h"
+#include "app/document/flatten.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
