@@ -39,6 +39,13 @@ OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
     return table;
 }
 
+/// "the left edge, the top edge and the right edge".
+QString listed(QStringList edges)
+{
+    const QString last = edges.takeLast();
+    return edges.isEmpty() ? last : tr("%1 and %2").arg(edges.join(tr(", ")), last);
+}
+
 QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 {
     if (!seeing.line)
@@ -46,7 +53,9 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
     const QString name = latin(seeing.clipper.algorithm->name);
     const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
     if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
-        return tr("%1 goes round and round and is stopped: nothing is visible.").arg(name);
+        return tr("%1 does not end on this line and is stopped: nothing is visible.").arg(name);
+    if (moves.empty() && visible && seeing.trace.visible != *seeing.line)
+        return tr("%1 cuts the line: what is left is visible.").arg(name);
     if (moves.empty())
         return (visible ? tr("%1 cuts nothing: the whole line is visible.")
                         : tr("%1 rejects the line without a cut: nothing is visible."))
@@ -57,7 +66,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
             edges << edge;
     return (visible ? tr("%1 cuts the line at %2: what is left is visible.")
                     : tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
-        .arg(name, edges.join(tr(" and ")));
+        .arg(name, listed(edges));
 }
 
 } // namespace

@@ -25,6 +25,16 @@ Overlay of(const Clipper& clipper, const Window& w, const Segment& line)
     return app::traceOverlay(seeing);
 }
 
+/// What is said of it if its steps name no edge.
+QString captionWithoutEdges(const Clipper& clipper, const Window& w, const Segment& line)
+{
+    app::Seeing seeing{{clipper, w, line, {}, everything}};
+    seeing.trace = seeing.traceOf(line);
+    for (clipping::Step& step : seeing.trace.steps)
+        step.edge = clipping::Edge::None;
+    return app::traceOverlay(seeing).caption;
+}
+
 std::vector<OverlayMark> cutsIn(const Overlay& overlay)
 {
     std::vector<OverlayMark> marks = overlay.marks;
@@ -71,6 +81,17 @@ private slots:
         }
         QVERIFY(cut > cases);
     }
+    /// A row may cut both ends at once, at no edge that it names.
+    void aCutWithoutAnEdgeIsACut()
+    {
+        const Window w{{0, 0}, {4, 3}};
+        for (const Clipper& clipper : everyForm()) {
+            const QString cut = captionWithoutEdges(clipper, w, {{-2, 1}, {6, 2}});
+            QVERIFY2(cut.endsWith("cuts the line: what is left is visible."), qPrintable(cut));
+            const QString whole = captionWithoutEdges(clipper, w, {{1, 1}, {2, 2}});
+            QVERIFY2(whole.endsWith("cuts nothing: the whole line is visible."), qPrintable(whole));
+        }
+    }
     void theCaptionSaysWhatBecomesOfTheLine()
     {
         const Clipper md{clipping::findAlgorithm("MD")};
@@ -86,7 +107,11 @@ private slots:
                        "visible.");
         QVERIFY(caption({{-2, 2}, {1, 5}}).endsWith("and then rejects it: nothing is visible."));
         const Clipper cs{clipping::findAlgorithm("CS"), clipping::Form::Published};
-        QVERIFY(of(cs, {{0.1, 0.1}, {3, 3}}, {{1, 1}, {-1, -1}}).caption.contains("round"));
+        QCOMPARE(of(cs, {{0.1, 0.1}, {3, 3}}, {{1, 1}, {-1, -1}}).caption,
+                 "Cohen-Sutherland does not end on this line and is stopped: nothing is visible.");
+        QCOMPARE(of({clipping::findAlgorithm("CS")}, w, {{-6, -1}, {6, 2.5}}).caption,
+                 "Cohen-Sutherland cuts the line at the top edge, the left edge and the right "
+                 "edge: what is left is visible.");
     }
 };
 
