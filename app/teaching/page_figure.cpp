@@ -52,6 +52,8 @@ std::size_t stepOf(const PageFigure& figure, const Walk& walk)
 QString pageFigureCaption(const clipping::Algorithm& algorithm)
 {
     const Walk walk = walkOf(pageSpecimen(algorithm));
+    if (walk.moments.empty())
+        return {};
     const std::size_t step = stepOf(teachingOf(algorithm).figure, walk);
     return tr("Step %1 of %2: %3")
         .arg(step + 1)
@@ -64,6 +66,8 @@ QImage pageFigure(const clipping::Algorithm& algorithm, Ground ground, int width
 {
     const Specimen specimen = pageSpecimen(algorithm);
     const Walk walk = walkOf(specimen);
+    if (walk.moments.empty())
+        return {};
     return painted({specimen, walk, stepOf(teachingOf(algorithm).figure, walk)}, ground,
                    {width, width * 9 / 16}, devicePixels);
 }

@@ -400,6 +400,15 @@ private slots:
             }
     }
 
+    void whoTellsNoStepHasNoFigure()
+    {
+        clipping::Algorithm silent = clipping::exactAlgorithm();
+        silent.corrected.trace = [](const clipping::Segment&, const clipping::Window&) {
+            return clipping::Trace{};
+        };
+        QCOMPARE(pageFigureCaption(silent), QString());
+        QVERIFY(pageFigure(silent, Ground::Light, 600, 1).isNull());
+    }
     void pagesHaveTellingFigures()
     {
         for (const auto& algorithm : clipping::algorithms()) {
