@@ -21,7 +21,8 @@ struct AlgorithmMark {
     QPainterPath path;  ///< around (0, 0) in the circle of radius 1
 };
 /// The mark of an algorithm of a catalogue. A row without a mark of its own has one that no other
-/// row of that catalogue has; what is no row of it is a grey disc.
+/// row of that catalogue has. An algorithm that is not in the catalogue has a disc in the colour of
+/// the text.
 AlgorithmMark markOf(const clipping::Algorithm& algorithm,
                      std::span<const clipping::Algorithm> catalogue = clipping::algorithms());
 
