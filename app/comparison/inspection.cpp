@@ -2,6 +2,7 @@
 #include "app/comparison/inspection.h"
 
 #include "app/comparison/outcode_text.h"
+#include "app/comparison/value_unit.h"
 #include "app/view/numbers.h"
 #include "app/view/place.h"
 #include "clipping/outcode.h"
@@ -46,13 +47,14 @@ QString edgeName(Edge edge)
     }
 }
 
-/// How values are said: in which unit, and as the values of which form.
+/// How values are said: in which unit, and as the values of whom.
 struct Measure {
-    clipping::Form form;
+    Clipper clipper;
     Unit unit;
     double millimetresPerUnit;
     Point origin; ///< from which places are counted
 
+    bool isFromZero() const { return origin == Point(0); }
     double inUnit(double length) const { return app::inUnit(length, unit, millimetresPerUnit); }
     QString point(const Point& p) const
     {
@@ -68,47 +70,42 @@ QString shortNumber(double number)
     return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
 }
 
-bool isAmong(std::string_view name, std::initializer_list<std::string_view> names)
-{
-    return std::ranges::find(names, name) != names.end();
-}
-
-/// Whether a value is a place on an axis, such as xv or Y; it is counted from the origin.
-bool isCoordinate(const clipping::NamedValue& value)
-{
-    return value.name.starts_with('x') || value.name.starts_with('y') || value.name == "Y";
-}
-
-/// Of which power of lengths a value is: what the pseudo-codes' names stand for.
-int dimensionOf(const clipping::Step& step, const clipping::NamedValue& value, clipping::Form form)
+/// A number in the unit of the inspection; nothing: it means nothing there.
+std::optional<double> shownNumber(const clipping::NamedValue& value, const Measure& measure)
 {
     if (value.kind != clipping::ValueKind::Number)
-        return 0;
-    if (step.name == "compare"
-        || isAmong(value.name,
-                   {"e", "F", "pw", "pxmin", "pxmax", "pymin", "pymax", "dx*(y-y1)", "dy*(x-x1)"}))
-        return 2;                                                   // products of two lengths
-    const int ofNormal = form == clipping::Form::Published ? 1 : 0; // as long as the edge, or 1
-    if (value.name == "D" || value.name == "N")
-        return ofNormal + 1;
-    if (value.name == "nx" || value.name == "ny")
-        return ofNormal;
-    return isAmong(value.name, {"p", "q", "rise", "run", "gap", "dx", "dy", "px", "py", "c"})
-           || isCoordinate(value);
+        return value.value;
+    const double number = value.value;
+    switch (unitOfValue(measure.clipper, value.name).value_or(ValueUnit::Bare)) {
+    case ValueUnit::Length:
+        return measure.inUnit(number);
+    case ValueUnit::Area:
+        return measure.inUnit(measure.inUnit(number));
+    case ValueUnit::X:
+        return measure.inUnit(number - measure.origin.x);
+    case ValueUnit::Y:
+        return measure.inUnit(number - measure.origin.y);
+    case ValueUnit::FixedLength:
+        return measure.isFromZero() ? std::optional(measure.inUnit(number)) : std::nullopt;
+    case ValueUnit::FixedArea:
+        return measure.isFromZero() ? std::optional(measure.inUnit(measure.inUnit(number)))
+                                    : std::nullopt;
+    case ValueUnit::Turned:
+        return std::nullopt;
+    default:
+        return number;
+    }
 }
 
-QString valueText(const clipping::Step& step, const clipping::NamedValue& value,
-                  const Measure& measure)
+/// "D = 100"; empty: its number means nothing in this unit.
+QString valueText(const clipping::NamedValue& value, const Measure& measure)
 {
-    if (value.kind != clipping::ValueKind::Bits) {
-        double number = value.value;
-        if (isCoordinate(value))
-            number -= value.name.starts_with('x') ? measure.origin.x : measure.origin.y;
-        for (int power = dimensionOf(step, value, measure.form); power > 0; --power)
-            number = measure.inUnit(number);
-        return shortNumber(number);
-    }
-    return outcodeText(unsigned(value.value));
+    const auto number = shownNumber(value, measure);
+    if (!number)
+        return {};
+    return latin(value.name) + QStringLiteral(" = ")
+           + (value.kind == clipping::ValueKind::Bits ? outcodeText(unsigned(*number))
+                                                      : shortNumber(*number));
 }
 
 /// A step in one word: the variable that it sets, or else its kind.
@@ -130,7 +127,8 @@ QString stepText(const clipping::Step& step, const Measure& measure)
         text += QStringLiteral(", ") + edge;
     QStringList values;
     for (const auto& value : step.values)
-        values << latin(value.name) + QStringLiteral(" = ") + valueText(step, value, measure);
+        if (const QString said = valueText(value, measure); !said.isEmpty())
+            values << said;
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
     if (step.what == What::Reject || step.what == What::GiveUp)
@@ -238,7 +236,7 @@ QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
     if (const Exhibit* exhibit = line.clipper.exhibit)
         return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
-    const Measure measure{line.clipper.form, unit, page.millimetresPerUnit(), originOf(page, unit)};
+    const Measure measure{line.clipper, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         if (step.what != What::Test) // the microscope shows tests

@@ -122,9 +122,43 @@ private slots:
         QVERIFY(says(text("kwc", line, clipping::Form::Published), {"m = 0.2", "c = 35"}));
         QVERIFY(says(text("kwc", line), {"dx = 100, dy = 20"}));
         QVERIFY(says(text("sb", line), {"yOut = 50", "Y: Y = 50", "e = \u22121,500"}));
+        QVERIFY(says(text("spy", line), {"way[1] = 10, y = 35"}));
+        QVERIFY(says(text("ms", line),
+                     {"toLeft = 50, toRight = 100", "toBottom = \u221225, toTop = 25"}));
+        QVERIFY(says(text("skala", line),
+                     {"f[0] = \u22122,500, f[1] = 2,000", "f[2] = 2,500, f[3] = 1,000"}));
+        // (-10, 5), (10, 9) as vectors: 4 units are 20 mm, -140 units of area -3,500 mm2.
+        QVERIFY(says(text("skala", line, clipping::Form::Published),
+                     {"px = \u221220, py = 100, pw = \u22123,500", "X[k] = 0, Y[k] = 50",
+                      "ex[n] = 1, ey[n] = 0, ew[n] = 0"}));
         // Areas: beyond the corner (0, 10), 4 * 20 and 10 * 12 units.
         QVERIFY(
             says(text("nln", {{-10, 14}, {10, 2}}), {"pymax = \u22122,000, pxmin = \u22123,000"}));
+    }
+    /// In a page that begins at (2, 1), places are counted from there; what holds at the drawing's
+    /// own origin only, or in a turned plane, is not said.
+    void stepsAreCountedFromThePage()
+    {
+        const auto text = [](const char* algorithm, const clipping::Segment& line,
+                             clipping::Form form = clipping::Form::Corrected) {
+            const app::Page page{.min = {2, 1}, // 5 mm a unit
+                                 .size = {100, 100},
+                                 .width = {500, app::Unit::Mm},
+                                 .height = {500, app::Unit::Mm}};
+            return app::stepTexts(inspected(algorithm, line, form), app::Unit::Mm, page)
+                .join(u'\n');
+        };
+        const clipping::Segment line{{-10, 5}, {10, 9}};
+        QVERIFY2(text("sb", line).contains("yIn = \u22125, yOut = 45"),
+                 qPrintable(text("sb", line)));
+        QVERIFY2(text("sb", line).contains("Y = 45"), qPrintable(text("sb", line)));
+        const QString skala = text("skala", line, clipping::Form::Published);
+        QVERIFY2(skala.contains("X[k] = \u221210, Y[k] = 45"), qPrintable(skala));
+        QVERIFY2(!skala.contains("pw = ") && !skala.contains("ew[n] = "), qPrintable(skala));
+        const QString turned = text("nln", {{-10, 5}, {5, 14}}); // mirrored
+        for (const char* name : {" xmin = ", " ymin = ", " x1 = ", " y2 = "})
+            QVERIFY2(!turned.contains(name), qPrintable(turned));
+        QVERIFY2(turned.contains("dx = 75"), qPrintable(turned));
     }
     void whatIsRejectedLeavesNothing()
     {

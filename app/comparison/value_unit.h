@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/clipper.h"
+
+// In which unit the numbers are that algorithms tell of their steps, by the names of their
+// variables.
+
+namespace app {
+
+enum class ValueUnit : std::uint8_t {
+    Bare,        ///< a ratio or a share: the same in every unit
+    Length,      ///< of the drawing
+    Area,        ///< a product of two lengths
+    X,           ///< a place on the x axis, counted from the origin
+    Y,           ///< a place on the y axis
+    FixedLength, ///< a length that is another one where places are counted from another origin
+    FixedArea,   ///< such a product
+    Turned       ///< of a plane that the algorithm has turned: no place in the drawing
+};
+
+/// The unit of a number (clipping::ValueKind::Number) of this name that a form tells; nothing: no
+/// row of the catalogue tells one of this name.
+std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name);
+
+} // namespace app

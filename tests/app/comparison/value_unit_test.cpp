@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The unit of every number that an algorithm tells, by what becomes of it in a plane of another
+// size, and in one that is moved.
+#include "app/comparison/value_unit.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace {
+
+using app::Clipper;
+using Point = glm::dvec2;
+using app::ValueUnit;
+
+constexpr clipping::Window window{{-100, -75}, {100, 75}};
+
+std::vector<clipping::Segment> lines()
+{
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> anywhere(-250, 250);
+    std::vector<clipping::Segment> all;
+    while (all.size() < 400) {
+        const Point a(anywhere(random), anywhere(random));
+        all.push_back({a, {anywhere(random), anywhere(random)}});
+    }
+    return all;
+}
+
+std::vector<Clipper> toldClippers()
+{
+    auto all = app::clippers();
+    std::erase_if(all, [](const Clipper& clipper) { return clipper.exhibit != nullptr; });
+    return all;
+}
+
+std::vector<clipping::Step> stepsOf(const Clipper& clipper, const clipping::Segment& line,
+                                    double size, const Point& by)
+{
+    const auto moved = [&](const Point& p) { return p * size + by; };
+    return clipping::usesOf(*clipper.algorithm, clipper.form)
+        ->trace({moved(line.a), moved(line.b)}, {moved(window.min), moved(window.max)})
+        .steps;
+}
+
+/// Calls of(name, number, the same number there) for each number that is told of a line.
+void forEachNumber(const Clipper& clipper, const clipping::Segment& line, double size,
+                   const Point& by, const auto& of)
+{
+    const auto here = stepsOf(clipper, line, 1, {}), there = stepsOf(clipper, line, size, by);
+    for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
+        if (here[i].line != there[i].line || here[i].values.size() != there[i].values.size())
+            return; // rounding has led it another way
+        for (std::size_t k = 0; k < here[i].values.size(); ++k)
+            if (const auto& value = here[i].values[k]; value.kind == clipping::ValueKind::Number)
+                of(value.name, value.value, there[i].values[k].value);
+    }
+}
+
+QByteArray said(const Clipper& clipper, std::string_view name, double here, double there)
+{
+    return QStringLiteral("%1 tells %2 = %3, and %4 there")
+        .arg(app::keyOf(clipper))
+        .arg(QLatin1StringView(name.data(), qsizetype(name.size())))
+        .arg(here, 0, 'g', 17)
+        .arg(there, 0, 'g', 17)
+        .toUtf8();
+}
+
+bool isAmong(std::optional<ValueUnit> unit, std::initializer_list<ValueUnit> units)
+{
+    return unit && std::ranges::find(units, *unit) != units.end();
+}
+
+} // namespace
+
+class ValueUnitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyNumberThatIsToldHasAUnit()
+    {
+        for (const Clipper& clipper : toldClippers())
+            for (const auto& line : lines())
+                forEachNumber(clipper, line, 1, {}, [&](auto name, double here, double there) {
+                    QVERIFY2(app::unitOfValue(clipper, name), said(clipper, name, here, there));
+                });
+    }
+    /// In a plane of four times the size a length is four times as long: exactly, for 4 is a power
+    /// of two.
+    void unitsAreThoseOfALargerPlane()
+    {
+        std::size_t lengths = 0, areas = 0;
+        for (const Clipper& clipper : toldClippers())
+            for (const auto& line : lines())
+                forEachNumber(clipper, line, 4, {}, [&](auto name, double here, double there) {
+                    const auto unit = app::unitOfValue(clipper, name);
+                    const bool isArea = isAmong(unit, {ValueUnit::Area, ValueUnit::FixedArea});
+                    const double scale = isArea ? 16 : isAmong(unit, {ValueUnit::Bare}) ? 1 : 4;
+                    QVERIFY2(there == here * scale, said(clipper, name, here, there));
+                    lengths += scale == 4, areas += isArea;
+                });
+        QVERIFY(lengths > 10'000 && areas > 5'000);
+    }
+    /// In a plane that is moved, places move with it, and all else stays but for what is fixed.
+    void placesMoveWithThePlane()
+    {
+        const Point by(3, -5);
+        std::set<std::string_view> fixed;
+        for (const Clipper& clipper : toldClippers())
+            for (const auto& line : lines())
+                forEachNumber(clipper, line, 1, by, [&](auto name, double here, double there) {
+                    const auto unit = app::unitOfValue(clipper, name);
+                    const double way = isAmong(unit, {ValueUnit::X})   ? by.x
+                                       : isAmong(unit, {ValueUnit::Y}) ? by.y
+                                                                       : 0;
+                    const bool asSaid =
+                        std::abs(there - here - way) <= 1e-6 * std::max(1.0, std::abs(here));
+                    if (isAmong(unit, {ValueUnit::FixedLength, ValueUnit::FixedArea})) {
+                        if (!asSaid)
+                            fixed.insert(name);
+                    } else if (!isAmong(unit, {ValueUnit::Turned}))
+                        QVERIFY2(asSaid, said(clipper, name, here, there));
+                });
+        QVERIFY(fixed == (std::set<std::string_view>{"c", "ew[n]", "pw", "x", "y"}));
+    }
+};
+
+QTEST_APPLESS_MAIN(ValueUnitTest)
+#include "value_unit_test.moc"
