@@ -85,16 +85,26 @@ void appendCalls(std::vector<Assignment>& all, const QString& line, const QStrin
     static const QRegularExpression defines(QStringLiteral("^\\s*(\\w+)\\(([\\w, ]+)\\):$"));
     for (const QString& definition : code) {
         const auto match = defines.match(definition);
-        const QString head = match.captured(1) + u'(';
-        if (!match.hasMatch() || line == definition || !line.contains(head))
+        if (!match.hasMatch() || line == definition)
             continue;
-        const qsizetype open = line.indexOf(head) + head.size() - 1;
+        const auto call =
+            QRegularExpression(QStringLiteral("\\b%1\\(").arg(match.captured(1))).match(line);
+        if (!call.hasMatch())
+            continue;
+        const qsizetype open = call.capturedEnd() - 1;
         const QStringList given =
                               argumentsIn(line.sliced(open + 1, closing(line, open) - open - 1)),
                           names = argumentsIn(match.captured(2));
         for (qsizetype i = 0; i < std::min(given.size(), names.size()); ++i)
-            all.push_back({names[i], given[i]});
+            all.push_back({names[i], given[i], true});
     }
+}
+
+/// A line without the head of a function that it is all of: "notL(): if x1 < xmin: reject".
+QString bodyOf(const QString& line)
+{
+    static const QRegularExpression head(QStringLiteral("^\\w+\\([\\w, ]*\\): +"));
+    return line.trimmed().remove(head);
 }
 
 /// A line without what leads to its statement: "if r > u1: reject" and "else" have none.
@@ -102,7 +112,7 @@ QString statementOf(const QString& line)
 {
     static const QRegularExpression leads(
         QStringLiteral("^(?:else )?(?:if|while|until) .*?(?<! ):(?= )|^else(?: |$)"));
-    return line.trimmed().remove(leads).trimmed();
+    return bodyOf(line).remove(leads).trimmed();
 }
 
 } // namespace
@@ -111,7 +121,7 @@ QString conditionIn(const QString& line)
 {
     static const QRegularExpression asks(
         QStringLiteral("^(?:else )?(?:if|while|until) (.*?)(?:(?<! ):(?: .*)?)?$"));
-    return asks.match(line.trimmed()).captured(1);
+    return asks.match(bodyOf(line)).captured(1);
 }
 
 std::vector<Assignment> assignmentsIn(const QString& line, const QStringList& code)

@@ -14,6 +14,7 @@ namespace app {
 /// A variable and what it is set to.
 struct Assignment {
     QString name, formula;
+    bool isParameter = false; ///< of a call: all of them are set at once
 };
 
 /// What a line asks: "x1 < xmin" of "else if x1 < xmin: reject"; empty: it asks nothing.

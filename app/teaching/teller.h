@@ -7,7 +7,8 @@
 #include <optional>
 #include <span>
 
-// What a step is said by: a row's own sentences (teaching.h) and those for any algorithm.
+// How a step is put into words: by a row's own sentences (teaching.h), or by those for any
+// algorithm.
 
 namespace app {
 
@@ -24,14 +25,12 @@ struct Telling {
     std::optional<double> value(std::string_view name) const;
     /// A variable's value by now; nothing: it has none yet.
     std::optional<double> known(std::string_view name) const;
-    /// The same as text of six digits.
-    QString text(std::string_view name) const;
     /// Whether the test held; false for what is no test.
     bool holds() const { return step.holds; }
 };
 
 /// What can be said of any algorithm's step, by the lit line of its pseudo-code and the numbers of
-/// its variables: "Is x1 < xmin? -160 < -100: yes."
+/// its variables: "At the left edge, is x1 < xmin? −160 < −100: yes."
 QString generalSentence(const Telling& telling);
 
 } // namespace app

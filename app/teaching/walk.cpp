@@ -52,7 +52,7 @@ std::array<double, 4> coordinates(const clipping::Segment& s)
     return {s.a.x, s.a.y, s.b.x, s.b.y};
 }
 
-/// What is known after a step: what was, with what is new.
+/// All variables after a step: the earlier ones, and those that the step sets.
 std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
                                      const Moment* before)
 {
@@ -121,12 +121,6 @@ std::optional<double> Telling::known(std::string_view name) const
 {
     const auto found = std::ranges::find(variables, latin(name), &Variable::name);
     return found == variables.end() ? std::nullopt : std::optional(found->value);
-}
-
-QString Telling::text(std::string_view name) const
-{
-    const auto number = value(name);
-    return number ? shortText(*number) : QString();
 }
 
 QString refusalOf(const Specimen& specimen)

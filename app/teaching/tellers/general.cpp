@@ -2,124 +2,26 @@
 #include "app/latin.h"
 #include "app/teaching/code_line.h"
 #include "app/teaching/page.h"
+#include "app/teaching/tellers/code_values.h"
 #include "app/teaching/tellers/ends.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <algorithm>
-#include <cmath>
 
 // What is said of an algorithm that has no sentences of its own: its pseudo-code, with numbers.
 
 namespace app {
 
-using clipping::Edge;
 using clipping::What;
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// What the names of a line stand for while it is run.
-class Values {
-public:
-    /// Names in `old` have the value that they had before the step.
-    Values(const Telling& telling, QStringList old) : telling_(telling), old_(std::move(old)) {}
-
-    std::optional<Variable> of(const QString& name) const
-    {
-        const auto& [min, max] = telling_.specimen.window;
-        const auto& [a, b] = telling_.specimen.line;
-        for (const auto& [known, value] : {std::pair("xmin", min.x), std::pair("ymin", min.y),
-                                           std::pair("xmax", max.x), std::pair("ymax", max.y)})
-            if (name == QLatin1StringView(known))
-                return Variable{name, value};
-        for (const QString& spelling : spellings(name))
-            if (const auto found = std::ranges::find(telling_.variables, spelling, &Variable::name);
-                found != telling_.variables.end())
-                return asOfThen(*found);
-        for (const auto& [known, value] : {std::pair("x1", a.x), std::pair("y1", a.y),
-                                           std::pair("x2", b.x), std::pair("y2", b.y)})
-            if (spellings(name).contains(QLatin1StringView(known)))
-                return Variable{name, value};
-        return std::nullopt;
-    }
-
-private:
-    /// "x[i]" is "x[1]" while i is 1, and "xi" is "x1".
-    QStringList spellings(const QString& name) const
-    {
-        QStringList all{name};
-        if (const auto i = telling_.known("i")) {
-            const QString number = QString::number(int(*i));
-            if (name.endsWith(QStringLiteral("[i]")))
-                all << name.chopped(2) + number + u']';
-            else if (name.size() == 2 && name.endsWith(u'i'))
-                all << name.chopped(1) + number;
-        }
-        return all;
-    }
-    Variable asOfThen(Variable variable) const
-    {
-        if (old_.contains(variable.name) && variable.before)
-            variable.value = *variable.before;
-        return variable;
-    }
-
-    const Telling& telling_;
-    QStringList old_;
-};
-
-enum class Digits : std::uint8_t { Six, All };
-
-QString textOf(const Variable& variable, Digits digits)
-{
-    switch (variable.kind) {
-    case clipping::ValueKind::Bits:
-        return outcodeText(unsigned(variable.value));
-    case clipping::ValueKind::Truth:
-        return variable.value != 0 ? QStringLiteral("true") : QStringLiteral("false");
-    default:
-        return digits == Digits::All && std::isfinite(variable.value)
-                   ? exactText(variable.value)
-                   : words::number(variable.value);
-    }
-}
-
-/// As many digits as tell any two different values apart.
-Digits digitsFor(const QStringList& names, const Values& values)
-{
-    for (const QString& one : names)
-        for (const QString& other : names) {
-            const auto p = values.of(one), q = values.of(other);
-            if (p && q && p->value != q->value && shortText(p->value) == shortText(q->value))
-                return Digits::All;
-        }
-    return Digits::Six;
-}
-
 QString evenly(const QString& formula)
 {
     return withTexts(formula, [](const QString& name) { return name; });
-}
-
-QString filledIn(const QString& formula, const Values& values)
-{
-    const Digits digits = digitsFor(namesIn(formula), values);
-    return withTexts(formula, [&](const QString& name) {
-        const auto variable = values.of(name);
-        return variable ? textOf(*variable, digits) : name;
-    });
-}
-
-/// Of "moved ? E : F" what is asked, E or F, if that is known.
-QString chosen(const QString& condition, const Values& values)
-{
-    static const QRegularExpression choice(QStringLiteral("^\\(?(\\w+) \\? (.+) : (.+?)\\)?$"));
-    const auto match = choice.match(condition);
-    const auto which = match.hasMatch() ? values.of(match.captured(1)) : std::nullopt;
-    return which ? match.captured(which->value != 0 ? 2 : 3) : condition;
 }
 
 /// "At the left edge, " before what is about an edge.
@@ -142,7 +44,7 @@ QString lineOf(const Telling& telling, const QStringList& code)
 
 QString asked(const Telling& telling, const QStringList& code)
 {
-    const Values values(telling, {});
+    const CodeValues values(telling, {});
     const QString condition = chosen(conditionIn(lineOf(telling, code)), values);
     if (condition.isEmpty())
         return withCapital(
@@ -170,7 +72,7 @@ QStringList assignments(const Telling& telling, const QStringList& code)
     const auto all = assignmentsIn(lineOf(telling, code), code);
     QStringList said;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Values after(telling, {});
+        const CodeValues after(telling, {});
         const auto value = after.of(all[i].name);
         const bool isTold = std::ranges::any_of(telling.step.values, [&](const auto& told) {
             return value && latin(told.name) == value->name;
@@ -178,11 +80,11 @@ QStringList assignments(const Telling& telling, const QStringList& code)
         if (!isTold)
             continue;
         QStringList later; // these are not set yet
-        for (std::size_t j = i; j < all.size(); ++j)
-            if (const auto other = after.of(all[j].name))
+        for (std::size_t j = all[i].isParameter ? 0 : i; j < all.size(); ++j)
+            if (const auto other = after.of(all[j].name); other && (j >= i || all[j].isParameter))
                 later << other->name;
         said << setTo(value->name,
-                      {evenly(all[i].formula), filledIn(all[i].formula, Values(telling, later)),
+                      {evenly(all[i].formula), filledIn(all[i].formula, CodeValues(telling, later)),
                        textOf(*value, Digits::Six)});
     }
     return said;
@@ -235,8 +137,7 @@ QString given(const Telling& telling, const QStringList& code)
     QStringList said = assignments(telling, code);
     if (said.isEmpty())
         said = values(telling);
-    return said.isEmpty() ? tr("It looks at %1.").arg(latin(telling.step.name))
-                          : atEdge(telling, said.join(QStringLiteral(", ")) + u'.');
+    return atEdge(telling, said.join(QStringLiteral(", ")) + u'.');
 }
 
 } // namespace
@@ -256,7 +157,8 @@ QString generalSentence(const Telling& telling)
     case What::Reject:
         return tr("The line is rejected: nothing of it is visible.") + words::lost(telling);
     default:
-        return tr("It goes round and round: it is stopped here, and nothing is visible.");
+        return tr(
+            "The algorithm does not end on this line: it is stopped, and nothing is visible.");
     }
 }
 

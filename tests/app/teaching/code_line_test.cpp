@@ -31,6 +31,8 @@ private slots:
                  "(moved ? rise < ymin-yi : yi < ymin)");
         QCOMPARE(app::conditionIn("if u0 > u1: x1 = x2,  y1 = y2"), "u0 > u1");
         QCOMPARE(app::conditionIn("until code1 == 0000"), "code1 == 0000");
+        QCOMPARE(app::conditionIn("notL(): if x[i] < xmin: reject"), "x[i] < xmin");
+        QCOMPARE(app::conditionIn("test(p, q): while p < q"), "p < q");
         for (const char* line : {"else", "reject", "x1 = xmin", "repeat", "for i = 1, 2"})
             QCOMPARE(app::conditionIn(line), "");
     }
@@ -41,6 +43,9 @@ private slots:
         QCOMPARE(assignments("if a <= b: c = d,  e = max(f, g)"),
                  (QStringList{"c <- d", "e <- max(f, g)"}));
         QCOMPARE(assignments("else x1 = x2"), QStringList{"x1 <- x2"});
+        QCOMPARE(assignments("L(): way[i] = dy / dx,  y = yi"),
+                 (QStringList{"way[i] <- dy / dx", "y <- yi"}));
+        QCOMPARE(assignments("turn(p): if p < 0: q = -p"), QStringList{"q <- -p"});
         for (const char* line : {"if x1 < xmin", "if a == b", "reject", "hold new ends inside"})
             QCOMPARE(assignments(line), QStringList());
     }
@@ -50,6 +55,9 @@ private slots:
         QCOMPARE(assignments("if clipt(-dx, max(x1, xmin)-x2)", code),
                  (QStringList{"p <- -dx", "q <- max(x1, xmin)-x2"}));
         QCOMPARE(assignments("clipt(p, q):", code), QStringList());
+        QCOMPARE(assignments("reclipt(dx, dy)", code), QStringList());
+        QCOMPARE(assignments("if reclipt(dx) < clipt(dy, 2)", code),
+                 (QStringList{"p <- dy", "q <- 2"}));
     }
     void namesStandForValues()
     {

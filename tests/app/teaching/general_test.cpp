@@ -2,6 +2,7 @@
 // What is said of an algorithm that has no sentences of its own: the lit line of its pseudo-code
 // with the numbers of its variables, worked out by hand.
 #include "app/teaching/teaching.h"
+#include "app/teaching/tellers/code_values.h"
 
 #include <QLocale>
 #include <QTest>
@@ -92,9 +93,35 @@ private slots:
     /// What a variable was stands in the formula that changes it.
     void valuesAreThoseBefore()
     {
-        const QStringList all = told("cs", {{-160, 90}, {70, 0}});
-        const QStringList masked = all.filter("code[1] = code[i] & ~done[i] = ");
-        QVERIFY2(!masked.isEmpty(), qPrintable(all.join('\n')));
+        // The line turned round: dy = 160, the window is 200 wide, and e was 160 * 60 - 230 * 105.
+        const QStringList all = told("sb:published", {across.b, across.a});
+        QVERIFY2(all.contains("31: e = e + dy*(xmax − xmin) = −14550 + 160*(100 − (−100)) = "
+                              "17450, c = c + 1 = 3 + 1 = 4."),
+                 qPrintable(all.join('\n')));
+    }
+    /// The window and the line of a plane that the algorithm has turned are those that it tells.
+    void aTurnedPlaneHasItsOwnWindow()
+    {
+        // Turned by three quarters: (x, y) becomes (-y, x).
+        const QStringList all = told("nln:published", {{-30, 200}, {40, -70}});
+        for (const char* said : {"51: xmin = −ymax = −75, ymax = xmax = 100, xmax = −ymin = −(−75) "
+                                 "= 75, ymin = xmin = −100.",
+                                 "33: At the top edge, is x2 < xmin? 70 < −75: no."})
+            QVERIFY2(all.contains(said), qPrintable(all.join('\n')));
+        QVERIFY(told("nln", {{200, -30}, {-70, 40}})
+                    .contains("8: At the right edge, is x2 < xmin? 70 < −100: no."));
+    }
+    /// "x[k]" is the coordinate of the end that k numbers.
+    void indexedNames()
+    {
+        const app::Specimen specimen{app::exactClipper(), across, window, app::YAxis::Up, {}};
+        const clipping::Step step{};
+        const std::vector<app::Variable> variables{
+            {"i", 1}, {"k", 2}, {"x[1]", 5}, {"x[2]", 7}, {"X[k]", 9}};
+        const app::Telling telling{specimen, step, nullptr, variables};
+        const app::CodeValues values(telling, {});
+        QCOMPARE(app::filledIn("x[k] - x[i] < X[k] + y[n] * xi", values),
+                 "7 − 5 < 9 + y[n] * (−160)");
     }
     /// Two numbers that differ in a late place are told in all their places.
     void digitsTellNumbersApart()
@@ -110,7 +137,7 @@ private slots:
         QCOMPARE(told("md", {{-200, 0}, {-150, 50}}).last(),
                  "2: The line is rejected: nothing of it is visible.");
         const QString lost = told("kwc:published", {{100, 0}, {100.5, 300}}).last();
-        QVERIFY2(lost.startsWith("19: The line is rejected: nothing of it is visible. That is "
+        QVERIFY2(lost.startsWith("16: The line is rejected: nothing of it is visible. That is "
                                  "wrong: "),
                  qPrintable(lost));
     }

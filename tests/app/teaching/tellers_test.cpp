@@ -139,6 +139,7 @@ private slots:
         }
     }
 
+    /// By the row's own words where it has some, which are for every step.
     void everyStepIsSaid()
     {
         for (const app::Clipper& clipper : toldClippers())
@@ -149,6 +150,9 @@ private slots:
                         const QString sentence = sentenceOf(clipper, telling);
                         if (!fault(sentence).isEmpty())
                             wrong = told(telling, sentence);
+                        const auto own = app::teachingOf(*clipper.algorithm).sentence;
+                        if (own(telling).isEmpty())
+                            wrong = told(telling, "has no words of its row");
                     });
                     QVERIFY2(wrong.isEmpty(), wrong);
                 }
@@ -156,7 +160,7 @@ private slots:
 
     /// The words for an algorithm without a row are sentences, too, whatever it does. Steps at
     /// different lines of the pseudo-code are said in different words, unless the lines are alike.
-    /// A row that has its own words has them for every step; all accept in the same words.
+    /// A row that has its own words does not say the same; but all accept in the same words.
     void theGeneralWordsSpeak()
     {
         for (const app::Clipper& clipper : toldClippers()) {
