@@ -189,12 +189,10 @@ accept the line from x[1], y[1] to x[2], y[2]
     static constexpr void cut(End<T, N>& end, const BasicSegment<T, N>& s,
                               const BasicWindow<T, N>& w, Step& step)
     {
-        if constexpr (edge == Edge::Left)
-            cutAt<edge>(end, s, w, step);
-        else if (step.test(lineOf(edge), (end.code & bitOf(edge)) != 0, edge))
-            cutAt<edge>(end, s, w, step);
-        else
-            cut<static_cast<Edge>(static_cast<int>(edge) - 1)>(end, s, w, step);
+        if constexpr (edge != Edge::Left) // which needs no test: it is the only one left
+            if (!step.test(lineOf(edge), (end.code & bitOf(edge)) != 0, edge))
+                return cut<static_cast<Edge>(static_cast<int>(edge) - 1)>(end, s, w, step);
+        cutAt<edge>(end, s, w, step);
     }
 
     /// Whether the first end, cut at one edge, has moved just as far as to the edge of the second:

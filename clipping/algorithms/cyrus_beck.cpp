@@ -134,7 +134,7 @@ accept the line from x1, y1 to x2, y2
         glm::vec<dimensions, T> d;
         for (glm::length_t k = 0; k < dimensions; ++k)
             d[k] = step.let(lineOn(k, 1), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
-        for (std::size_t i = 0; i < 2 * dimensions; ++i)
+        for (std::size_t i = 0; i < 2 * std::size_t(dimensions); ++i)
             if (!cutAt(edgesInTurn[i], part, s, d, w, step))
                 return std::nullopt;
         if (step.test(14, part.start > part.stop))

@@ -148,20 +148,20 @@ accept the line from x[1], y[1] to x[2], y[2]
         const bool leaveY = step.let(12, "leaveY", up ? y2 > yfar : y2 < yfar, farY);
 
         const LineThrough line(s);
-        if (step.test(13, enterX && leaveY && line.order(xnear, yfar) > 0, farY))
+        if (step.test(13, enterX && leaveY && std::is_gt(line.order(xnear, yfar)), farY))
             return step.reject(14);
-        if (step.test(15, enterY && leaveX && line.order(xfar, ynear) < 0, farX))
+        if (step.test(15, enterY && leaveX && std::is_lt(line.order(xfar, ynear)), farX))
             return step.reject(16);
         Piece<T> piece{s};
         auto& [a, b] = piece.visible;
-        if (step.test(17, enterX && (!enterY || line.order(xnear, ynear) >= 0), nearX)) {
+        if (step.test(17, enterX && (!enterY || std::is_gteq(line.order(xnear, ynear))), nearX)) {
             a = {xnear, line.yAt(xnear)}, piece.enter = nearX;
             step.cut(18, 0, a, nearX);
         } else if (step.test(19, enterY, nearY)) {
             a = {line.xAt(ynear), ynear}, piece.enter = nearY;
             step.cut(20, 0, a, nearY);
         }
-        if (step.test(21, leaveX && (!leaveY || line.order(xfar, yfar) <= 0), farX)) {
+        if (step.test(21, leaveX && (!leaveY || std::is_lteq(line.order(xfar, yfar))), farX)) {
             b = {xfar, line.yAt(xfar)}, piece.leave = farX;
             step.cut(22, 1, b, farX);
         } else if (step.test(23, leaveY, farY)) {

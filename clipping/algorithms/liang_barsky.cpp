@@ -149,11 +149,11 @@ accept the line from x1, y1 to x2, y2
         step.set("u0", part.start), step.let(13, "u1", part.stop);
         glm::vec<N, T> d;
         for (glm::length_t k = 0; k < N; ++k) {
-            const int line = 14 + 3 * k;
-            d[k] = step.let(lineOn(k, line), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
-            if (!clipping::clipt(-d[k], s.a[k] - w.min[k], part, lineOn(k, line + 1), lowerEdge(k),
+            const int first = 14 + 3 * k; // of the three lines of this axis
+            d[k] = step.let(lineOn(k, first), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
+            if (!clipping::clipt(-d[k], s.a[k] - w.min[k], part, lineOn(k, first + 1), lowerEdge(k),
                                  step)
-                || !clipping::clipt(d[k], w.max[k] - s.a[k], part, lineOn(k, line + 2),
+                || !clipping::clipt(d[k], w.max[k] - s.a[k], part, lineOn(k, first + 2),
                                     upperEdge(k), step))
                 return std::nullopt;
         }

@@ -266,12 +266,14 @@ place(t, s):
         return bracket;
     }
 
-    /// The point at t, which lies on the sides that `sides` names. `line` is that of the call.
+    /// The point that was found, on the sides that its codes name. `line` is that of the call.
     template <class T, glm::length_t N, class Step>
-    static constexpr glm::vec<N, T> place(int line, const T& t, unsigned sides,
+    static constexpr glm::vec<N, T> place(int line, const Bracket<T>& found,
                                           const BasicSegment<T, N>& s, const BasicWindow<T, N>& w,
                                           const Ways<T, N>& ways, Step& step)
     {
+        const T t = found.near;
+        const unsigned sides = found.codes();
         constexpr std::array names{"x", "y", "z"};
         step.set("t", t), step.let(line, "s", sides);
         glm::vec<N, T> p = s.b;
@@ -306,7 +308,7 @@ place(t, s):
         if (step.test(9, code2 != 0)) {
             if (!(last = seek(10, {T(0), code1, T(1), code2}, ways, step)))
                 return std::nullopt;
-            visible.b = place(11, last->near, last->codes(), s, w, ways, step);
+            visible.b = place(11, *last, s, w, ways, step);
             step.set("last", last->near), step.set("sides", last->codes());
             step.cut(12, 1, visible.b, edgeOf(last->farCode));
             if (step.test(13, last->nearCode != 0)) {
@@ -325,7 +327,7 @@ place(t, s):
                 if constexpr (N > 2) // in space both ends take the parameter found first: one point
                     first->near = last->near;
             }
-            visible.a = place(20, first->near, first->codes(), s, w, ways, step);
+            visible.a = place(20, *first, s, w, ways, step);
             step.cut(21, 0, visible.a, edgeOf(first->farCode));
             if (step.test(22, contact)) {
                 visible.b = visible.a;

@@ -107,13 +107,13 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
     /// The pseudo-code's names of the corners' answers.
     static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
 
-    /// The cross product of the line p and edge n, for the call on line `line`.
+    /// The cross product of the line p and edge n, for the call on line `call`.
     template <class T, class Step>
-    static constexpr Homogeneous<T> meet(int line, int n, const Homogeneous<T>& p,
+    static constexpr Homogeneous<T> meet(int call, int n, const Homogeneous<T>& p,
                                          const BasicWindow<T>& window, Step& step)
     {
         const Edge edge = edgesFromCorners[n];
-        step.let(line, "n", n, edge);
+        step.let(call, "n", n, edge);
         const auto& [px, py, pw] = p;
         const auto [ex, ey, ew] = n == 0   ? Homogeneous<T>{T(0), T(1), -window.min.y}
                                   : n == 1 ? Homogeneous<T>{T(1), T(0), -window.max.x}

@@ -331,11 +331,13 @@ repeat
 
     /// Lines 23 to 45, from cell to cell.
     template <class T, class Step>
+    // NOLINTNEXTLINE(readability-function-size): nested as in the pseudo-code
     static constexpr std::optional<BasicSegment<T>> walk(const BasicSegment<T>& s,
                                                          const Cell<T>& cell, const Way<T>& way,
                                                          const BasicWindow<T>& w, Step& step)
     {
-        const auto& [a, b, dx, dy, up] = way;
+        const auto& [a, b, dx, dy, upwards] = way;
+        const bool up = upwards; // clang takes no binding into a lambda
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
         BasicSegment<T> visible = s;
         glm::vec<2, T>&from = a == 0 ? visible.a : visible.b, &to = a == 0 ? visible.b : visible.a;

@@ -24,7 +24,7 @@
 
 namespace clipping {
 
-using namespace fastClipping;
+using namespace fast_clipping;
 
 struct SobkowPospisilYang {
     static constexpr About about{
@@ -152,7 +152,7 @@ ifT(): if y[i] > ymax: T()
         static_assert(rejectsByOutcodes());
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
         const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
-        const std::size_t code = step.let(2, "code", std::size_t(16 * code1 + code2));
+        const std::size_t code = step.let(2, "code", 16 * std::size_t(code1) + code2);
         if (step.test(3, (code1 & code2) != 0)) // the crosses of the table
             return step.reject(4);
         return player<Form::Published, T, std::remove_reference_t<Step>>[code](s, w, step);
@@ -277,7 +277,7 @@ ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
     {
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
         const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
-        const std::size_t code = step.let(2, "code", std::size_t(16 * code1 + code2));
+        const std::size_t code = step.let(2, "code", 16 * std::size_t(code1) + code2);
         if (step.test(3, (code1 & code2) != 0))
             return step.reject(4);
         return player<Form::Corrected, T, std::remove_reference_t<Step>>[code](s, w, step);

@@ -9,7 +9,7 @@
 
 // The scripts of Sobkow, Pospisil and Yang: what is done about each of the 81 pairs of regions.
 
-namespace clipping::fastClipping {
+namespace clipping::fast_clipping {
 
 /// The outcodes of the nine regions in the order of the table: C L R B T LB RB LT RT.
 inline constexpr std::array<unsigned, 9> regions{0, 1, 2, 4, 8, 5, 6, 9, 10};
@@ -109,4 +109,4 @@ constexpr bool rejectsByOutcodes()
     return true;
 }
 
-} // namespace clipping::fastClipping
+} // namespace clipping::fast_clipping

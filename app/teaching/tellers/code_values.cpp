@@ -31,7 +31,7 @@ std::optional<Variable> CodeValues::of(const QString& name) const
 {
     // What is told comes first: a row that turns the plane tells the window and the line anew.
     const QStringList all = spellings(name);
-    const auto told = toldOf(all);
+    auto told = toldOf(all);
     if (told && !isNew(*told))
         return asOfThen(*told);
     const auto& [min, max] = telling_.specimen.window;
