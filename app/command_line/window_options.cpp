@@ -86,17 +86,17 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
 
 QString windowText(const Given& given, const Imported& imported, const clipping::Window& window)
 {
+    const bool isThePage =
+        !imported.windowSaved && imported.paged && window == imported.sheet.page.rectangle();
     QString source;
     if (given.has(QStringLiteral("window")))
         source = Commands::tr("given");
     else if (const auto margin = given.text(QStringLiteral("margin")))
         source = Commands::tr("the page, margin %1").arg(*margin);
-    else if (given.has(QStringLiteral("page")))
+    else if (given.has(QStringLiteral("page")) || isThePage)
         source = Commands::tr("the page");
     else if (imported.windowSaved)
         source = Commands::tr("saved in the drawing");
-    else if (imported.paged && window == imported.sheet.page.rectangle())
-        source = Commands::tr("the page");
     else
         source = Commands::tr("all that is drawn");
     return Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported));
