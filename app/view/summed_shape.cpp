@@ -100,6 +100,13 @@ std::optional<std::vector<Polyline>> drawnParts(std::vector<Polyline> polylines,
     return parts;
 }
 
+void addStroke(Coverage& coverage, const Polyline& part, const Ink& ink)
+{
+    const Chain chain{0, std::uint32_t(part.points.size()), part.closed, true, true};
+    visitContours({part.points, chain, ink}, {}, neverCancelled,
+                  [&](std::span<const QPointF> contour) { coverage.add(contour); });
+}
+
 } // namespace
 
 bool fillSummed(QPainter& painter, const Shape& shape)
@@ -128,11 +135,8 @@ bool strokeSummed(QPainter& painter, const Shape& shape)
     if (!parts)
         return false;
     sum(painter, *pixels, FillRule::NonZero, ink.colour, [&](Coverage& coverage) {
-        for (const auto& [points, closed] : *parts) {
-            const Chain chain{0, std::uint32_t(points.size()), closed, true, true};
-            visitContours({points, chain, ink}, {}, neverCancelled,
-                          [&](std::span<const QPointF> contour) { coverage.add(contour); });
-        }
+        for (const Polyline& part : *parts)
+            addStroke(coverage, part, ink);
     });
     return true;
 }

@@ -24,14 +24,18 @@ void change(MainWindow& window, const std::function<void(app::Display&)>& edit)
     window.session().setDisplay(display);
 }
 
+void choose(MainWindow& window, const clipping::Algorithm& algorithm)
+{
+    change(window, [&](app::Display& display) { display.algorithm = &algorithm; });
+}
+
 /// The algorithms, by digit while the canvas has the focus.
 void addAlgorithms(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
     for (const clipping::Algorithm& row : clipping::algorithms()) {
-        auto* action = menu.addAction(app::latin(row.name), &window, [&window, &row] {
-            change(window, [&](app::Display& display) { display.algorithm = &row; });
-        });
+        auto* action =
+            menu.addAction(app::latin(row.name), &window, [&window, &row] { choose(window, row); });
         action->setCheckable(true);
         group->addAction(action);
         if (const QString digit = digitOf(row); !digit.isEmpty()) {
