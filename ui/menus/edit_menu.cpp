@@ -73,6 +73,7 @@ void complete(MainWindow& window, QMenu& menu)
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo editMenu()
 {
     using K = QKeySequence;

@@ -47,6 +47,27 @@ bool decides(const app::Moment& moment)
 constexpr auto crossing = "cs line -160,-30 70,130 window -100,-75 100,75";
 constexpr auto passing = "cs line -170,40 -20,150 window -100,-75 100,75";
 
+// Answers the first `first` questions of a lesson right at once, and the others right at the second
+// try, or not at all. Before the end nothing is said of the ending.
+void answerAll(Course& course, int first, bool second)
+{
+    for (int asked = 0;; course.next()) {
+        if (course.question()) {
+            QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
+            const int right = course.question()->right;
+            if (++asked > first && !second)
+                course.showAnswer();
+            else if (asked > first)
+                course.choose(right == 0 ? 1 : 0);
+            if (course.isOpen())
+                course.choose(right);
+        }
+        if (course.atLastPage())
+            return;
+        QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
+    }
+}
+
 } // namespace
 
 class LessonTest : public QObject {
@@ -192,22 +213,8 @@ private slots:
             const int questions = app::mostPoints(app::lessons()[i]) / 2;
             for (int first = 0; first <= questions; ++first)
                 for (const bool second : {false, true}) {
-                    int asked = 0;
-                    for (course.begin(i);; course.next()) {
-                        if (course.question()) {
-                            QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
-                            const int right = course.question()->right;
-                            if (++asked > first && !second)
-                                course.showAnswer();
-                            else if (asked > first)
-                                course.choose(right == 0 ? 1 : 0);
-                            if (course.isOpen())
-                                course.choose(right);
-                        }
-                        if (course.atLastPage())
-                            break;
-                        QVERIFY2(course.ending().isEmpty(), qPrintable(course.ending()));
-                    }
+                    course.begin(i);
+                    answerAll(course, first, second);
                     const bool passed = app::isPassed(course.score().points, app::lessons()[i]);
                     QString said = QStringLiteral("%1: %2 of %3 right at the first try")
                                        .arg(passed ? "Passed" : "Not passed yet")

@@ -82,7 +82,7 @@ QString variable(const app::Moment& moment, const char* name)
 QString variableAmong(const app::Moment& moment, std::initializer_list<const char*> names)
 {
     for (const char* name : names)
-        if (const QString value = variable(moment, name); !value.isEmpty())
+        if (QString value = variable(moment, name); !value.isEmpty())
             return value;
     return {};
 }
@@ -161,10 +161,9 @@ private slots:
                         const auto digit = bitsOfThePage().indexOf(bit);
                         QVERIFY2(digit >= 0, qPrintable(asked.captured(1)));
                         const QString i = variable(moment, "i");
-                        const QString code =
-                            variable(moment, i.isEmpty() ? "codeOut"
-                                             : i == u'1' ? "code[1]"
-                                                         : "code[2]");
+                        const QString code = variable(moment, i.isEmpty() ? "codeOut"
+                                                              : i == u'1' ? "code[1]"
+                                                                          : "code[2]");
                         QCOMPARE(code[digit] == u'1', *moment.answer);
                         ++tests;
                     }
