@@ -65,8 +65,8 @@ private slots:
     {
         auto scene = allInside<double>(1000);
         scene.segments[70].a.x = double(NAN);
-        scene.segments[200].b.y = INFINITY;
-        scene.segments[300].a.y = -INFINITY;
+        scene.segments[200].b.y = double(INFINITY);
+        scene.segments[300].a.y = -double(INFINITY);
         QCOMPARE(clippedAll(scene).size(), scene.segments.size() - 3);
         QVERIFY(sameAsAll(Chunks(scene.segments), scene));
     }

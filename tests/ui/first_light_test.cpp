@@ -85,6 +85,7 @@ class FirstLightTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // NOLINTNEXTLINE(readability-function-size): one way through the program, from file to file
     void aForeignDrawingIsCutAndExported()
     {
         QTemporaryDir folder;

@@ -110,7 +110,7 @@ private slots:
         showZoo(window);
         showJudge(window);
         showExplanation(clipping::algorithms().front(), window);
-        QVERIFY(!window.files().recent().size());
+        QVERIFY(window.files().recent().empty());
         int dialogs = 0;
         for (const QDialog* dialog : window.findChildren<QDialog*>())
             if (dialog->isVisible()) {
@@ -131,7 +131,8 @@ private slots:
         std::mt19937 random(1);
         for (int i = 0; i < 12; ++i) {
             QByteArray damaged = i % 2 ? whole : app::sealed(whole);
-            damaged[qsizetype(random() % std::size_t(damaged.size()))] ^= char(1 << random() % 8);
+            char& byte = damaged[qsizetype(random() % std::size_t(damaged.size()))];
+            byte = char(byte ^ 1 << random() % 8);
             QSettings().setValue("layout", damaged);
             const MainWindow window(Backend::Raster);
             QVERIFY(fits(window));

@@ -182,8 +182,9 @@ private slots:
         for (const char* arguments : {"(xmin, 1)", "(xmax, xmin)", "(-xmax, -xmin)"}) {
             const std::string call = std::string("f") + arguments;
             const std::string definition = "\nf(xmin, xmax):\n  dx = xmax-xmin\n";
-            QVERIFY(read("turn " + call + definition).lines.size() == 3);
-            QVERIFY_THROWS_EXCEPTION(Unreadable, read(call + definition));
+            const std::string plain = call + definition;
+            QVERIFY(read("turn " + plain).lines.size() == 3);
+            QVERIFY_THROWS_EXCEPTION(Unreadable, read(plain));
         }
         QVERIFY(read("f(xmin, xmax)\nf(xmin, xmax):\n").lines.size() == 2);
     }

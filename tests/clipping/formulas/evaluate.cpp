@@ -30,7 +30,10 @@ double held(double value, const Scope& scope)
     return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
 }
 
-double sign(std::strong_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
+double sign(std::strong_ordering order)
+{
+    return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
+}
 
 double valueOfFunction(const Expression& e, const Scope& scope)
 {

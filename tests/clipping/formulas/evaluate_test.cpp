@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(valueOf("held(1)", Edge::Right, 1), 6.0);
         QCOMPARE(valueOf("held(7.5)", Edge::Right, 1), 7.5);
         QCOMPARE(valueOf("held(9)", Edge::Top, 0), 7.0);
-        QVERIFY_EXCEPTION_THROWN(valueOf("held(1)"), Unreadable);
+        QVERIFY_THROWS_EXCEPTION(Unreadable, valueOf("held(1)"));
     }
 
     void errors_data()
@@ -87,7 +87,7 @@ private slots:
     void errors()
     {
         QFETCH(QString, formula);
-        QVERIFY_EXCEPTION_THROWN(valueOf(qPrintable(formula)), Unreadable);
+        QVERIFY_THROWS_EXCEPTION(Unreadable, valueOf(qPrintable(formula)));
     }
 
     void lines()
@@ -123,7 +123,7 @@ private slots:
     void linesThatDoNotRead()
     {
         QFETCH(QString, line);
-        QVERIFY_EXCEPTION_THROWN(read(line.toStdString()), Unreadable);
+        QVERIFY_THROWS_EXCEPTION(Unreadable, read(line.toStdString()));
     }
 };
 

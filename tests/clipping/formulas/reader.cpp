@@ -99,8 +99,11 @@ Expression Reader::variable()
             return {.number = constant.value};
     const auto elements = [&](const std::string& before, const std::string& after, Expression i) {
         Expression e{.kind = Kind::Element, .parts = {std::move(i)}};
-        for (int k = 0; k < 16; ++k)
-            e.variables.push_back(names_.slotOf(before + std::to_string(k) + after));
+        for (int k = 0; k < 16; ++k) {
+            std::string element = before;
+            element.append(std::to_string(k)).append(after);
+            e.variables.push_back(names_.slotOf(element));
+        }
         return e;
     };
     if (takes("[")) {
