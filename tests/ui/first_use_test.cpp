@@ -21,6 +21,31 @@ void collect(QtMsgType type, const QMessageLogContext&, const QString& text)
         warnings << text;
 }
 
+// Gives the current row of a list another name, and ends that by a key, or (Key_unknown) as by a
+// click elsewhere.
+void rename(MainWindow& window, QListView& list, const char* name, Qt::Key end)
+{
+    list.edit(list.currentIndex());
+    auto* editor = list.viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    QTest::keyClicks(editor, name);
+    if (end == Qt::Key_unknown)
+        window.canvas().setFocus();
+    else
+        QTest::keyClick(editor, end);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QTRY_VERIFY(!list.viewport()->findChild<QLineEdit*>());
+}
+
+void openAndClose(QComboBox& list, Qt::Key end)
+{
+    list.setFocus();
+    list.showPopup();
+    QTRY_VERIFY(list.view()->isVisible());
+    QTest::keyClick(list.view(), end);
+    QTRY_VERIFY2(!list.view()->isVisible(), list.accessibleName().toUtf8());
+}
+
 } // namespace
 
 // Small things that a person meets in the first hour.
@@ -139,16 +164,7 @@ private slots:
             for (const auto& [name, end] :
                  {std::pair("Sky", Qt::Key_Return), std::pair("Sea", Qt::Key_unknown),
                   std::pair("Land", Qt::Key_Escape)}) {
-                list->edit(list->currentIndex());
-                auto* editor = list->viewport()->findChild<QLineEdit*>();
-                QVERIFY(editor);
-                QTest::keyClicks(editor, name);
-                if (end == Qt::Key_unknown)
-                    t.window->canvas().setFocus(); // as a click elsewhere
-                else
-                    QTest::keyClick(editor, end);
-                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-                QTRY_VERIFY(!list->viewport()->findChild<QLineEdit*>());
+                rename(*t.window, *list, name, end);
                 QCOMPARE(list->currentIndex().row(), row);
                 QVERIFY(list->selectionModel()->isSelected(list->currentIndex()));
             }
@@ -175,11 +191,7 @@ private slots:
             ++tried;
             const QByteArray name = list->accessibleName().toUtf8();
             for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Escape}) {
-                list->setFocus();
-                list->showPopup();
-                QTRY_VERIFY(list->view()->isVisible());
-                QTest::keyClick(list->view(), end);
-                QTRY_VERIFY2(!list->view()->isVisible(), name);
+                openAndClose(*list, end);
                 QTRY_VERIFY2(focus() == t.drawingArea(), name);
             }
             list->setFocus(); // closed, by the keyboard alone
