@@ -15,7 +15,7 @@ struct Name {
 
 using enum ValueUnit;
 
-/// What a name means to all that do not use it for something else.
+/// The units of names, as most forms use them.
 constexpr auto common = std::to_array<Name>({
     {"t", Bare},
     {"tE", Bare},
@@ -93,7 +93,7 @@ constexpr auto common = std::to_array<Name>({
     {"y2", Turned},
 });
 
-/// What a published form means by a name of its own.
+/// The units of names that one published form uses for other quantities.
 struct Own {
     std::string_view key;
     Name name;

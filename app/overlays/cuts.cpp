@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-// What can be shown of an algorithm that has no overlay of its own: what its trace tells.
+// The default overlay, for algorithms without one of their own: drawn from the trace alone.
 
 namespace app {
 

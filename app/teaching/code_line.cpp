@@ -79,7 +79,7 @@ QStringList argumentsIn(const QString& text)
     return arguments;
 }
 
-/// What a call gives to the parameters of a function that the code defines.
+/// Adds the assignments that a call makes: each parameter of the definition gets its argument.
 void appendCalls(std::vector<Assignment>& all, const QString& line, const QStringList& code)
 {
     static const QRegularExpression defines(QStringLiteral("^\\s*(\\w+)\\(([\\w, ]+)\\):$"));

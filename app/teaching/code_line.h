@@ -17,11 +17,11 @@ struct Assignment {
     bool isParameter = false; ///< of a call: all of them are set at once
 };
 
-/// What a line asks: "x1 < xmin" of "else if x1 < xmin: reject"; empty: it asks nothing.
+/// The condition of a line: "x1 < xmin" of "else if x1 < xmin: reject"; empty: it has none.
 QString conditionIn(const QString& line);
 
-/// What a line sets, in its order; where it calls `f(E, F)`, the parameters of the code's
-/// definition `f(p, q):`, too.
+/// The assignments of a line, in their order. A call `f(E, F)` assigns to the parameters of its
+/// definition `f(p, q):` in the code, too.
 std::vector<Assignment> assignmentsIn(const QString& line, const QStringList& code);
 
 /// The names of a formula that stand for values: no functions, no words, no constants of bits.

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// What the figure shows: the row's line (teaching.h) in the paper's window, y up.
+/// The line of the figure (from the row of teaching.h) in the paper's window, y up.
 Specimen pageSpecimen(const clipping::Algorithm& algorithm);
 /// Its step: the last one with the row's mark; the last of all if there is none.
 std::size_t stepOf(const PageFigure& figure, const Walk& walk);

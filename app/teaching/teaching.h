@@ -5,7 +5,7 @@
 
 #include <span>
 
-// What an algorithm brings to teaching: a file in tellers/ and a line in tellers/catalogue.cpp. An
+// How an algorithm is taught: a file in tellers/ and a line in tellers/catalogue.cpp. An
 // algorithm without a row of its own is taught by the defaults, which need its trace and its
 // pseudo-code only.
 
@@ -14,7 +14,7 @@ namespace app {
 struct Overlay; // app/overlays/overlay.h
 struct Seeing;  // app/overlays/family.h
 
-/// What any algorithm sees: the edges, and where its steps cut the line.
+/// The default overlay of any algorithm: the edges, and where its steps cut the line.
 Overlay traceOverlay(const Seeing& seeing);
 
 /// A line in the paper's window (y up) that tells something about an algorithm, and the step of its

@@ -29,8 +29,8 @@ struct Telling {
     bool holds() const { return step.holds; }
 };
 
-/// What can be said of any algorithm's step, by the lit line of its pseudo-code and the numbers of
-/// its variables: "At the left edge, is x1 < xmin? −160 < −100: yes."
+/// The default sentence of a step: the lit line of the pseudo-code, with the numbers of its
+/// variables: "At the left edge, is x1 < xmin? −160 < −100: yes."
 QString generalSentence(const Telling& telling);
 
 } // namespace app
