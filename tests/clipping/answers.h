@@ -27,7 +27,6 @@ struct Question {
 /// bits.
 using Answers = std::vector<std::byte>;
 
-/// The library as it is (answers.cpp, compiled as it stands).
 namespace clipping {
 std::vector<Question> questions();
 Answers answers(const Question& question, const Block& block);

@@ -163,18 +163,6 @@ void fill(Block& block, const Number& number, std::size_t count, Source& from, i
 
 } // namespace
 
-Block randomBlock(Numbers numbers, std::size_t count, unsigned seed)
-{
-    Source from(numbers, seed);
-    Block block{"random " + std::to_string(seed), windowOf(numbers, -100, 75), {}};
-    if (numbers == Numbers::Polygon)
-        block.window = {-100, -50, 75, -60, 90, 20, 20, 75, -80, 60};
-    const double most = seed % 2 == 0 ? 960 : 130;
-    fill(
-        block, [=](Source& s) { return s.between(-most, most); }, count, from, numbersOf(numbers));
-    return block;
-}
-
 std::vector<Block> hardBlocks(Numbers numbers, std::size_t count)
 {
     std::vector<Block> blocks;

@@ -8,6 +8,3 @@
 /// infinities and NaN. `count` random segments a block; a grid has all of its segments, whatever
 /// `count`. Made by integer arithmetic, so that they are the same bits on every machine.
 std::vector<Block> hardBlocks(Numbers numbers, std::size_t count);
-
-/// A block of the paper's scene, one of many: `seed` says which.
-Block randomBlock(Numbers numbers, std::size_t count, unsigned seed);
