@@ -56,7 +56,9 @@ template <class T>
 T shareBefore(const Cross<T>& here, const Cross<T>& there)
 {
     const T all = here.value - there.value;
-    return all == T(0) ? T(0) : here.value / all;
+    if (all == T(0)) // too near the line to tell; but what is on it is
+        return T(here.sign != 0 && there.sign == 0 ? 1 : 0);
+    return here.value / all;
 }
 
 } // namespace clipping

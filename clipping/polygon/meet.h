@@ -28,13 +28,15 @@ BasicWindow<T> commonBox(const BasicSegment<T>& s, const BasicSegment<T>& t)
 }
 
 /// Where `edge` crosses s, which it does; the products are those of its ends about the line of s.
-/// Reckoned from the nearer end, so that a contact with a corner is that corner; held where both
-/// reach, which keeps it near both even where they are all but parallel.
+/// Reckoned from the nearer end, so that a contact with a corner is that corner (the signs say so
+/// where the products are too small to); held where both reach, which keeps it near both even where
+/// they are all but parallel.
 template <class T>
 glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, const Cross<T>& ofB,
                           const BasicSegment<T>& s)
 {
-    const bool fromA = !(magnitude(ofB.value) < magnitude(ofA.value));
+    const bool nearerB = magnitude(ofB.value) < magnitude(ofA.value);
+    const bool fromA = ofA.sign == 0 || (ofB.sign != 0 && !nearerB);
     const auto &near = fromA ? edge.a : edge.b, &far = fromA ? edge.b : edge.a;
     const T share = fromA ? shareBefore(ofA, ofB) : shareBefore(ofB, ofA);
     const glm::vec<2, T> met{near.x + share * (far.x - near.x), near.y + share * (far.y - near.y)};

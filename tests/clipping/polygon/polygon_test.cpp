@@ -267,6 +267,30 @@ private slots:
         }
     }
 
+    // Beside a polygon so small, the segment's ends leave no digit to tell its corners apart.
+    void cornersBelowTheSegmentsDigits_data() { everyPolygonForm(); }
+    void cornersBelowTheSegmentsDigits()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        Dice dice(8);
+        const auto point = [&dice] {
+            const int x = dice.integer(-3, 3);
+            return glm::dvec2(x, dice.integer(-3, 3));
+        };
+        for (int i = 0; i < 5'000; ++i) {
+            const auto way = point();
+            const double digit = i % 2 == 0 ? 0x1p-1074 : 0x1p-60;
+            std::vector<glm::dvec2> points{way * digit}; // a corner on the segment, mostly
+            for (int j = dice.integer(0, 4); j > 0; --j)
+                points.push_back(point() * digit);
+            const auto polygon = hullOf(points);
+            const Segment s{way * -2.75, dice.integer(0, 1) ? way * 2.75 : glm::dvec2(0, 0)};
+            const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+        }
+    }
+
     // The inner twelfths of an edge are whole numbers; what comes from outside only reaches them.
     void endsOnEdges_data() { everyPolygonForm(); }
     void endsOnEdges()
