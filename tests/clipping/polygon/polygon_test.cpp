@@ -2,6 +2,7 @@
 // What clipping/algorithm.h promises about convex polygons (polygonUlps), for every form of the
 // catalogue, against whole numbers.
 #include "clipping/algorithm.h"
+#include "clipping/exact/turn.h"
 
 #include <cmath>
 #include <limits>
@@ -289,6 +290,17 @@ private slots:
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
             QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
+    }
+
+    // Products too small to compute: the sign of what is on the line is known all the same.
+    void theWayToTheLineIsTheWholeWay()
+    {
+        const Cross<double> beside{0, -1}, on{0, 0};
+        QCOMPARE(shareBefore(beside, on), 1.0);
+        QCOMPARE(shareBefore(on, beside), 0.0);
+        const ConvexPolygon polygon{{{-2.75, -2.75}, {2.75, 2.75}, {-2.75, 2.75}}};
+        const auto piece = findAlgorithm("cyrus-beck")->polygon->clip({{0x1p-1070, 0}, {}}, polygon);
+        QVERIFY(piece && piece->a == glm::dvec2(0, 0) && piece->b == piece->a);
     }
 
     // The inner twelfths of an edge are whole numbers; what comes from outside only reaches them.
