@@ -71,7 +71,8 @@ double special(Source& from)
 
 double longLength(Source& from)
 {
-    return from.rounded(std::ldexp(from.between(-1, 1), from.whole(0, from.single() ? 20 : 48)));
+    const int exponent = from.whole(0, from.single() ? 20 : 48); // first, whatever the processor
+    return from.rounded(std::ldexp(from.between(-1, 1), exponent));
 }
 
 /// A window from low to high on each axis, moved a little from axis to axis.
