@@ -20,7 +20,7 @@ constexpr const char* fragmentShader = "#version 330 core\n"
                                        "void main() { colour = vec4(1); }\n";
 
 /// A vertex array and one buffer that is filled anew for each draw.
-class GlEasel : public Easel {
+class GlEasel final : public Easel {
 public:
     GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
             std::unique_ptr<QOpenGLContext> context);

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-class RasterEasel : public Easel {
+class RasterEasel final : public Easel {
 public:
     explicit RasterEasel(const Field& field)
         : corner_(field.space.min), scale_(fitOf(field).scale),
