@@ -58,10 +58,19 @@ fileOf() { # KEY
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
 
+# The sources that include a header, by way of others, too.
+includersOf() { # FILE
+    local file
+    grep -rl --include="*.cpp" "\"$1\"" "$root/clipping" || true
+    for file in $(grep -rl --include="*.h" "\"$1\"" "$root/clipping"); do
+        includersOf "clipping/${file#"$root/clipping/"}"
+    done
+}
+
 # Compiles a mutant: itself, or what includes it, with it in the place of the header.
 compile() { # FILE
     local source sources=("$work/tree/$1")
-    [[ $1 != *.h ]] || mapfile -t sources < <(grep -rl --include="*.cpp" "\"$1\"" "$root/clipping")
+    [[ $1 != *.h ]] || mapfile -t sources < <(includersOf "$1" | sort -u)
     rm -f "$work"/mutant*.o
     for source in "${sources[@]}"; do
         c++ -std=c++20 -O2 -w -ffp-contract=off -I "$work/tree" -I "$root" -c "$source" \

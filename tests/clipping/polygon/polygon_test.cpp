@@ -292,6 +292,40 @@ private slots:
         }
     }
 
+    // So thin that its long edges, and the normals, are one line to all but the box.
+    void besideTheTipOfANeedle_data() { everyPolygonForm(); }
+    void besideTheTipOfANeedle()
+    {
+        QFETCH(const PolygonUses*, uses);
+        QFETCH(bool, decidesExactly);
+        Dice dice(9);
+        for (int i = 0; i < 2'000; ++i) {
+            const double at = dice.uniform(0.5, 2), width = std::exp2(dice.integer(-54, -50));
+            const auto side = [&] { return at + width * dice.integer(-6, 6); };
+            const double low = side(), beyond = 1 + std::exp2(dice.uniform(-52, 2));
+            std::vector<glm::dvec2> points{{1, at}, {0, low}, {0, side()}};
+            Segment s{{beyond, at + dice.uniform(0.1, 2)}, {beyond, at - dice.uniform(0.1, 2)}};
+            if (i % 2 == 0)
+                std::swap(s.a, s.b);
+            if (i % 4 < 2)
+                for (auto* point : {&points[0], &points[1], &points[2], &s.a, &s.b})
+                    std::swap(point->x, point->y);
+            const auto polygon = hullOf(points);
+            const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
+            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+        }
+    }
+
+    // "if tL < 1 and tE == tL: x1 = x2, y1 = y2" of the pseudo-code.
+    void aContactIsTheOtherEnd()
+    {
+        const ConvexPolygon square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        const Trace trace = findAlgorithm("cyrus-beck")->polygon->trace({{0, 2}, {2, 0}}, square);
+        QCOMPARE(trace.outcome, Outcome::Visible);
+        QCOMPARE(trace.visible.a, trace.visible.b);
+        QCOMPARE(std::ranges::count(trace.steps, 22, &Step::line), 1);
+    }
+
     // Products too small to compute: the sign of what is on the line is known all the same.
     void theWayToTheLineIsTheWholeWay()
     {
@@ -299,7 +333,8 @@ private slots:
         QCOMPARE(shareBefore(beside, on), 1.0);
         QCOMPARE(shareBefore(on, beside), 0.0);
         const ConvexPolygon polygon{{{-2.75, -2.75}, {2.75, 2.75}, {-2.75, 2.75}}};
-        const auto piece = findAlgorithm("cyrus-beck")->polygon->clip({{0x1p-1070, 0}, {}}, polygon);
+        const auto piece =
+            findAlgorithm("cyrus-beck")->polygon->clip({{0x1p-1070, 0}, {}}, polygon);
         QVERIFY(piece && piece->a == glm::dvec2(0, 0) && piece->b == piece->a);
     }
 
