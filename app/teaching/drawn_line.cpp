@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/drawn_line.h"
 
-#include "app/comparison/inspection.h"
+#include "app/teaching/inspection.h"
 #include "app/teaching/specimen.h"
 
 #include <QScopedValueRollback>

@@ -19,7 +19,7 @@ public:
     /// Opens the microscope: at the inspected line, else the first that the window cuts, else any;
     /// of an empty drawing at one of our own.
     void look();
-    /// At this line, with what explains it (app/comparison/inspection.h).
+    /// At this line, with what explains it (app/teaching/inspection.h).
     void look(std::size_t segment);
 
     /// The next line or the one before, round and round.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/teaching/teller.h"
+#include "app/teaching/value_unit.h"
 
 #include <span>
 
@@ -33,6 +34,9 @@ struct Teaching {
     std::array<std::string_view, 2> middle{}; ///< or the two that are the point itself
     Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< what it sees of the plane
     PageFigure figure{};
+    /// The variables of its codes that no other row tells, and those that mean something else in
+    /// the published one; a variable that nobody names is shown as a bare number.
+    std::span<const VariableUnit> variables{}, published{};
 };
 
 /// The rows that there are.

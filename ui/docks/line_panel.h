@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/inspection.h"
+#include "app/teaching/inspection.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace app {
 
 namespace {
@@ -119,6 +121,26 @@ QString sentence(const Telling& telling)
     return lineOf(telling) == 14 ? concluded(telling) : asked(telling);
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"D", ValueUnit::Length},
+    {"N", ValueUnit::Length},
+    {"nx", ValueUnit::Bare},
+    {"ny", ValueUnit::Bare},
+    {"tE", ValueUnit::Bare},
+    {"tL", ValueUnit::Bare},
+    {"xv", ValueUnit::X},
+    {"yv", ValueUnit::Y},
+    {"xw", ValueUnit::X},
+    {"yw", ValueUnit::Y},
+});
+/// The normals of the print are as long as the edges.
+constexpr auto publishedVariables = std::to_array<VariableUnit>({
+    {"nx", ValueUnit::Length},
+    {"ny", ValueUnit::Length},
+    {"D", ValueUnit::Area},
+    {"N", ValueUnit::Area},
+});
+
 } // namespace
 
 extern const Teaching cyrusBeckTeaching;
@@ -127,6 +149,8 @@ const Teaching cyrusBeckTeaching{
     .sentence = sentence,
     .parameter = "t",
     .overlay = parameterOverlay,
+    .variables = variables,
+    .published = publishedVariables,
 };
 
 } // namespace app

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace app {
 
 using clipping::Edge;
@@ -161,6 +163,13 @@ QString sentence(const Telling& telling)
     }
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"xnear", ValueUnit::X},
+    {"ynear", ValueUnit::Y},
+    {"xfar", ValueUnit::X},
+    {"yfar", ValueUnit::Y},
+});
+
 } // namespace
 
 extern const Teaching exactTeaching;
@@ -169,6 +178,7 @@ const Teaching exactTeaching{
     .sentence = sentence,
     .overlay = turnOverlay,
     .figure = {.line = {{-160, 10}, {-20, 120}}}, // close by a corner
+    .variables = variables,
 };
 
 } // namespace app

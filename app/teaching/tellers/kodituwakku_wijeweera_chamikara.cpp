@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <array>
 #include <cmath>
 
 namespace app {
@@ -194,6 +195,12 @@ QString sentence(const Telling& telling)
     }
 }
 
+/// Of the line y = mx + c.
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"m", ValueUnit::Bare},
+    {"c", ValueUnit::FixedLength},
+});
+
 } // namespace
 
 extern const Teaching kodituwakkuWijeweeraChamikaraTeaching;
@@ -202,6 +209,7 @@ const Teaching kodituwakkuWijeweeraChamikaraTeaching{
     .sentence = sentence,
     .overlay = pushOverlay,
     .figure = {.line = {{-150, -110}, {120, 100}}},
+    .variables = variables,
 };
 
 } // namespace app

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace app {
 
 namespace {
@@ -118,6 +120,14 @@ QString sentence(const Telling& telling)
     return line == 2 || line == 7 || line == 12 ? direction(telling) : crossing(telling);
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"p", ValueUnit::Length},
+    {"q", ValueUnit::Length},
+    {"r", ValueUnit::Bare},
+    {"u0", ValueUnit::Bare},
+    {"u1", ValueUnit::Bare},
+});
+
 } // namespace
 
 extern const Teaching liangBarskyTeaching;
@@ -127,6 +137,7 @@ const Teaching liangBarskyTeaching{
     .parameter = "r",
     .overlay = parameterOverlay,
     .figure = {.mark = Mark::Divide}, // a parameter, and where it is on the line
+    .variables = variables,
 };
 
 } // namespace app

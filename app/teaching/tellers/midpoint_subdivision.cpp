@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace app {
 
 using clipping::What;
@@ -244,6 +246,22 @@ QString sentence(const Telling& telling)
     }
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"f", ValueUnit::Bare},
+    {"last", ValueUnit::Bare},
+    {"n", ValueUnit::Bare},
+    {"toLeft", ValueUnit::Length},
+    {"toRight", ValueUnit::Length},
+    {"toBottom", ValueUnit::Length},
+    {"toTop", ValueUnit::Length},
+    {"xf", ValueUnit::X},
+    {"yf", ValueUnit::Y},
+    {"xm", ValueUnit::X},
+    {"ym", ValueUnit::Y},
+    {"xn", ValueUnit::X},
+    {"yn", ValueUnit::Y},
+});
+
 } // namespace
 
 extern const Teaching midpointSubdivisionTeaching;
@@ -254,6 +272,7 @@ const Teaching midpointSubdivisionTeaching{
     .middle = {"xm", "ym"},
     .overlay = midpointOverlay,
     .figure = {.line = {{-40, -10}, {160, 110}}}, // halves without division
+    .variables = variables,
 };
 
 } // namespace app

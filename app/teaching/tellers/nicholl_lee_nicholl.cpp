@@ -238,6 +238,22 @@ QString sentence(const Telling& telling)
     }
 }
 
+/// The line and the window are known; told again, they are those of a turned plane.
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"pxmin", ValueUnit::Area},
+    {"pxmax", ValueUnit::Area},
+    {"pymin", ValueUnit::Area},
+    {"pymax", ValueUnit::Area},
+    {"xmin", ValueUnit::Turned},
+    {"ymin", ValueUnit::Turned},
+    {"xmax", ValueUnit::Turned},
+    {"ymax", ValueUnit::Turned},
+    {"x1", ValueUnit::Turned},
+    {"y1", ValueUnit::Turned},
+    {"x2", ValueUnit::Turned},
+    {"y2", ValueUnit::Turned},
+});
+
 } // namespace
 
 extern const Teaching nichollLeeNichollTeaching;
@@ -246,6 +262,7 @@ const Teaching nichollLeeNichollTeaching{
     .sentence = sentence,
     .overlay = sectorOverlay,
     .figure = {.line = {{-160, -100}, {150, 20}}},
+    .variables = variables,
 };
 
 } // namespace app

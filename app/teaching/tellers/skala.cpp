@@ -284,6 +284,28 @@ QString sentence(const Telling& telling)
     }
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"F", ValueUnit::Area},
+    {"f[0]", ValueUnit::Area},
+    {"f[1]", ValueUnit::Area},
+    {"f[2]", ValueUnit::Area},
+    {"f[3]", ValueUnit::Area},
+    {"px", ValueUnit::Length},
+    {"py", ValueUnit::Length},
+    {"X[k]", ValueUnit::X},
+    {"Y[k]", ValueUnit::Y},
+});
+/// Lines and points of the print are vectors of three: x, y and w.
+constexpr auto publishedVariables = std::to_array<VariableUnit>({
+    {"ex[n]", ValueUnit::Bare},
+    {"ey[n]", ValueUnit::Bare},
+    {"ew[n]", ValueUnit::FixedLength},
+    {"pw", ValueUnit::FixedArea},
+    {"x", ValueUnit::FixedArea},
+    {"y", ValueUnit::FixedArea},
+    {"w", ValueUnit::Length},
+});
+
 } // namespace
 
 extern const Teaching skalaTeaching;
@@ -292,6 +314,8 @@ const Teaching skalaTeaching{
     .sentence = sentence,
     .overlay = signOverlay,
     .figure = {.line = {{-170, -20}, {60, 140}}}, // two intersections at once
+    .variables = variables,
+    .published = publishedVariables,
 };
 
 } // namespace app

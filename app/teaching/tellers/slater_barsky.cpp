@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <array>
 #include <cmath>
 
 namespace app {
@@ -301,6 +302,14 @@ QString sentence(const Telling& telling)
     }
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"e", ValueUnit::Area},
+    {"X", ValueUnit::X},
+    {"Y", ValueUnit::Y},
+    {"yIn", ValueUnit::Y},
+    {"yOut", ValueUnit::Y},
+});
+
 } // namespace
 
 extern const Teaching slaterBarskyTeaching;
@@ -309,6 +318,7 @@ const Teaching slaterBarskyTeaching{
     .sentence = sentence,
     .overlay = cellOverlay,
     .figure = {.line = {{-150, 20}, {140, -40}}},
+    .variables = variables,
 };
 
 } // namespace app

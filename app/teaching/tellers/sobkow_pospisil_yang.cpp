@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace app {
 
@@ -123,6 +124,11 @@ QString sentence(const Telling& telling)
     }
 }
 
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"way[1]", ValueUnit::Length},
+    {"way[2]", ValueUnit::Length},
+});
+
 } // namespace
 
 extern const Teaching sobkowPospisilYangTeaching;
@@ -131,6 +137,7 @@ const Teaching sobkowPospisilYangTeaching{
     .sentence = sentence,
     .overlay = scriptOverlay,
     .figure = {.line = {{-150, 40}, {20, -120}}},
+    .variables = variables,
 };
 
 } // namespace app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/inspection.h"
 #include "app/overlays/overlay.h"
+#include "app/teaching/inspection.h"
 #include "app/teaching/page.h"
 
 #include <QMap>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/inspection.h"
+#include "app/teaching/inspection.h"
 
 #include <QTest>
 

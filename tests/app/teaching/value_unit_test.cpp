@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The unit of every number that an algorithm tells, by what becomes of it in a plane of another
 // size, and in one that is moved.
-#include "app/comparison/value_unit.h"
 #include "app/teaching/teaching.h"
+#include "app/teaching/value_unit.h"
 
 #include <QTest>
 

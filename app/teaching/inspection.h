@@ -44,8 +44,8 @@ QString verdictText(const Inspection& inspection);
 /// "14 compare, 4 add, 1 multiply, 1 divide"; counts of 0 are left out.
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace except its tests, and one for the end: the action, its values
-/// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For an
-/// exhibit: its defect.
+/// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For
+/// an exhibit: its defect.
 QStringList stepTexts(const Inspection& inspection, Unit unit, const Page& page);
 
 } // namespace app

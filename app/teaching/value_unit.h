@@ -19,8 +19,15 @@ enum class ValueUnit : std::uint8_t {
     Turned       ///< of a plane that the algorithm has turned: no place in the drawing
 };
 
-/// The unit of a number (clipping::ValueKind::Number) of this name that a form tells; nothing: no
-/// row of the catalogue tells one of this name.
+/// A variable that steps tell, and the unit of its numbers.
+struct VariableUnit {
+    std::string_view name;
+    ValueUnit unit;
+};
+
+/// The unit of a number (clipping::ValueKind::Number) of this name that a form tells: as the
+/// algorithm's row says (app/teaching/teaching.h), else as most forms use the name; nothing: nobody
+/// says.
 std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name);
 
 } // namespace app

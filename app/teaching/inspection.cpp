@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/inspection.h"
+#include "app/teaching/inspection.h"
 
 #include "app/comparison/outcode_text.h"
-#include "app/comparison/value_unit.h"
+#include "app/teaching/value_unit.h"
 #include "app/view/numbers.h"
 #include "app/view/place.h"
 #include "clipping/outcode.h"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/value_unit.h"
+
+#include "app/teaching/teaching.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+using enum ValueUnit;
+
+/// What more than one row tells.
+constexpr auto common = std::to_array<VariableUnit>({
+    {"t", Bare},
+    {"dx", Length},
+    {"dy", Length},
+    {"rise", Length},
+    {"run", Length},
+    {"x", X},
+    {"y", Y},
+    {"xi", X},
+    {"yi", Y},
+    {"xo", X},
+    {"yo", Y},
+});
+
+} // namespace
+
+std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name)
+{
+    const Teaching row = teachingOf(*clipper.algorithm);
+    const bool isPublished = clipper.form == clipping::Form::Published;
+    for (const std::span<const VariableUnit> all :
+         {isPublished ? row.published : std::span<const VariableUnit>(), row.variables,
+          std::span<const VariableUnit>(common)})
+        if (const auto found = std::ranges::find(all, name, &VariableUnit::name);
+            found != all.end())
+            return found->unit;
+    return std::nullopt;
+}
+
+} // namespace app
