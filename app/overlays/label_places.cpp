@@ -147,8 +147,11 @@ std::vector<QLineF> hatching(const QPolygonF& convex, double spacing)
     if (convex.size() < 3)
         return lines;
     const auto sum = [](const QPointF& p) { return p.x() + p.y(); };
-    const auto [low, high] = std::ranges::minmax(convex, {}, sum);
-    for (double at = std::ceil(sum(low) / spacing) * spacing; at < sum(high); at += spacing) {
+    const auto [low, high] = std::ranges::minmax_element(convex, {}, sum);
+    const auto first = int(std::ceil(sum(*low) / spacing));
+    const auto last = int(std::ceil(sum(*high) / spacing));
+    for (int line = first; line < last; ++line) {
+        const double at = line * spacing;
         std::array<QPointF, 2> ends;
         std::size_t found = 0;
         for (qsizetype i = 0; i < convex.size() && found < 2; ++i) {

@@ -71,8 +71,10 @@ void hatch(const Picture& s, const QRectF& area)
     QColor quiet = s.colours.rule;
     quiet.setAlphaF(0.7F);
     s.painter.setPen(pen(quiet, s.u));
-    const double first = std::floor((area.left() + area.top()) / gap) * gap;
-    for (double sum = first; sum < area.right() + area.bottom(); sum += gap) { // x + y == sum
+    const auto first = int(std::floor((area.left() + area.top()) / gap));
+    const auto last = int(std::ceil((area.right() + area.bottom()) / gap));
+    for (int line = first; line < last; ++line) {
+        const double sum = line * gap; // x + y
         const double left = std::max(area.left(), sum - area.bottom());
         const double right = std::min(area.right(), sum - area.top());
         if (left < right)

@@ -143,8 +143,9 @@ private:
         const QPointF along = (seen.p2() - seen.p1()) / length;
         const QPointF stroke = (side / size + along) * tick;
         painter_.setPen(QPen(faint(colourOf(line.emphasis), 0.6F), 1));
-        for (double at = tickSpacing / 2; at < length; at += tickSpacing) {
-            const QPointF from = seen.p1() + at * along;
+        const auto ticks = int(std::ceil(length / tickSpacing - 0.5));
+        for (int i = 0; i < ticks; ++i) {
+            const QPointF from = seen.p1() + (i + 0.5) * tickSpacing * along;
             painter_.drawLine(QLineF(from, from + stroke));
         }
     }
