@@ -275,16 +275,18 @@ private slots:
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
         Dice dice(8);
-        const auto point = [&dice] {
-            const int x = dice.integer(-3, 3);
-            return glm::dvec2(x, dice.integer(-3, 3));
+        const auto whole = [&dice] { return double(dice.integer(-3, 3)); };
+        const auto any = [&dice] { return dice.uniform(-3, 3); };
+        const auto point = [](const auto& number) {
+            const double x = number();
+            return glm::dvec2(x, number());
         };
         for (int i = 0; i < 5'000; ++i) {
-            const auto way = point();
+            const auto way = point(whole);
             const double digit = i % 2 == 0 ? 0x1p-1074 : 0x1p-60;
             std::vector<glm::dvec2> points{way * digit}; // a corner on the segment, mostly
             for (int j = dice.integer(0, 4); j > 0; --j)
-                points.push_back(point() * digit);
+                points.push_back((i % 4 == 3 ? point(any) : point(whole)) * digit);
             const auto polygon = hullOf(points);
             const Segment s{way * -2.75, dice.integer(0, 1) ? way * 2.75 : glm::dvec2(0, 0)};
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
