@@ -55,7 +55,8 @@ std::vector<Corner> endsOf(const std::vector<Corner>& all)
 }
 
 /// The corners at which the polygon turns, from the first edge upwards; none if it turns right, or
-/// back, or goes round more than once.
+/// goes round more than once. (With a way straight back, half a turn, it would go round more than
+/// once, or lie in one line.)
 std::vector<Corner> turning(const std::vector<Corner>& all)
 {
     const std::size_t n = all.size();
@@ -65,7 +66,7 @@ std::vector<Corner> turning(const std::vector<Corner>& all)
         const auto &p = all[(i + n - 1) % n].at, &q = all[i].at, &r = all[(i + 1) % n].at;
         const int turn = turnAt(all, (i + n - 1) % n);
         const bool up = upwards(q, r), wasUp = upwards(p, q);
-        if (turn < 0 || (turn == 0 && up != wasUp))
+        if (turn < 0)
             return {};
         if (up && !wasUp)
             ++rounds, first = kept.size();

@@ -13,7 +13,7 @@ build=$root/build/release
 testsOf() { # KEY
     case $1 in
     box/*) echo box.box ;;
-    polygon/* | exact/turn*) echo polygon.polygon ;;
+    polygon/* | exact/turn*) echo polygon.polygon fingerprints ;;
     polyline) echo polyline ;;
     exact) echo algorithms.exact contract uses ;;
     algorithms/sobkow-pospisil-yang.h) echo published contract uses ;;

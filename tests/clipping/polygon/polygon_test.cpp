@@ -475,6 +475,21 @@ private slots:
                 < comparisons(*skala->polygon, 4'096) / 20);
     }
 
+    // Of corners that are given twice, the last one starts the edge.
+    void equalCornersHaveNoEdge_data() { everyPolygonForm(); }
+    void equalCornersHaveNoEdge()
+    {
+        QFETCH(const PolygonUses*, uses);
+        const ConvexPolygon polygon{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {2, 2}, {0, 2}}};
+        const auto upwards = clipOne(*uses, {{1, -1}, {1, 3}}, polygon);
+        const auto rightwards = clipOne(*uses, {{-1, 1}, {3, 1}}, polygon);
+        QVERIFY(upwards && rightwards);
+        QCOMPARE(polygonEdgeOfA(upwards->cut), 2U);
+        QCOMPARE(polygonEdgeOfB(upwards->cut), 6U);
+        QCOMPARE(polygonEdgeOfA(rightwards->cut), 7U);
+        QCOMPARE(polygonEdgeOfB(rightwards->cut), 3U);
+    }
+
     void numbersManyEdges_data() { everyPolygonForm(); }
     void numbersManyEdges()
     {
