@@ -8,6 +8,8 @@
 #include <QRegularExpression>
 #include <QSvgGenerator>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -68,18 +70,27 @@ QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption)
     return withSize(withFamilies(buffer.data()), page.size.toSize());
 }
 
-QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale)
+QImage imageOf(const PaintedPage& page, double scale)
 {
     QImage image((page.size * scale).toSize(), QImage::Format_RGB32);
     if (image.isNull())
-        return {};
-    image.setDevicePixelRatio(scale);
-    image.setText(QStringLiteral("Title"), caption.title);
-    image.setText(QStringLiteral("Description"), caption.description);
+        return image;
+    image.setDevicePixelRatio(std::max(scale, 1.0));
     image.fill(Qt::white);
     QPainter painter(&image);
+    if (scale < 1) // which painters do not take for a ratio of pixels
+        painter.scale(scale, scale);
     page.paint(painter);
-    painter.end();
+    return image;
+}
+
+QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale)
+{
+    QImage image = imageOf(page, scale);
+    if (image.isNull())
+        return {};
+    image.setText(QStringLiteral("Title"), caption.title);
+    image.setText(QStringLiteral("Description"), caption.description);
     QBuffer buffer;
     return image.save(&buffer, "png") ? buffer.data() : QByteArray();
 }

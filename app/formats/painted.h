@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QImage>
 #include <QSizeF>
 #include <QString>
 
@@ -26,7 +27,9 @@ struct PaintedCaption {
 };
 
 QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption);
-/// `scale`: pixels for each logical one. Empty if there is not enough memory.
+/// `scale`: pixels for each logical one, more or less than 1. Null if there is not enough memory.
+QImage imageOf(const PaintedPage& page, double scale);
+/// The same as a file; empty if there is not enough memory.
 QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale);
 /// A page for each, as large as it says.
 QByteArray pdfOf(std::span<const PaintedPage> pages, const PaintedCaption& caption);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/painted.h"
 #include "app/teaching/trace_file.h"
 
 #include <QImage>
@@ -27,13 +28,10 @@ int delayOf(const Walk& walk, std::size_t step)
 
 QImage frameOf(const TraceExport& trace, std::size_t step)
 {
-    QImage image((QSizeF(slideWidth, slideHeight) * trace.scale).toSize(), QImage::Format_RGB32);
-    if (image.isNull())
-        return image;
-    image.setDevicePixelRatio(trace.scale);
-    QPainter painter(&image);
-    paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
-    return image;
+    const auto paint = [&](QPainter& painter) {
+        paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
+    };
+    return imageOf({{slideWidth, slideHeight}, paint}, trace.scale);
 }
 
 /// Colours that are alike: five bits of each part.

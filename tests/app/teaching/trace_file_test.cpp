@@ -137,6 +137,28 @@ private slots:
         QVERIFY2(difference(page, ours) < 4, QByteArray::number(difference(page, ours)));
     }
 
+    /// A picture of less than 1280 pixels was once the upper left of the whole one.
+    void everyWidthShowsTheWholePicture()
+    {
+        TraceExport trace = sample();
+        trace.only = trace.walk.moments.size() - 1;
+        const QImage whole(written(trace, "png").front());
+        for (const int width : {64, 320, 640, 900, 1279, 1920}) {
+            trace.scale = width / double(whole.width());
+            for (const char* key : {"png", "gif"}) {
+                const QImage image(written(trace, key).front());
+                const QImage expected =
+                    whole.scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+                QCOMPARE(image.width(), width);
+                QVERIFY2(difference(image, expected) < 4,
+                         qPrintable(QStringLiteral("%1 at %2: %3")
+                                        .arg(QLatin1StringView(key))
+                                        .arg(width)
+                                        .arg(difference(image, expected))));
+            }
+        }
+    }
+
     void theGifHasAFrameForEachStep() // by Qt's own reader, not giflib's
     {
         TraceExport trace = sample();
