@@ -68,7 +68,7 @@ inline std::string nameOf(const clipping::InstructionSet& set)
 }
 inline const clipping::InstructionSet& fastestSet()
 {
-    const clipping::InstructionSet* fastest = nullptr;
+    const auto* fastest = &clipping::instructionSets().front(); // the portable one
     for (const auto& set : clipping::instructionSets())
         if (set.available)
             fastest = &set;
