@@ -9,7 +9,7 @@ namespace ui {
 
 /// The lines that differ, sorted. Only the rows that are shown are put into words, so that half a
 /// million of them cost no more than a sort.
-class DifferenceModel : public QAbstractTableModel {
+class DifferenceModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:

@@ -9,7 +9,7 @@ namespace ui {
 
 /// The lines that were judged, sorted; the worst come first. Only rows that are shown are put into
 /// words.
-class TruthModel : public QAbstractTableModel {
+class TruthModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:
