@@ -3,30 +3,16 @@
 
 #include <QTest>
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <boost/rational.hpp>
 #include <cmath>
 #include <limits>
 
+#include "tests/clipping/rational.h"
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
 
 using namespace clipping;
-// (Boost's own cpp_rational keeps references to temporaries, which clang's analyzer does not like.)
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                            boost::multiprecision::et_off>;
-using Rational = boost::rational<Whole>;
 
 namespace {
-
-/// The exact value of a float or a double.
-Rational exactly(double x)
-{
-    int exponent = 0;
-    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-    const int shift = exponent - 53;
-    return shift < 0 ? Rational(mantissa, Whole(1) << -shift) : Rational(Whole(mantissa) << shift);
-}
 
 /// The truth: Liang and Barsky's intervals in rational numbers.
 struct Truth {
@@ -37,15 +23,15 @@ struct Truth {
 template <class T>
 Truth truth(const BasicSegment<T>& s, const BasicWindow<T>& w)
 {
-    const Rational ax = exactly(s.a.x), ay = exactly(s.a.y);
-    const Rational dx = exactly(s.b.x) - ax, dy = exactly(s.b.y) - ay;
+    const Rational ax = rational(s.a.x), ay = rational(s.a.y);
+    const Rational dx = rational(s.b.x) - ax, dy = rational(s.b.y) - ay;
     const Rational zero(0);
     Rational from(0), to(1);
     const auto within = [&](const Rational& start, const Rational& d, T low, T high) {
         if (d == zero)
-            return start >= exactly(low) && start <= exactly(high);
-        const Rational first = (exactly(d > zero ? low : high) - start) / d;
-        const Rational last = (exactly(d > zero ? high : low) - start) / d;
+            return start >= rational(low) && start <= rational(high);
+        const Rational first = (rational(d > zero ? low : high) - start) / d;
+        const Rational last = (rational(d > zero ? high : low) - start) / d;
         from = std::max(from, first);
         to = std::min(to, last);
         return from <= to;
@@ -68,14 +54,14 @@ bool evenMantissa(T x)
 template <class T>
 bool nearest(T x, const Rational& exact)
 {
-    const Rational value = exactly(x);
+    const Rational value = rational(x);
     if (value == exact)
         return true;
     constexpr T infinity = std::numeric_limits<T>::infinity();
     const T neighbour = std::nextafter(x, exact > value ? infinity : -infinity);
     if (!std::isfinite(neighbour))
         return true;
-    const Rational own = abs(exact - value), others = abs(exact - exactly(neighbour));
+    const Rational own = abs(exact - value), others = abs(exact - rational(neighbour));
     return own < others || (own == others && evenMantissa(x));
 }
 

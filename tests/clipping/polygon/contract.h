@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/clipping/polygon/oracle.h"
+#include "tests/clipping/rational.h"
 #include "tests/clipping/same_bits.h"
 
 using PolygonUses = clipping::Uses<clipping::Segment, clipping::ConvexPolygon>;
@@ -34,11 +35,10 @@ inline std::string exactly(const clipping::Segment& s, const clipping::ConvexPol
 /// The convex hull, counter-clockwise, exactly; points between two others on a line stay.
 inline clipping::ConvexPolygon hullOf(std::vector<glm::dvec2> points)
 {
-    using Rational = boost::multiprecision::cpp_rational;
     const auto turnsRight = [](const auto& p, const auto& q, const auto& r) {
-        const Rational px(p.x), py(p.y);
-        return (Rational(q.x) - px) * (Rational(r.y) - py)
-               < (Rational(q.y) - py) * (Rational(r.x) - px);
+        const Rational px = rational(p.x), py = rational(p.y);
+        return (rational(q.x) - px) * (rational(r.y) - py)
+               < (rational(q.y) - py) * (rational(r.x) - px);
     };
     std::ranges::sort(
         points, [](const auto& p, const auto& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
