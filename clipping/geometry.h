@@ -94,7 +94,7 @@ constexpr Edge cutEdgeOfB(std::uint32_t cut) { return static_cast<Edge>(cut >> 8
 /// Against a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else
 /// 1 + the index of the edge, and 65535 for edge 65534 and all that follow. Where several edges lie
 /// in one line it is the number of the first of them; at a corner, of one of the two that meet
-/// there.
+/// there. An edge from a corner to an equal one cuts nothing.
 constexpr std::uint32_t edgeNumber(std::size_t index)
 {
     return index < 0xfffe ? static_cast<std::uint32_t>(index + 1) : 0xffff;

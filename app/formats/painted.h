@@ -27,9 +27,10 @@ struct PaintedCaption {
 };
 
 QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption);
-/// `scale`: pixels for each logical one, more or less than 1. Null if there is not enough memory.
+/// `scale`: pixels for each logical one, which may be less than 1. Null if there is not enough
+/// memory, or nothing left of it.
 QImage imageOf(const PaintedPage& page, double scale);
-/// The same as a file; empty if there is not enough memory.
+/// The same as a file, with the caption; empty where that is null.
 QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale);
 /// A page for each, as large as it says.
 QByteArray pdfOf(std::span<const PaintedPage> pages, const PaintedCaption& caption);

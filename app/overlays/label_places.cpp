@@ -148,9 +148,11 @@ std::vector<QLineF> hatching(const QPolygonF& convex, double spacing)
         return lines;
     const auto sum = [](const QPointF& p) { return p.x() + p.y(); };
     const auto [low, high] = std::ranges::minmax_element(convex, {}, sum);
-    const auto first = int(std::ceil(sum(*low) / spacing));
-    const auto last = int(std::ceil(sum(*high) / spacing));
-    for (int line = first; line < last; ++line) {
+    constexpr double most = 1e6; // from the origin; no screen has so many
+    const double first = std::ceil(sum(*low) / spacing), last = std::ceil(sum(*high) / spacing);
+    if (!(first >= -most && last <= most))
+        return lines;
+    for (int line = int(first); line < int(last); ++line) {
         const double at = line * spacing;
         std::array<QPointF, 2> ends;
         std::size_t found = 0;

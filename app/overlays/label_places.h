@@ -44,7 +44,8 @@ std::vector<QRectF> placesInside(const QPolygonF& convex, const QSizeF& size);
 /// Places at either end of a line, on both sides of it, a little way in.
 std::vector<QRectF> placesAlong(const QLineF& line, const QSizeF& size, double gap);
 
-/// Lines that hatch a convex area, rising to the right, at the same places for every area.
+/// Lines that hatch a convex area, rising to the right, at the same places for every area; none in
+/// an area without bounds.
 std::vector<QLineF> hatching(const QPolygonF& convex, double spacing);
 
 } // namespace app

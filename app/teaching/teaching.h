@@ -34,8 +34,8 @@ struct Teaching {
     std::array<std::string_view, 2> middle{}; ///< or the two that are the point itself
     Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< what it sees of the plane
     PageFigure figure{};
-    /// The variables of its codes that no other row tells, and those that mean something else in
-    /// the published one; a variable that nobody names is shown as a bare number.
+    /// The units of its variables where they are not the usual ones (value_unit.cpp); `published`:
+    /// where the published code uses a name for something else. A number without a unit is bare.
     std::span<const VariableUnit> variables{}, published{};
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using enum ValueUnit;
 
-/// What more than one row tells.
+/// The usual units: of names that several rows use alike.
 constexpr auto common = std::to_array<VariableUnit>({
     {"t", Bare},
     {"dx", Length},

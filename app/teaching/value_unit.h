@@ -26,8 +26,8 @@ struct VariableUnit {
 };
 
 /// The unit of a number (clipping::ValueKind::Number) of this name that a form tells: as the
-/// algorithm's row says (app/teaching/teaching.h), else as most forms use the name; nothing: nobody
-/// says.
+/// algorithm's row says (app/teaching/teaching.h), else the usual one of this name, if there is
+/// one.
 std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name);
 
 } // namespace app

@@ -56,7 +56,9 @@ template <class T>
 T shareBefore(const Cross<T>& here, const Cross<T>& there)
 {
     const T all = here.value - there.value;
-    if (all == T(0)) // too near the line to tell; but what is on it is
+    // Two products of 0 are too small to compute. Who is on the line is known by the sign all the
+    // same; where neither is, the answer is 0.
+    if (all == T(0))
         return T(here.sign != 0 && there.sign == 0 ? 1 : 0);
     return here.value / all;
 }

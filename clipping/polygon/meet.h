@@ -28,9 +28,9 @@ BasicWindow<T> commonBox(const BasicSegment<T>& s, const BasicSegment<T>& t)
 }
 
 /// Where `edge` crosses s, which it does; the products are those of its ends about the line of s.
-/// Reckoned from the nearer end, so that a contact with a corner is that corner (the signs say so
-/// where the products are too small to); held where both reach, which keeps it near both even where
-/// they are all but parallel.
+/// Reckoned from the nearer end, so that a contact with a corner is that corner (known by its
+/// sign, where the products are too small to show it); held where both reach, which keeps it near
+/// both even where they are all but parallel.
 template <class T>
 glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, const Cross<T>& ofB,
                           const BasicSegment<T>& s)

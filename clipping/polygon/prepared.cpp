@@ -55,8 +55,8 @@ std::vector<Corner> endsOf(const std::vector<Corner>& all)
 }
 
 /// The corners at which the polygon turns, from the first edge upwards; none if it turns right, or
-/// goes round more than once. (With a way straight back, half a turn, it would go round more than
-/// once, or lie in one line.)
+/// goes round more than once. One that turns straight back needs no test of its own: if it goes
+/// round once all of it lies in one line, and that never comes here.
 std::vector<Corner> turning(const std::vector<Corner>& all)
 {
     const std::size_t n = all.size();

@@ -71,7 +71,7 @@ double special(Source& from)
 
 double longLength(Source& from)
 {
-    const int exponent = from.whole(0, from.single() ? 20 : 48); // first, whatever the processor
+    const int exponent = from.whole(0, from.single() ? 20 : 48); // first: compilers differ in the order of arguments
     return from.rounded(std::ldexp(from.between(-1, 1), exponent));
 }
 

@@ -91,7 +91,7 @@ killer() { # KEY
     local test found
     for test in $(testsOf "$1"); do
         link "$test" || { echo "does not link: $1" >&2; exit 1; }
-        # Reading ends at the first failure, which kills the test: no report of that crash.
+        # grep stops at the first failure, and the test dies of the closed pipe: no report of that as a crash.
         found=$(timeout "${limit[$test]}" "$work/$test" -nocrashhandler 2>&1 | grep -m 1 -o 'FAIL! *: [^(]*([^)]*)' || true)
         if [[ $found ]]; then
             echo "${found#*: }"

@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/rational.hpp>
 #include <cmath>
+#include <cstdint>
 
 /// Fractions of any length. (Boost's own cpp_rational refers to temporaries, which clang's analyzer
 /// does not like.)

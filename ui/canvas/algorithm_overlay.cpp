@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace ui {
 namespace {
@@ -138,7 +139,7 @@ private:
         const QPointF side =
             ground_.onScreen(middle + far * line.outwards) - ground_.onScreen(middle);
         const double length = seen.length(), size = std::hypot(side.x(), side.y());
-        if (length < 1 || !(size > 0))
+        if (!(length >= 1 && size > 0))
             return;
         const QPointF along = (seen.p2() - seen.p1()) / length;
         const QPointF stroke = (side / size + along) * tick;

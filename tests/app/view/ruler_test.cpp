@@ -11,7 +11,7 @@ class RulerTest : public QObject {
 private slots:
     void numbersHaveRoomAndRoundValues()
     {
-        for (int zoom = 0; zoom < 81; ++zoom) { // up to a million
+        for (int zoom = 0; zoom < 81; ++zoom) { // up to nearly a million
             const double pixels = 1e-5 * std::pow(1.37, zoom), length = 1280 / pixels;
             const auto all = app::ticks(-length / 3, length * 2 / 3, pixels);
             QVERIFY(all.size() > 20);

@@ -329,7 +329,7 @@ private slots:
     }
 
     // Products too small to compute: the sign of what is on the line is known all the same.
-    void theWayToTheLineIsTheWholeWay()
+    void anEndOnTheLineIsKnownByItsSign()
     {
         const Cross<double> beside{0, -1}, on{0, 0};
         QCOMPARE(shareBefore(beside, on), 1.0);
@@ -475,7 +475,8 @@ private slots:
                 < comparisons(*skala->polygon, 4'096) / 20);
     }
 
-    // Of corners that are given twice, the last one starts the edge.
+    // Of corners that are given twice, the last one starts the edge; at the end of a closed ring,
+    // the first.
     void equalCornersHaveNoEdge_data() { everyPolygonForm(); }
     void equalCornersHaveNoEdge()
     {
@@ -488,6 +489,11 @@ private slots:
         QCOMPARE(polygonEdgeOfB(upwards->cut), 6U);
         QCOMPARE(polygonEdgeOfA(rightwards->cut), 7U);
         QCOMPARE(polygonEdgeOfB(rightwards->cut), 3U);
+        const ConvexPolygon ring{{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}};
+        const auto down = clipOne(*uses, {{1, 3}, {1, -1}}, ring);
+        QVERIFY(down);
+        QCOMPARE(polygonEdgeOfA(down->cut), 3U);
+        QCOMPARE(polygonEdgeOfB(down->cut), 1U);
     }
 
     void numbersManyEdges_data() { everyPolygonForm(); }
