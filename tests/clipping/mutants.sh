@@ -20,7 +20,8 @@ testsOf() { # KEY
     algorithms/skala.h) echo contract uses endless ;;
     part.h | algorithms/*.h) echo box.box contract uses endless ;;
     lines-and-rays/*) echo endless ;;
-    cohen-sutherland | liang-barsky | cyrus-beck | midpoint-subdivision) echo published contract box.box uses ;;
+    midpoint-subdivision) echo algorithms.midpoint_subdivision published contract box.box uses ;;
+    cohen-sutherland | liang-barsky | cyrus-beck) echo published contract box.box uses ;;
     *) echo published contract uses endless ;;
     esac
 }

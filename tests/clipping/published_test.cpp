@@ -149,18 +149,6 @@ private slots:
         QVERIFY(row("Skala").published->clip({{1, 0}, {-1, 0}}, two));
     }
 
-    // The middle of two neighbours is the even one: at an edge whose last bit is odd, the outer
-    // one.
-    void midpointSubdivisionEndsAtOddEdges()
-    {
-        const Window odd{{-0.3, -0.3}, {0.3, 0.3}};
-        for (int i = 0; i < 100; ++i) {
-            const glm::dvec2 way{std::cos(0.1 + i), std::sin(0.1 + i)};
-            const auto trace = row("MS").published->trace({-3.0 * way, 4.0 * way}, odd);
-            QCOMPARE(trace.outcome, Outcome::Visible);
-        }
-    }
-
     void slaterAndBarskyDivideByZero() // X10
     {
         const Input input{{{2, 1}, {2, -1}}, two};

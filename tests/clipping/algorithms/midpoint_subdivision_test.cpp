@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What only halving does: how it stops, and where it leaves a contact.
+#include <cmath>
+
+#include "tests/clipping/contract.h"
+#include "tests/clipping/random.h"
+#include "tests/clipping/rows.h"
+
+using namespace clipping;
+
+namespace {
+
+const Algorithm& midpointSubdivision() { return *findAlgorithm("midpoint-subdivision"); }
+
+bool contains(const Window& w, const glm::dvec2& p)
+{
+    return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
+}
+
+} // namespace
+
+class MidpointSubdivisionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // The middle of two neighbours is the even one: at an edge whose last bit is odd, the outer
+    // one.
+    void publishedEndsAtOddEdges()
+    {
+        const Window odd{{-0.3, -0.3}, {0.3, 0.3}};
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec2 way{std::cos(0.1 + i), std::sin(0.1 + i)};
+            const auto trace = midpointSubdivision().published->trace({-3.0 * way, 4.0 * way}, odd);
+            QCOMPARE(trace.outcome, Outcome::Visible);
+        }
+    }
+
+    // Past a corner the last two points may be neighbours that are outside for different reasons:
+    // there is nothing left to halve, and what was found is not visible.
+    void publishedLeavesNothingOutsideAtACorner()
+    {
+        constexpr int line20 = 20; // of the pseudo-code: reject, for near != 0000
+        Random random(1);
+        int neighbours = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            const glm::dvec2 corner(random.unit(), random.unit());
+            const glm::dvec2 way(random.unit(), random.unit());
+            const Input input{
+                {corner - random.between(0, 3) * way, corner + random.between(0, 3) * way},
+                {{corner.x, corner.y - 5}, {corner.x + 5, corner.y}}};
+            const auto trace = midpointSubdivision().published->trace(input.segment, input.window);
+            if (trace.outcome == Outcome::Visible)
+                QVERIFY2(contains(input.window, trace.visible.a)
+                             && contains(input.window, trace.visible.b),
+                         exactly(input).c_str());
+            neighbours += trace.outcome == Outcome::Invisible && trace.steps.back().line == line20;
+        }
+        QVERIFY(neighbours > 100);
+    }
+
+    // A contact has the coordinates of both sides between which it was found, not those of the
+    // multiple of 2^-53 of the segment that is next to it.
+    void correctedPutsAContactOnTheCorner()
+    {
+        const Window w{{0, -2}, {4, 3}};
+        const glm::dvec2 corner(w.min.x, w.max.y);
+        for (int before = 1; before <= 12; ++before)
+            for (int after = 1; after <= 12; ++after)
+                for (int dx = 1; dx <= 9; ++dx)
+                    for (int dy = 1; dy <= 9; ++dy) {
+                        const glm::dvec2 step(dx, dy);
+                        const Input input{
+                            {corner - double(before) * step, corner + double(after) * step}, w};
+                        const auto result =
+                            midpointSubdivision().corrected.clip(input.segment, input.window);
+                        QVERIFY2(result && result->a == corner && result->b == corner,
+                                 exactly(input).c_str());
+                    }
+    }
+};
+
+QTEST_APPLESS_MAIN(MidpointSubdivisionTest)
+#include "midpoint_subdivision_test.moc"
