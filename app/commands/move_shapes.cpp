@@ -9,7 +9,7 @@ namespace app {
 
 Shape moved(Shape shape, const Point& by)
 {
-    for (Path& path : shape.paths)
+    for (Subpath& path : shape.paths)
         forEachPoint(path, [&](Point& point) { point += by; });
     return shape;
 }

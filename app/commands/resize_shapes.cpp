@@ -18,7 +18,7 @@ ResizeShapes::ResizeShapes(Drawing& drawing, const std::set<std::size_t>& shapes
                            const clipping::Window& from, const clipping::Window& to)
     : QUndoCommand(QCoreApplication::translate("Commands", "Resize selection")), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
-          for (Path& path : shape.paths)
+          for (Subpath& path : shape.paths)
               forEachPoint(path, [&](Point& point) { point = fitted(point, from, to); });
           return true;
       }))

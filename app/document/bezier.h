@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// A cubic Bézier curve with its first point, which a Stretch leaves to its predecessor.
+/// A cubic Bézier curve with its first point, which a PathSegment leaves to its predecessor.
 struct Bezier {
     Point from, control1, control2, to;
 

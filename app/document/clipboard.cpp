@@ -14,7 +14,7 @@ const QString svgType = QStringLiteral("image/svg+xml");
 // A shape of the drawing it comes from, in the units of another page.
 Shape scaled(Shape shape, double factor)
 {
-    for (Path& path : shape.paths)
+    for (Subpath& path : shape.paths)
         forEachPoint(path, [&](Point& point) { point *= factor; });
     shape.style.width *= factor;
     shape.style.dashOffset *= factor;

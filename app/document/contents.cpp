@@ -15,9 +15,9 @@ void add(Contents& contents, const Shape& shape, double tolerance)
     std::vector<Chord> chords;
     ++contents.shapes;
     contents.paths += shape.paths.size();
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         contents.closedPaths += path.closed;
-        contents.curves += std::size_t(std::ranges::count_if(path.stretches, &Stretch::curved));
+        contents.curves += std::size_t(std::ranges::count_if(path.segments, &PathSegment::curved));
         flatten(path, tolerance, chords);
     }
     contents.lines += chords.size();

@@ -33,7 +33,7 @@ Chords chordsOf(const Sheet& sheet, double tolerance, Reach reach)
 {
     Chords chords;
     for (const Shape& shape : sheet.shapes)
-        for (const Path& path : shape.paths) {
+        for (const Subpath& path : shape.paths) {
             chords.first.push_back(chords.all.size());
             if (reached(sheet, shape, reach))
                 flatten(path, tolerance, chords.all);
@@ -124,7 +124,7 @@ private:
         std::vector<Run> runs;
         bool whole = true;
         std::size_t opened = 0;
-        for (const Path& path : shape.paths) {
+        for (const Subpath& path : shape.paths) {
             const auto parts = partsOfNextPath();
             const auto kept =
                 joinRuns(path, chords_.of(path_++), parts, options_.window, overStart);
@@ -172,9 +172,9 @@ private:
 
 bool hasArea(const Shape& shape)
 {
-    return std::ranges::any_of(shape.paths, [](const Path& path) {
-        return path.stretches.size() > 1
-               || (path.stretches.size() == 1 && path.stretches.front().curved);
+    return std::ranges::any_of(shape.paths, [](const Subpath& path) {
+        return path.segments.size() > 1
+               || (path.segments.size() == 1 && path.segments.front().curved);
     });
 }
 

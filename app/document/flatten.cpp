@@ -14,7 +14,7 @@ namespace {
 constexpr int mostChords = 10'000; // of one curve, however large it is
 
 // Wang's bound: n chords of equal parameter stay within |second difference| * 6 / (8 n^2).
-int chordCount(const Point& a, const Stretch& c, double tolerance)
+int chordCount(const Point& a, const PathSegment& c, double tolerance)
 {
     const double bend = std::max(glm::length(a - 2.0 * c.control1 + c.control2),
                                  glm::length(c.control1 - 2.0 * c.control2 + c.to));
@@ -24,51 +24,51 @@ int chordCount(const Point& a, const Stretch& c, double tolerance)
 
 } // namespace
 
-void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
+void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords)
 {
     Point last = path.start;
-    for (std::size_t i = 0; i < path.stretches.size(); ++i) {
-        const Stretch& stretch = path.stretches[i];
+    for (std::size_t i = 0; i < path.segments.size(); ++i) {
+        const PathSegment& segment = path.segments[i];
         const Point begin = last;
-        const int n = stretch.curved ? chordCount(begin, stretch, tolerance) : 1;
+        const int n = segment.curved ? chordCount(begin, segment, tolerance) : 1;
         for (int k = 1; k <= n; ++k) {
             const double t = double(k) / n;
             const Point next =
-                k == n ? stretch.to
-                       : Bezier{begin, stretch.control1, stretch.control2, stretch.to}.at(t);
+                k == n ? segment.to
+                       : Bezier{begin, segment.control1, segment.control2, segment.to}.at(t);
             chords.push_back({{last, next}, i, double(k - 1) / n, t});
             last = next;
         }
     }
-    if (path.stretches.empty() || (path.closed && last != path.start))
-        chords.push_back({{last, path.start}, path.stretches.size(), 0, 1});
+    if (path.segments.empty() || (path.closed && last != path.start))
+        chords.push_back({{last, path.start}, path.segments.size(), 0, 1});
 }
 
-std::size_t chordCount(const Path& path, double tolerance)
+std::size_t chordCount(const Subpath& path, double tolerance)
 {
-    std::size_t count = path.stretches.empty() || path.closed; // the closing line, or the point
+    std::size_t count = path.segments.empty() || path.closed; // the closing line, or the point
     Point last = path.start;
-    for (const Stretch& stretch : path.stretches) {
-        count += stretch.curved ? std::size_t(chordCount(last, stretch, tolerance)) : 1;
-        last = stretch.to;
+    for (const PathSegment& segment : path.segments) {
+        count += segment.curved ? std::size_t(chordCount(last, segment, tolerance)) : 1;
+        last = segment.to;
     }
-    return count - (path.closed && !path.stretches.empty() && last == path.start);
+    return count - (path.closed && !path.segments.empty() && last == path.start);
 }
 
 Sheet flattened(Sheet sheet, double tolerance)
 {
     std::vector<Chord> chords;
     for (Shape& shape : sheet.shapes)
-        for (Path& path : shape.paths) {
-            if (std::ranges::none_of(path.stretches, &Stretch::curved))
+        for (Subpath& path : shape.paths) {
+            if (std::ranges::none_of(path.segments, &PathSegment::curved))
                 continue;
             chords.clear();
             flatten(path, tolerance, chords);
-            const std::size_t stretches = path.stretches.size();
-            path.stretches.clear();
+            const std::size_t segments = path.segments.size();
+            path.segments.clear();
             for (const Chord& chord : chords)
-                if (chord.stretch < stretches) // the closing line stays implied
-                    path.stretches.push_back({chord.segment.b});
+                if (chord.pathSegment < segments) // the closing line stays implied
+                    path.segments.push_back({chord.segment.b});
         }
     return sheet;
 }

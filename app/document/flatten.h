@@ -16,20 +16,20 @@ inline double usualTolerance(const Page& page)
     return flatteningMillimetres / page.millimetresPerUnit();
 }
 
-/// Where a chord of a flattened path comes from: `stretch` (== stretches.size(): the closing line)
-/// and the part [t0, t1] of it.
+/// Where a chord of a flattened path comes from: `pathSegment` (== segments.size(): the closing
+/// line) and the part [t0, t1] of it.
 struct Chord {
     clipping::Segment segment;
-    std::size_t stretch;
+    std::size_t pathSegment;
     double t0, t1;
 };
 
 /// The path as chords no farther than `tolerance` (user units, > 0) from it, in order; consecutive
 /// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
-void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
+void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords);
 
 /// How many chords `flatten` makes of the path.
-std::size_t chordCount(const Path& path, double tolerance);
+std::size_t chordCount(const Subpath& path, double tolerance);
 
 /// The drawing with chords in place of its curves.
 Sheet flattened(Sheet sheet, double tolerance);

@@ -20,7 +20,7 @@ Page pageAround(const std::vector<Shape>& shapes)
     };
     for (const Shape& shape : shapes) {
         const double margin = shape.style.stroke ? shape.style.width / 2 : 0;
-        for (const Path& path : shape.paths)
+        for (const Subpath& path : shape.paths)
             forEachPoint(path, [&](const Point& point) { add(point, margin); });
     }
     if (bounds && bounds->max.x > bounds->min.x && bounds->max.y > bounds->min.y) {

@@ -11,11 +11,11 @@ template <class SomePath, class Visit>
 void forEachPoint(SomePath& path, const Visit& visit)
 {
     visit(path.start);
-    for (auto& stretch : path.stretches) {
-        visit(stretch.to);
-        if (stretch.curved) {
-            visit(stretch.control1);
-            visit(stretch.control2);
+    for (auto& segment : path.segments) {
+        visit(segment.to);
+        if (segment.curved) {
+            visit(segment.control1);
+            visit(segment.control2);
         }
     }
 }

@@ -19,20 +19,20 @@ struct End {
     Point point;
 };
 
-Point startOf(const Path& path, std::size_t stretch)
+Point startOf(const Subpath& path, std::size_t segment)
 {
-    return stretch == 0 ? path.start : path.stretches[stretch - 1].to;
+    return segment == 0 ? path.start : path.segments[segment - 1].to;
 }
 
-Bezier curveOf(const Path& path, std::size_t stretch)
+Bezier curveOf(const Subpath& path, std::size_t segment)
 {
-    const Stretch& s = path.stretches[stretch];
-    return {startOf(path, stretch), s.control1, s.control2, s.to};
+    const PathSegment& s = path.segments[segment];
+    return {startOf(path, segment), s.control1, s.control2, s.to};
 }
 
-bool isCurve(const Path& path, std::size_t stretch)
+bool isCurve(const Subpath& path, std::size_t segment)
 {
-    return stretch < path.stretches.size() && path.stretches[stretch].curved;
+    return segment < path.segments.size() && path.segments[segment].curved;
 }
 
 // Also where squares would overflow.
@@ -65,7 +65,7 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
 
 class Runs {
 public:
-    Runs(const Path& path, std::span<const Chord> chords, const clipping::Window& window)
+    Runs(const Subpath& path, std::span<const Chord> chords, const clipping::Window& window)
         : path_(path), chords_(chords), window_(window)
     {
     }
@@ -73,22 +73,23 @@ public:
     void add(const KeptPart& part)
     {
         const Chord& chord = chords_[part.chord];
-        const bool curve = isCurve(path_, chord.stretch);
+        const bool curve = isCurve(path_, chord.pathSegment);
         End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
         const bool fresh = part.segment.a != chord.segment.a;
         const bool over = part.segment.b != chord.segment.b;
         if (curve && fresh)
-            begin = refined(curveOf(path_, chord.stretch), chord, begin.point, part.edgeA, window_);
+            begin =
+                refined(curveOf(path_, chord.pathSegment), chord, begin.point, part.edgeA, window_);
         if (curve && over)
-            end = refined(curveOf(path_, chord.stretch), chord, end.point, part.edgeB, window_);
+            end = refined(curveOf(path_, chord.pathSegment), chord, end.point, part.edgeB, window_);
         if (fresh || !open_ || part.chord != next_) {
             finishCurve();
             runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});
         }
         if (curve)
-            extendCurve(chord.stretch, begin, end);
-        else if (finishCurve(); part.segment.a != part.segment.b || !path_.stretches.empty())
-            runs_.back().path.stretches.push_back({part.segment.b});
+            extendCurve(chord.pathSegment, begin, end);
+        else if (finishCurve(); part.segment.a != part.segment.b || !path_.segments.empty())
+            runs_.back().path.segments.push_back({part.segment.b});
         open_ = !over;
         next_ = part.chord + 1;
     }
@@ -98,8 +99,8 @@ public:
         finishCurve();
         if (join && open_ && next_ == chords_.size() && runs_.size() > 1
             && runs_.front().path.start == chords_.front().segment.a && startsAtChord0_) {
-            auto& first = runs_.front().path.stretches;
-            auto& last = runs_.back().path.stretches;
+            auto& first = runs_.front().path.segments;
+            auto& last = runs_.back().path.segments;
             last.insert(last.end(), first.begin(), first.end());
             runs_.erase(runs_.begin());
         }
@@ -113,12 +114,12 @@ public:
 
 private:
     // Chords of one curve are gathered, so that the curve comes back as one.
-    void extendCurve(std::size_t stretch, const End& begin, const End& end)
+    void extendCurve(std::size_t segment, const End& begin, const End& end)
     {
-        if (curveStretch_ != stretch || begin.t != curveEnd_.t)
+        if (curveSegment_ != segment || begin.t != curveEnd_.t)
             finishCurve();
-        if (curveStretch_ == path_.stretches.size() + 1) {
-            curveStretch_ = stretch;
+        if (curveSegment_ == path_.segments.size() + 1) {
+            curveSegment_ = segment;
             curveBegin_ = begin;
         }
         curveEnd_ = end;
@@ -126,15 +127,15 @@ private:
 
     void finishCurve()
     {
-        const std::size_t none = path_.stretches.size() + 1;
-        if (curveStretch_ == none)
+        const std::size_t none = path_.segments.size() + 1;
+        if (curveSegment_ == none)
             return;
         const bool whole = curveBegin_.t == 0 && curveEnd_.t == 1;
-        const Bezier part = curveOf(path_, curveStretch_).part(curveBegin_.t, curveEnd_.t);
-        runs_.back().path.stretches.push_back(
-            whole ? path_.stretches[curveStretch_]
-                  : Stretch{curveEnd_.point, part.control1, part.control2, true});
-        curveStretch_ = none;
+        const Bezier part = curveOf(path_, curveSegment_).part(curveBegin_.t, curveEnd_.t);
+        runs_.back().path.segments.push_back(
+            whole ? path_.segments[curveSegment_]
+                  : PathSegment{curveEnd_.point, part.control1, part.control2, true});
+        curveSegment_ = none;
     }
 
     double lengthBefore(const KeptPart& part)
@@ -146,14 +147,14 @@ private:
         return length_ + distance(chords_[part.chord].segment.a, part.segment.a);
     }
 
-    const Path& path_;
+    const Subpath& path_;
     std::span<const Chord> chords_;
     const clipping::Window& window_;
     std::vector<Run> runs_;
     bool open_ = false; ///< the last part reached its chord's end, `next_` would continue it
     bool startsAtChord0_ = false;
     std::size_t next_ = 0;
-    std::size_t curveStretch_ = path_.stretches.size() + 1; ///< this value: none is being gathered
+    std::size_t curveSegment_ = path_.segments.size() + 1; ///< this value: none is being gathered
     End curveBegin_{}, curveEnd_{};
     std::size_t measured_ = 0;
     double length_ = 0;
@@ -168,7 +169,7 @@ bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
 
 } // namespace
 
-std::vector<Run> joinRuns(const Path& path, std::span<const Chord> chords,
+std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const clipping::Window& window,
                           OverStart overStart)
 {

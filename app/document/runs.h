@@ -16,9 +16,9 @@ struct KeptPart {
     clipping::Edge edgeA = clipping::Edge::None, edgeB = clipping::Edge::None;
 };
 
-/// A stretch of a path that is kept without a gap, and how far along the path it begins.
+/// A part of a path that is kept without a gap, and how far along the path it begins.
 struct Run {
-    Path path;
+    Subpath path;
     double before;
 };
 
@@ -29,7 +29,7 @@ struct Run {
 /// back unchanged; otherwise runs are open, and one that goes over a closed path's start is one run
 /// (not if `dashed`: there the dashes begin anew).
 enum class OverStart : std::uint8_t { Join, Break };
-std::vector<Run> joinRuns(const Path& path, std::span<const Chord> chords,
+std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const clipping::Window& window,
                           OverStart overStart);
 

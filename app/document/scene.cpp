@@ -75,7 +75,7 @@ void Scene::update(const Change& change)
         if (!sheet.shown(shape))
             continue;
         chords.clear();
-        for (const Path& path : shape.paths)
+        for (const Subpath& path : shape.paths)
             flatten(path, tolerance, chords);
         for (const Chord& chord : chords)
             segments.push_back(chord.segment);

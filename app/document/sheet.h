@@ -40,26 +40,26 @@ struct Style {
     friend bool operator==(const Style&, const Style&) = default;
 };
 
-/// One stretch of a path, from where the last one ended: a line, or a cubic Bézier curve.
-struct Stretch {
+/// One segment of a path, from where the last one ended: a line, or a cubic Bézier curve.
+struct PathSegment {
     Point to;
     Point control1{}, control2{}; ///< zero for a line
     bool curved = false;
-    friend bool operator==(const Stretch&, const Stretch&) = default;
+    friend bool operator==(const PathSegment&, const PathSegment&) = default;
 };
 
-/// A connected run of stretches. A closed one returns to `start` by a line if it is not there yet.
-/// No stretches at all: a single point.
-struct Path {
+/// A connected run of segments. A closed one returns to `start` by a line if it is not there yet.
+/// No segments at all: a single point.
+struct Subpath {
     Point start;
-    std::vector<Stretch> stretches;
+    std::vector<PathSegment> segments;
     bool closed = false;
-    friend bool operator==(const Path&, const Path&) = default;
+    friend bool operator==(const Subpath&, const Subpath&) = default;
 };
 
 /// What is selected, styled, moved and deleted as one: an SVG element.
 struct Shape {
-    std::vector<Path> paths;
+    std::vector<Subpath> paths;
     Style style;
     QString id;              ///< the SVG's, kept through cut and export; may be empty
     std::uint32_t layer = 0; ///< index into Sheet::layers

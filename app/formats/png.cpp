@@ -69,8 +69,8 @@ void paint(QPainter& painter, const Shape& shape, double pixelsPerUnit)
     painter.setPen(penOf(shape.style, pixelsPerUnit));
     if (!strokeSummed(painter, shape))
         painter.drawPath(outline);
-    for (const Path& path : shape.paths) // a point shows only its caps
-        if (path.stretches.empty() && shape.style.cap != Cap::Butt)
+    for (const Subpath& path : shape.paths) // a point shows only its caps
+        if (path.segments.empty() && shape.style.cap != Cap::Butt)
             painter.drawPoint(QPointF(path.start.x, path.start.y));
 }
 

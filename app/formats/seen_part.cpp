@@ -15,13 +15,13 @@ bool within(const Point& p, const clipping::Window& w)
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
 
-bool within(const Path& path, const clipping::Window& window)
+bool within(const Subpath& path, const clipping::Window& window)
 {
-    const auto near = [&](const Stretch& s) {
+    const auto near = [&](const PathSegment& s) {
         return within(s.to, window)
                && (!s.curved || (within(s.control1, window) && within(s.control2, window)));
     };
-    return within(path.start, window) && std::ranges::all_of(path.stretches, near);
+    return within(path.start, window) && std::ranges::all_of(path.segments, near);
 }
 
 // The page with itself on every side, and what strokes reach beyond their line.
@@ -37,7 +37,7 @@ Shape areaOf(const Shape& shape, const clipping::Window& window, double toleranc
     area.style.stroke.reset();
     std::vector<Chord> chords;
     std::vector<Point> outline;
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         chords.clear();
         outline.clear();
         flatten(path, tolerance, chords);
@@ -47,9 +47,9 @@ Shape areaOf(const Shape& shape, const clipping::Window& window, double toleranc
         const auto inside = areaInside(outline, window);
         if (inside.empty())
             continue;
-        Path part{inside.front(), {}, true};
+        Subpath part{inside.front(), {}, true};
         for (const Point& point : inside)
-            part.stretches.push_back({point});
+            part.segments.push_back({point});
         area.paths.push_back(std::move(part));
     }
     return area;
@@ -82,7 +82,7 @@ Sheet seenPart(const Sheet& sheet)
             shape.style.fill.reset();
         const auto window = surroundings(sheet.page, shape.style);
         if (std::ranges::all_of(shape.paths,
-                                [&](const Path& path) { return within(path, window); }))
+                                [&](const Subpath& path) { return within(path, window); }))
             seen.shapes.push_back(std::move(shape));
         else
             addReduced(shape, window, tolerance, seen);

@@ -9,13 +9,13 @@ QPainterPath painterPath(const Shape& shape)
     QPainterPath outline;
     outline.setFillRule(shape.style.fillRule == FillRule::EvenOdd ? Qt::OddEvenFill
                                                                   : Qt::WindingFill);
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         outline.moveTo(at(path.start));
-        for (const Stretch& stretch : path.stretches)
-            if (stretch.curved)
-                outline.cubicTo(at(stretch.control1), at(stretch.control2), at(stretch.to));
+        for (const PathSegment& segment : path.segments)
+            if (segment.curved)
+                outline.cubicTo(at(segment.control1), at(segment.control2), at(segment.to));
             else
-                outline.lineTo(at(stretch.to));
+                outline.lineTo(at(segment.to));
         if (path.closed)
             outline.closeSubpath();
     }

@@ -32,7 +32,7 @@ std::vector<Polyline> polylinesOf(const Shape& shape, const QTransform& toDevice
     const QTransform toFiner = toDevice * QTransform::fromScale(finer, finer);
     const QTransform back = QTransform::fromScale(1 / finer, 1 / finer);
     std::vector<Polyline> polylines;
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         Shape alone;
         alone.paths = {path};
         for (const QPolygonF& points : painterPath(alone).toSubpathPolygons(toFiner))

@@ -34,7 +34,7 @@ std::size_t lines(const app::Sheet& sheet)
     std::vector<app::Chord> chords;
     const double tolerance = app::flatteningMillimetres / sheet.page.millimetresPerUnit();
     for (const app::Shape& shape : sheet.shapes)
-        for (const app::Path& path : shape.paths)
+        for (const app::Subpath& path : shape.paths)
             app::flatten(path, tolerance, chords);
     return chords.size();
 }

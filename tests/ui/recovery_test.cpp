@@ -251,7 +251,7 @@ private slots:
         const auto sheet = app::readFile(left[0].file).value->sheet;
         QCOMPARE(int(sheet.shapes.size()), shapes);
         if (scenario == "polyline")
-            QCOMPARE(sheet.shapes.back().paths[0].stretches.size(), std::size_t(2));
+            QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
     }
     void whereNothingIsUnsavedNothingIsLeft()
     {

@@ -28,7 +28,7 @@ public:
     }
 
 protected:
-    virtual app::Path pathIn(const clipping::Window& rectangle) const = 0;
+    virtual app::Subpath pathIn(const clipping::Window& rectangle) const = 0;
     virtual QString undoText() const = 0;
 
 private:

@@ -11,14 +11,14 @@ constexpr double quarter =
 
 class EllipseTool final : public CornerTool {
 protected:
-    app::Path pathIn(const clipping::Window& r) const override
+    app::Subpath pathIn(const clipping::Window& r) const override
     {
         const app::Point radius = (r.max - r.min) * 0.5, centre = r.min + radius;
         const auto at = [&](double x, double y) { return centre + radius * app::Point(x, y); };
         const auto curve = [&](app::Point a,
                                app::Point b) { // unit directions, a quarter turn apart
             const app::Point from = a + b * quarter, to = b + a * quarter;
-            return app::Stretch{at(b.x, b.y), at(from.x, from.y), at(to.x, to.y), true};
+            return app::PathSegment{at(b.x, b.y), at(from.x, from.y), at(to.x, to.y), true};
         };
         return {at(1, 0),
                 {curve({1, 0}, {0, 1}), curve({0, 1}, {-1, 0}), curve({-1, 0}, {0, -1}),

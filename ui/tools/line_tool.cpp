@@ -45,9 +45,9 @@ private:
         return pointer.modifiers & Qt::ShiftModifier ? turned(from_->position, pointer.position)
                                                      : pointer.position;
     }
-    app::Path path(const app::Point& to) const
+    app::Subpath path(const app::Point& to) const
     {
-        return {from_->position, {app::Stretch{to}}, false};
+        return {from_->position, {app::PathSegment{to}}, false};
     }
 
     std::optional<Pointer> from_;

@@ -29,7 +29,7 @@ public:
     void cancel(Workbench&) override { points_.clear(); }
     bool busy() const override { return !points_.empty(); }
     bool draws() const override { return true; }
-    std::optional<app::Path> pathInHand() const override
+    std::optional<app::Subpath> pathInHand() const override
     {
         return points_.size() >= 2 ? std::optional(pathOf(points_)) : std::nullopt;
     }
@@ -42,11 +42,11 @@ public:
     }
 
 private:
-    static app::Path pathOf(const std::vector<app::Point>& points)
+    static app::Subpath pathOf(const std::vector<app::Point>& points)
     {
-        app::Path path{points.front(), {}, false};
+        app::Subpath path{points.front(), {}, false};
         for (std::size_t i = 1; i < points.size(); ++i)
-            path.stretches.push_back({points[i]});
+            path.segments.push_back({points[i]});
         return path;
     }
 

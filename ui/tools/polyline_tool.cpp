@@ -66,7 +66,7 @@ public:
     {
         return QCoreApplication::translate("Commands", "Place corner");
     }
-    std::optional<app::Path> pathInHand() const override
+    std::optional<app::Subpath> pathInHand() const override
     {
         return corners_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
     }
@@ -75,9 +75,9 @@ public:
     {
         if (corners_.empty())
             return;
-        app::Path path = pathOf(false);
+        app::Subpath path = pathOf(false);
         if (to_)
-            path.stretches.push_back({*to_});
+            path.segments.push_back({*to_});
         preview(painter, bench, path);
         painter.setPen(QPen(bench.look.selection, 1.5));
         painter.setBrush(bench.look.paper);
@@ -96,11 +96,11 @@ private:
         const bool straight = pointer.modifiers & Qt::ShiftModifier && !corners_.empty();
         return straight ? turned(corners_.back(), pointer.position) : pointer.position;
     }
-    app::Path pathOf(bool closed) const
+    app::Subpath pathOf(bool closed) const
     {
-        app::Path path{corners_.front(), {}, closed};
+        app::Subpath path{corners_.front(), {}, closed};
         for (std::size_t i = 1; i < corners_.size(); ++i)
-            path.stretches.push_back({corners_[i]});
+            path.segments.push_back({corners_[i]});
         return path;
     }
     void finish(Workbench& bench, bool closed)

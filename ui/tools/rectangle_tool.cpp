@@ -8,7 +8,7 @@ namespace {
 
 class RectangleTool final : public CornerTool {
 protected:
-    app::Path pathIn(const clipping::Window& r) const override
+    app::Subpath pathIn(const clipping::Window& r) const override
     {
         return {r.min, {{{r.max.x, r.min.y}}, {r.max}, {{r.min.x, r.max.y}}}, true};
     }

@@ -12,7 +12,7 @@
 
 namespace ui {
 
-app::Shape shapeOf(const app::Session& session, std::vector<app::Path> paths)
+app::Shape shapeOf(const app::Session& session, std::vector<app::Subpath> paths)
 {
     return {.paths = std::move(paths),
             .style = session.pen.style,
@@ -20,17 +20,17 @@ app::Shape shapeOf(const app::Session& session, std::vector<app::Path> paths)
             .layer = session.pen.layer};
 }
 
-void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText)
+void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText)
 {
     app::Session& session = bench.session;
     session.history.push(
         new app::AddShapes(session.drawing, {shapeOf(session, std::move(paths))}, undoText));
 }
 
-void preview(QPainter& painter, const Workbench& bench, const app::Path& path)
+void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
     QPainterPath outline(bench.onScreen(path.start));
-    for (const app::Stretch& s : path.stretches)
+    for (const app::PathSegment& s : path.segments)
         s.curved ? outline.cubicTo(bench.onScreen(s.control1), bench.onScreen(s.control2),
                                    bench.onScreen(s.to))
                  : outline.lineTo(bench.onScreen(s.to));

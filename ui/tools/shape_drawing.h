@@ -6,13 +6,13 @@
 namespace ui {
 
 /// A new shape in the session's pen.
-app::Shape shapeOf(const app::Session& session, std::vector<app::Path> paths);
+app::Shape shapeOf(const app::Session& session, std::vector<app::Subpath> paths);
 
 /// What the drawing tools share: a new shape, pushed as one step.
-void draw(Workbench& bench, std::vector<app::Path> paths, const QString& undoText);
+void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText);
 
 /// The preview of a path, in the pen's ink.
-void preview(QPainter& painter, const Workbench& bench, const app::Path& path);
+void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
 
 /// `to`, turned so that the direction from `from` is a multiple of 15 degrees.
 app::Point turned(const app::Point& from, const app::Point& to);

@@ -76,7 +76,7 @@ public:
     virtual void putBack(Workbench&) {}
     virtual QString stepText() const { return {}; } ///< what such a step is called in the menu
     /// What end() would keep now; nothing: no shape.
-    virtual std::optional<app::Path> pathInHand() const { return std::nullopt; }
+    virtual std::optional<app::Subpath> pathInHand() const { return std::nullopt; }
     virtual std::size_t pointsInHand() const { return 0; } ///< of the path that is being drawn
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }

@@ -133,7 +133,7 @@ private:
         const Point b{number(record, X2), number(record, Y2)};
         Shape shape{{{a, {}, false}}, styleOf(record), {}, layerOf(record), false};
         if (a != b)
-            shape.paths.front().stretches.push_back({b});
+            shape.paths.front().segments.push_back({b});
         imported_.rows.push_back(std::uint32_t(imported_.rows.size()));
         imported_.sheet.shapes.push_back(std::move(shape));
     }

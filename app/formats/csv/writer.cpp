@@ -79,7 +79,7 @@ private:
             (rest += ',') += std::to_string(options_.sources[index]);
         rest += '\n';
         chords_.clear();
-        for (const Path& path : shape.paths)
+        for (const Subpath& path : shape.paths)
             flatten(path, tolerance_, chords_);
         for (const Chord& chord : chords_) {
             appendPoint(text_, chord.segment.a, ',', options_);

@@ -97,8 +97,8 @@ void Content::paint(const Shape& shape)
         set(pen_, pen(style));
         outline(shape);
         text_ += "S\n";
-        for (const Path& path : shape.paths)
-            if (path.stretches.empty() && style.cap == Cap::Square)
+        for (const Subpath& path : shape.paths)
+            if (path.segments.empty() && style.cap == Cap::Square)
                 paint(squareAt(path.start, style));
     }
 }
@@ -109,20 +109,20 @@ void Content::outline(const Shape& shape)
         appendPoint(text_, p, ' ', options_);
         text_ += operation;
     };
-    const auto controls = [&](const Stretch& curve) {
+    const auto controls = [&](const PathSegment& curve) {
         for (const Point& control : {curve.control1, curve.control2}) {
             appendControl(text_, control, ' ', options_);
             text_ += ' ';
         }
     };
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         point(path.start, " m\n");
-        for (const Stretch& stretch : path.stretches) {
-            if (stretch.curved)
-                controls(stretch);
-            point(stretch.to, stretch.curved ? " c\n" : " l\n");
+        for (const PathSegment& segment : path.segments) {
+            if (segment.curved)
+                controls(segment);
+            point(segment.to, segment.curved ? " c\n" : " l\n");
         }
-        if (path.stretches.empty())
+        if (path.segments.empty())
             point(path.start, " l\n"); // a point: a line without length
         if (path.closed)
             text_ += "h\n";

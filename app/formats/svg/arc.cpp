@@ -58,14 +58,14 @@ bool finite(const Ellipse& e)
 
 } // namespace
 
-void appendArc(std::vector<Stretch>& stretches, const Arc& arc)
+void appendArc(std::vector<PathSegment>& segments, const Arc& arc)
 {
     if (arc.from == arc.to)
         return;
     const bool flat = arc.radii.x == 0 || arc.radii.y == 0;
     const Ellipse ellipse = flat ? Ellipse{} : ellipseOf(arc);
     if (flat || !finite(ellipse)) {
-        stretches.push_back({arc.to});
+        segments.push_back({arc.to});
         return;
     }
     const int count = std::max(1, int(std::ceil(std::abs(ellipse.sweep) / (pi / 2) - 1e-9)));
@@ -75,7 +75,7 @@ void appendArc(std::vector<Stretch>& stretches, const Arc& arc)
     for (int i = 0; i < count; ++i) {
         const double t0 = ellipse.angle + i * step, t1 = t0 + step;
         const Point to = i + 1 == count ? arc.to : ellipse.at(t1);
-        stretches.push_back(
+        segments.push_back(
             {to, last + reach * ellipse.slope(t0), to - reach * ellipse.slope(t1), true});
         last = to;
     }

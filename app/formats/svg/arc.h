@@ -17,6 +17,6 @@ struct Arc {
 /// Appends the arc as cubic curves of at most a quarter turn each (0.03 % of the radius off at
 /// most), or as a line where a radius is zero. The last one ends at `to` bit for bit; an arc
 /// between equal points is nothing.
-void appendArc(std::vector<Stretch>& stretches, const Arc& arc);
+void appendArc(std::vector<PathSegment>& segments, const Arc& arc);
 
 } // namespace app::svg

@@ -34,7 +34,7 @@ std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
         || !base.properties.clipPath.empty())
         return std::nullopt;
     base.matrix = place.matrix * *own;
-    std::vector<Path> paths;
+    std::vector<Subpath> paths;
     for (const Node child : Children(tree_, clip)) {
         const auto drawn = clipOutline(child, base);
         if (!drawn)
@@ -43,11 +43,11 @@ std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
         if (paths.size() > 1)
             return std::nullopt; // several areas: their union need not be convex
     }
-    return ConvexRegion::of(paths.empty() ? Path{} : paths.front(), tolerance_);
+    return ConvexRegion::of(paths.empty() ? Subpath{} : paths.front(), tolerance_);
 }
 
 // The outline of a child of a clip path; nothing for what draws something else (text).
-std::optional<std::vector<Path>> Walk::clipOutline(Node node, const Place& base)
+std::optional<std::vector<Subpath>> Walk::clipOutline(Node node, const Place& base)
 {
     Properties properties = styles_.of(node, base.properties, base.lengths);
     auto matrix = parseTransform(properties.transform);
@@ -58,7 +58,7 @@ std::optional<std::vector<Path>> Walk::clipOutline(Node node, const Place& base)
                           base.lengths.y(tree_.attribute(node, "y")).value_or(0)};
         node = tree_.findReference(hrefOf(tree_, node));
         if (node == noNode)
-            return std::vector<Path>();
+            return std::vector<Subpath>();
         properties = styles_.of(node, properties, base.lengths);
         const auto inner = parseTransform(properties.transform);
         if (!inner || tree_.name(node) == "use" || !properties.clipPath.empty())
@@ -69,16 +69,16 @@ std::optional<std::vector<Path>> Walk::clipOutline(Node node, const Place& base)
     if (!kind)
         return tree_.name(node) == "text" || tree_.name(node) == "use" || tree_.name(node) == "g"
                    ? std::nullopt
-                   : std::optional(std::vector<Path>());
+                   : std::optional(std::vector<Subpath>());
     if (!properties.displayed || !properties.visible)
-        return std::vector<Path>();
+        return std::vector<Subpath>();
     return placed(kind->outline(tree_, node, base.lengths), base.matrix * *matrix);
 }
 
 void Walk::addViewportClip(const Box& viewport, Place& place)
 {
     const Point max = viewport.min + viewport.size;
-    Path path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
+    Subpath path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
     transform(path, place.matrix);
     if (const auto region = ConvexRegion::of(path, tolerance_))
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));

@@ -15,7 +15,7 @@ namespace {
 using Position = ConvexRegion::Position;
 
 // Far larger curves than the page need no finer chords than a picture of 4,000 by 4,000 would.
-double toleranceFor(const Path& path, double tolerance)
+double toleranceFor(const Subpath& path, double tolerance)
 {
     Point min = path.start, max = path.start;
     forEachPoint(path, [&](const Point& p) {
@@ -25,12 +25,13 @@ double toleranceFor(const Path& path, double tolerance)
     return std::max({tolerance, (max.x - min.x) / 4000, (max.y - min.y) / 4000});
 }
 
-bool tooManyCurves(const Path& path)
+bool tooManyCurves(const Subpath& path)
 {
-    return std::size_t(std::ranges::count_if(path.stretches, &Stretch::curved)) > mostClippedCurves;
+    return std::size_t(std::ranges::count_if(path.segments, &PathSegment::curved))
+           > mostClippedCurves;
 }
 
-std::vector<Run> strokeRuns(const Path& path, std::span<const Chord> chords,
+std::vector<Run> strokeRuns(const Subpath& path, std::span<const Chord> chords,
                             const ConvexRegion& region, OverStart overStart)
 {
     std::vector<KeptPart> parts;
@@ -52,7 +53,7 @@ bool isFlat(const std::vector<Point>& polygon)
     return std::abs(area) <= 1e-12 * extent * extent;
 }
 
-std::optional<Path> filledPart(std::span<const Chord> chords, const ConvexRegion& region)
+std::optional<Subpath> filledPart(std::span<const Chord> chords, const ConvexRegion& region)
 {
     std::vector<Point> polygon;
     for (const Chord& chord : chords)
@@ -64,9 +65,9 @@ std::optional<Path> filledPart(std::span<const Chord> chords, const ConvexRegion
         polygon.pop_back();
     if (isFlat(polygon))
         return std::nullopt;
-    Path path{polygon.front(), {}, true};
+    Subpath path{polygon.front(), {}, true};
     for (std::size_t i = 1; i < polygon.size(); ++i)
-        path.stretches.push_back({polygon[i]});
+        path.segments.push_back({polygon[i]});
     return path;
 }
 
@@ -75,13 +76,13 @@ std::optional<Path> filledPart(std::span<const Chord> chords, const ConvexRegion
 std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& region,
                                       double tolerance)
 {
-    const auto at = [&](const Path& path) { return region.position(path); };
+    const auto at = [&](const Subpath& path) { return region.position(path); };
     const auto isInside = [](Position p) { return p == Position::Inside; };
     const auto isOutside = [](Position p) { return p == Position::Outside; };
     ClippedShape result;
     result.work = 16; // of looking at the shape at all
-    for (const Path& path : shape.paths)
-        result.work += (1 + path.stretches.size()) * region.sides();
+    for (const Subpath& path : shape.paths)
+        result.work += (1 + path.segments.size()) * region.sides();
     if (std::ranges::all_of(shape.paths, isInside, at)) {
         result.shapes.push_back(shape);
         return result;
@@ -95,7 +96,7 @@ std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& re
     area.style.stroke.reset();
     std::vector<Run> runs;
     const auto overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
-    for (const Path& path : shape.paths) {
+    for (const Subpath& path : shape.paths) {
         if (region.position(path) == Position::Inside) {
             runs.push_back({path, 0});
             area.paths.push_back(path);

@@ -18,7 +18,7 @@ using clipping::Edge;
 double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
-std::vector<Point> cornersOf(const Path& path, double tolerance)
+std::vector<Point> cornersOf(const Subpath& path, double tolerance)
 {
     std::vector<Chord> chords;
     flatten(path, tolerance, chords);
@@ -65,9 +65,9 @@ bool isFlat(const std::vector<Point>& corners)
 
 } // namespace
 
-std::optional<ConvexRegion> ConvexRegion::of(const Path& path, double tolerance)
+std::optional<ConvexRegion> ConvexRegion::of(const Subpath& path, double tolerance)
 {
-    if (path.stretches.size() > mostClipSides)
+    if (path.segments.size() > mostClipSides)
         return std::nullopt;
     ConvexRegion region;
     region.corners_ = cornersOf(path, tolerance);
@@ -113,7 +113,7 @@ Point ConvexRegion::crossing(std::size_t side, const Point& a, const Point& b) c
     return p;
 }
 
-ConvexRegion::Position ConvexRegion::position(const Path& path) const
+ConvexRegion::Position ConvexRegion::position(const Subpath& path) const
 {
     bool inside = !corners_.empty();
     for (std::size_t side = 0; side < corners_.size(); ++side) {

@@ -11,11 +11,11 @@ public:
     /// The area inside a closed path (any path counts as closed); curves as chords within
     /// `tolerance`. Nothing if it is not convex or has more than mostClipSides sides. An area
     /// without width is convex and shows nothing.
-    static std::optional<ConvexRegion> of(const Path& path, double tolerance);
+    static std::optional<ConvexRegion> of(const Subpath& path, double tolerance);
 
     enum class Position : std::uint8_t { Inside, Outside, Across };
     /// Of the convex hull of a path's points and control points. Across if in doubt.
-    Position position(const Path& path) const;
+    Position position(const Subpath& path) const;
 
     /// What the area shows of a chord. Cuts at sides that are parallel to an axis have exactly
     /// that side's coordinate and name an edge of that axis. A mere touch of a longer line is

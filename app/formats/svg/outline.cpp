@@ -20,7 +20,7 @@ public:
     std::optional<double> x(std::string_view name) { return get(name, lengths_.viewport.x); }
     std::optional<double> y(std::string_view name) { return get(name, lengths_.viewport.y); }
     std::optional<double> other(std::string_view name) { return get(name, lengths_.diagonal()); }
-    Outline outline(std::vector<Path> paths) const { return {std::move(paths), damaged_}; }
+    Outline outline(std::vector<Subpath> paths) const { return {std::move(paths), damaged_}; }
 
 private:
     std::optional<double> get(std::string_view name, double of)
@@ -38,28 +38,28 @@ private:
     bool damaged_ = false;
 };
 
-Path ellipse(const Point& centre, const Point& radii)
+Subpath ellipse(const Point& centre, const Point& radii)
 {
     const Point right{centre.x + radii.x, centre.y}, bottom{centre.x, centre.y + radii.y};
     const Point left{centre.x - radii.x, centre.y}, top{centre.x, centre.y - radii.y};
-    Path path{right, {}, true};
+    Subpath path{right, {}, true};
     Point from = right;
     for (const Point& to : {bottom, left, top, right}) {
-        appendArc(path.stretches, {from, to, radii, 0, false, true});
+        appendArc(path.segments, {from, to, radii, 0, false, true});
         from = to;
     }
     return path;
 }
 
-Path roundedRectangle(const Point& min, const Point& max, const Point& radii)
+Subpath roundedRectangle(const Point& min, const Point& max, const Point& radii)
 {
     const auto [rx, ry] = std::pair(radii.x, radii.y);
-    Path path{{min.x + rx, min.y}, {}, true};
+    Subpath path{{min.x + rx, min.y}, {}, true};
     Point at = path.start;
     const auto side = [&](const Point& end, const Point& corner) {
         if (end != at)
-            path.stretches.push_back({end});
-        appendArc(path.stretches, {end, corner, radii, 0, false, true});
+            path.segments.push_back({end});
+        appendArc(path.segments, {end, corner, radii, 0, false, true});
         at = corner;
     };
     side({max.x - rx, min.y}, {max.x, min.y + ry});

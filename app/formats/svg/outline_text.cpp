@@ -6,24 +6,23 @@
 #include <algorithm>
 
 namespace app::svg {
-void OutlineText::append(std::string& text, const std::vector<Path>& paths) const
+void OutlineText::append(std::string& text, const std::vector<Subpath>& paths) const
 {
-    const Path& path = paths.front();
-    const bool straight = std::ranges::none_of(path.stretches, &Stretch::curved);
-    if (paths.size() > 1 || !straight || (path.closed && path.stretches.empty())) {
+    const Subpath& path = paths.front();
+    const bool straight = std::ranges::none_of(path.segments, &PathSegment::curved);
+    if (paths.size() > 1 || !straight || (path.closed && path.segments.empty())) {
         text += "<path d=\"";
-        for (const Path& one : paths)
+        for (const Subpath& one : paths)
             appendPathData(text, one);
         text += '"';
-    } else if (path.stretches.size() <= 1 && !path.closed) {
-        appendLine(text, path.start,
-                   path.stretches.empty() ? path.start : path.stretches.front().to);
+    } else if (path.segments.size() <= 1 && !path.closed) {
+        appendLine(text, path.start, path.segments.empty() ? path.start : path.segments.front().to);
     } else {
         text += path.closed ? "<polygon points=\"" : "<polyline points=\"";
         appendPoint(text, path.start, ' ', options_);
-        for (const Stretch& stretch : path.stretches) {
+        for (const PathSegment& segment : path.segments) {
             text += ' ';
-            appendPoint(text, stretch.to, ' ', options_);
+            appendPoint(text, segment.to, ' ', options_);
         }
         text += '"';
     }
@@ -42,21 +41,21 @@ void OutlineText::appendLine(std::string& text, const Point& from, const Point& 
     text += '"';
 }
 
-void OutlineText::appendPathData(std::string& text, const Path& path) const
+void OutlineText::appendPathData(std::string& text, const Subpath& path) const
 {
     text += 'M';
     appendPoint(text, path.start, ' ', options_);
-    for (const Stretch& stretch : path.stretches) {
-        text += stretch.curved ? 'C' : 'L';
-        if (stretch.curved) {
-            appendControl(text, stretch.control1, ' ', options_);
+    for (const PathSegment& segment : path.segments) {
+        text += segment.curved ? 'C' : 'L';
+        if (segment.curved) {
+            appendControl(text, segment.control1, ' ', options_);
             text += ' ';
-            appendControl(text, stretch.control2, ' ', options_);
+            appendControl(text, segment.control2, ' ', options_);
             text += ' ';
         }
-        appendPoint(text, stretch.to, ' ', options_);
+        appendPoint(text, segment.to, ' ', options_);
     }
-    if (path.stretches.empty() && !path.closed) {
+    if (path.segments.empty() && !path.closed) {
         text += 'L'; // a point is a line without length
         appendPoint(text, path.start, ' ', options_);
     }

@@ -15,11 +15,11 @@ public:
 
     /// The element's beginning, with its coordinates and without its end: `<line x1="0" ...`.
     /// `paths` is not empty.
-    void append(std::string& text, const std::vector<Path>& paths) const;
+    void append(std::string& text, const std::vector<Subpath>& paths) const;
 
 private:
     void appendLine(std::string& text, const Point& from, const Point& to) const;
-    void appendPathData(std::string& text, const Path& path) const;
+    void appendPathData(std::string& text, const Subpath& path) const;
 
     const WriteOptions& options_;
 };

@@ -13,11 +13,11 @@ namespace app::svg {
 namespace {
 
 // A line to its own start, alone, is kept as a point.
-void settle(Path& path)
+void settle(Subpath& path)
 {
-    if (!path.closed && path.stretches.size() == 1 && !path.stretches.front().curved
-        && path.stretches.front().to == path.start)
-        path.stretches.clear();
+    if (!path.closed && path.segments.size() == 1 && !path.segments.front().curved
+        && path.segments.front().to == path.start)
+        path.segments.clear();
 }
 
 class PathReader {
@@ -171,7 +171,7 @@ private:
         if (!to)
             return false;
         begin();
-        appendArc(path_.stretches, {at_, *to, {v[0], v[1]}, v[2], *large, *positive});
+        appendArc(path_.segments, {at_, *to, {v[0], v[1]}, v[2], *large, *positive});
         at_ = *to;
         return true;
     }
@@ -183,13 +183,13 @@ private:
         control_ = control;
     }
 
-    void append(const Stretch& stretch)
+    void append(const PathSegment& segment)
     {
         begin();
-        path_.stretches.push_back(stretch);
-        at_ = stretch.to;
-        control_ = stretch.control2;
-        if (path_.stretches.size() > mostParts)
+        path_.segments.push_back(segment);
+        at_ = segment.to;
+        control_ = segment.control2;
+        if (path_.segments.size() > mostParts)
             throw Refused{Text::tr("has a path of more than %1 points.").arg(mostParts)};
     }
 
@@ -211,7 +211,7 @@ private:
 
     void finish()
     {
-        if (drawn_ && (path_.closed || !path_.stretches.empty())) {
+        if (drawn_ && (path_.closed || !path_.segments.empty())) {
             settle(path_);
             outline_.paths.push_back(std::move(path_));
         }
@@ -220,7 +220,7 @@ private:
 
     Scanner in_;
     Outline outline_;
-    Path path_;
+    Subpath path_;
     Point start_{}, at_{};
     Point control_{}; ///< the last command's, for the smooth ones
     char command_ = 0, previous_ = 0;
@@ -238,9 +238,9 @@ Outline parsePathData(std::string_view text)
     return PathReader(text).read();
 }
 
-Path lineBetween(const Point& from, const Point& to)
+Subpath lineBetween(const Point& from, const Point& to)
 {
-    Path path{from, {{to}}, false};
+    Subpath path{from, {{to}}, false};
     settle(path);
     return path;
 }
@@ -248,7 +248,7 @@ Path lineBetween(const Point& from, const Point& to)
 Outline parsePoints(std::string_view text, Ending ending)
 {
     Outline outline;
-    Path path;
+    Subpath path;
     Scanner in(text);
     std::size_t count = 0;
     for (in.skipBlanks(); !in.atEnd() && !outline.damaged; in.skipSeparator()) {
@@ -259,7 +259,7 @@ Outline parsePoints(std::string_view text, Ending ending)
         if (y && count++ == 0)
             path.start = {*x, *y};
         else if (y)
-            path.stretches.push_back({{*x, *y}});
+            path.segments.push_back({{*x, *y}});
     }
     path.closed = ending == Ending::Closed;
     settle(path);

@@ -135,7 +135,7 @@ std::optional<Matrix> parseTransform(std::string_view text)
     return result;
 }
 
-void transform(Path& path, const Matrix& matrix)
+void transform(Subpath& path, const Matrix& matrix)
 {
     forEachPoint(path, [&](Point& point) { point = matrix(point); });
 }

@@ -29,7 +29,7 @@ Matrix translation(const Point& by);
 std::optional<Matrix> parseTransform(std::string_view text);
 
 /// A path with all its points mapped.
-void transform(Path& path, const Matrix& matrix);
+void transform(Subpath& path, const Matrix& matrix);
 
 /// A rectangle as SVG writes it: x, y, width, height.
 struct Box {

@@ -37,13 +37,13 @@ const Foreign* findForeign(std::string_view element)
     return found == foreigners.end() ? nullptr : &*found;
 }
 
-bool finite(const Path& path)
+bool finite(const Subpath& path)
 {
     const auto small = [](const Point& p) {
         return std::abs(p.x) <= largestCoordinate && std::abs(p.y) <= largestCoordinate;
     };
-    return small(path.start) && std::ranges::all_of(path.stretches, [&](const Stretch& stretch) {
-               return small(stretch.to) && small(stretch.control1) && small(stretch.control2);
+    return small(path.start) && std::ranges::all_of(path.segments, [&](const PathSegment& segment) {
+               return small(segment.to) && small(segment.control1) && small(segment.control2);
            });
 }
 
@@ -202,11 +202,11 @@ void Walk::drawOutline(Node node, const Place& around)
     addClipped(std::move(shape), place);
 }
 
-std::vector<Path> Walk::placed(Outline outline, const Matrix& matrix)
+std::vector<Subpath> Walk::placed(Outline outline, const Matrix& matrix)
 {
     if (outline.damaged)
         report_.add(losses::damaged);
-    for (Path& path : outline.paths) {
+    for (Subpath& path : outline.paths) {
         transform(path, matrix);
         if (!finite(path))
             throw Refused{Text::tr("has a coordinate that is too large to be drawn.")};
@@ -220,7 +220,7 @@ void Walk::countParts(const Shape& shape)
     if (!(style.width <= largestCoordinate && std::abs(style.dashOffset) <= largestCoordinate))
         throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
     parts_ += 1 + style.dashes.size();
-    for (const Path& path : shape.paths)
+    for (const Subpath& path : shape.paths)
         parts_ += 1 + chordCount(path, tolerance_);
     if (parts_ > mostParts)
         throw Refused{Text::tr("is where the drawing has more than %1 points.").arg(mostParts)};

@@ -60,11 +60,11 @@ private:
     void addClipPath(Node node, Place& place);
     void addViewportClip(const Box& viewport, Place& place);
     std::optional<ConvexRegion> clipRegion(Node clip, const Place& place);
-    std::optional<std::vector<Path>> clipOutline(Node node, const Place& base);
+    std::optional<std::vector<Subpath>> clipOutline(Node node, const Place& base);
     void addClipped(Shape shape, const Place& place);
     std::vector<Shape> clipped(Shape shape, const ConvexRegion& region);
 
-    std::vector<Path> placed(Outline outline, const Matrix& matrix);
+    std::vector<Subpath> placed(Outline outline, const Matrix& matrix);
     void countParts(const Shape& shape);
 
     const Tree& tree_;

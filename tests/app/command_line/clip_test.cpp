@@ -321,7 +321,7 @@ private slots:
         for (std::size_t i = 0; i < sheet.shapes.size(); ++i) {
             QCOMPARE(sheet.shown(sheet.shapes[i]), before.shown(before.shapes[i]));
             QCOMPARE(sheet.shapes[i].paths.at(0).start.x, 0.0);
-            QCOMPARE(sheet.shapes[i].paths.at(0).stretches.at(0).to.x, 10.0);
+            QCOMPARE(sheet.shapes[i].paths.at(0).segments.at(0).to.x, 10.0);
         }
 
         const auto dropped = cut({"-o", path("dropped.svg"), "--drop-hidden"});
@@ -483,8 +483,8 @@ private slots:
         const auto svg = clearcut(usual + QStringList{"--to", "svg"}, drawing);
         const auto& shapes = sheetOf(svg.out).shapes;
         QCOMPARE(shapes.size(), 1u);
-        QVERIFY(std::ranges::all_of(shapes[0].paths, [](const app::Path& path) {
-            return !path.closed && std::ranges::all_of(path.stretches, &app::Stretch::curved);
+        QVERIFY(std::ranges::all_of(shapes[0].paths, [](const app::Subpath& path) {
+            return !path.closed && std::ranges::all_of(path.segments, &app::PathSegment::curved);
         }));
         const auto rows = clearcut(usual + QStringList{"--to", "csv"}, drawing).out.split('\n');
         QVERIFY(rows.size() > 10);

@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(all.counts.leftLocked + all.counts.leftHidden, 0u);
         QCOMPARE(all.counts.hidden, 3u);
         for (const app::Shape& shape : all.sheet.shapes)
-            QVERIFY(shape.paths[0].start.x >= 1 && shape.paths[0].stretches[0].to.x <= 2);
+            QVERIFY(shape.paths[0].start.x >= 1 && shape.paths[0].segments[0].to.x <= 2);
     }
     void nudgesAreOneStepAndDragsAreNot()
     {

@@ -45,7 +45,7 @@ app::Sheet sheetOf(int lines)
     zigzag.style.stroke = app::Colour{};
     zigzag.paths.push_back({{0, 0}, {}, false});
     for (int i = 1; i <= lines; ++i)
-        zigzag.paths.back().stretches.push_back({{double(i % 101), double(i % 97)}});
+        zigzag.paths.back().segments.push_back({{double(i % 101), double(i % 97)}});
     sheet.shapes.push_back(zigzag);
     return sheet;
 }

@@ -40,7 +40,7 @@ private slots:
         Sheet sheet;
         sheet.shapes = {line({1e30, 0}, {2e30, 0})};
         sheet.shapes[0].paths[0].start.y = 1e30;
-        sheet.shapes[0].paths[0].stretches[0].to.y = 1e30;
+        sheet.shapes[0].paths[0].segments[0].to.y = 1e30;
         QCOMPARE(copyOffset(sheet, sheet.shapes, Point(5)), Point(5000));
     }
 

@@ -10,15 +10,15 @@
 #include <random>
 
 using app::Keep;
-using app::Path;
 using app::Point;
 using app::Sheet;
+using app::Subpath;
 
 namespace {
 
 constexpr clipping::Window window{{-1, -2}, {3, 2}};
 
-Sheet sheetOf(std::vector<Path> paths, app::Style style = {.stroke = app::Colour{}})
+Sheet sheetOf(std::vector<Subpath> paths, app::Style style = {.stroke = app::Colour{}})
 {
     Sheet sheet;
     sheet.shapes.push_back({std::move(paths), std::move(style), QStringLiteral("s"), 0, false});
@@ -48,15 +48,15 @@ bool within(const Point& p)
     return p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y && p.y <= window.max.y;
 }
 
-Path randomPath(std::mt19937_64& random, bool curves)
+Subpath randomPath(std::mt19937_64& random, bool curves)
 {
     std::uniform_real_distribution<double> number(-6, 6);
     const auto point = [&] { return Point(number(random), number(random)); };
-    Path path{point(), {}, random() % 2 == 0};
+    Subpath path{point(), {}, random() % 2 == 0};
     for (auto n = 1 + random() % 6; n > 0; --n)
-        path.stretches.push_back(curves && random() % 2
-                                     ? app::Stretch{point(), point(), point(), true}
-                                     : app::Stretch{point()});
+        path.segments.push_back(curves && random() % 2
+                                    ? app::PathSegment{point(), point(), point(), true}
+                                    : app::PathSegment{point()});
     return path;
 }
 
@@ -69,18 +69,18 @@ private slots:
     void aClosedShapeIsOneRunAcrossItsStart()
     {
         // The start lies inside, so the inside part goes over it.
-        const Path square{{0, 0}, {{{10, 0}}, {{10, 1}}, {{0, 1}}}, true};
+        const Subpath square{{0, 0}, {{{10, 0}}, {{10, 1}}, {{0, 1}}}, true};
         const auto cut = cutAt(sheetOf({square}), Keep::Inside);
         QCOMPARE(cut.sheet.shapes.size(), 1u);
         const auto& paths = cut.sheet.shapes[0].paths;
         QCOMPARE(paths.size(), 1u);
-        QCOMPARE(paths[0], (Path{{3, 1}, {{{0, 1}}, {{0, 0}}, {{3, 0}}}, false}));
+        QCOMPARE(paths[0], (Subpath{{3, 1}, {{{0, 1}}, {{0, 0}}, {{3, 0}}}, false}));
         QCOMPARE(cut.counts.opened, 1u);
 
         const auto rest = cutAt(sheetOf({square}), Keep::Outside);
         QCOMPARE(rest.sheet.shapes[0].paths.size(), 1u);
         QCOMPARE(rest.sheet.shapes[0].paths[0],
-                 (Path{{3, 0}, {{{10, 0}}, {{10, 1}}, {{3, 1}}}, false}));
+                 (Subpath{{3, 0}, {{{10, 0}}, {{10, 1}}, {{3, 1}}}, false}));
     }
 
     void wholeShapesComeBackUnchanged()
@@ -118,7 +118,7 @@ private slots:
         app::Style dashed{.stroke = app::Colour{}};
         dashed.dashes = {1};
         Sheet sheet = sheetOf({{{9, 9}, {{{8, 8}}}, false}});
-        const auto add = [&](Path path) {
+        const auto add = [&](Subpath path) {
             sheet.shapes.push_back({{std::move(path)}, dashed, {}, 0, false});
         };
         add({{-5, 0}, {{{5, 0}}, {{5, 1}}, {{-5, 1}}}, false});
@@ -129,10 +129,10 @@ private slots:
 
     void aContactIsLeftOutAPointIsKept()
     {
-        const Path touch{{2, 3}, {{{4, 1}}}, false}; // the corner (3, 2)
+        const Subpath touch{{2, 3}, {{{4, 1}}}, false}; // the corner (3, 2)
         QVERIFY(cutAt(sheetOf({touch}), Keep::Inside).sheet.shapes.empty());
         QCOMPARE(cutAt(sheetOf({touch}), Keep::Outside).sheet, sheetOf({touch}));
-        const Path point{{1, 1}, {}, false};
+        const Subpath point{{1, 1}, {}, false};
         QCOMPARE(cutAt(sheetOf({point}), Keep::Inside).sheet, sheetOf({point}));
     }
 
@@ -141,7 +141,7 @@ private slots:
         app::Style style{.stroke = app::Colour{}};
         style.dashes = {2, 1};
         style.dashOffset = 0.5;
-        const Path zigzag{{-5, 0}, {{{5, 0}}, {{5, 1}}, {{-5, 1}}}, false};
+        const Subpath zigzag{{-5, 0}, {{{5, 0}}, {{5, 1}}, {{-5, 1}}}, false};
         const auto cut = cutAt(sheetOf({zigzag}, style), Keep::Inside);
         QCOMPARE(cut.sheet.shapes.size(), 2u);
         QCOMPARE(cut.sheet.shapes[0].style.dashOffset, 4.5);
@@ -154,17 +154,18 @@ private slots:
     {
         // A quarter circle of radius 4 about the origin: it leaves the window through x = 3.
         constexpr double k = 4 * 4 * (std::numbers::sqrt2 - 1) / 3;
-        const Path arc{{4, 0}, {{{0, 4}, {4, k}, {k, 4}, true}}, false};
+        const Subpath arc{{4, 0}, {{{0, 4}, {4, k}, {k, 4}, true}}, false};
         const auto rest = cutAt(sheetOf({arc}), Keep::Outside);
         QCOMPARE(rest.sheet, sheetOf({arc})); // it passes the corner (3, 2) outside
-        const Path big{{2.5, 0}, {{{0, 2.5}, {2.5, 2.5 * k / 4}, {2.5 * k / 4, 2.5}, true}}, false};
+        const Subpath big{
+            {2.5, 0}, {{{0, 2.5}, {2.5, 2.5 * k / 4}, {2.5 * k / 4, 2.5}, true}}, false};
         const auto cut = cutAt(sheetOf({big}), Keep::Inside);
         QCOMPARE(cut.sheet.shapes[0].paths.size(), 1u);
         const auto& part = cut.sheet.shapes[0].paths[0];
-        QCOMPARE(part.stretches.size(), 1u);
-        QVERIFY(part.stretches[0].curved);
-        QCOMPARE(part.stretches[0].to.y, 2.0);                  // on the edge, bit for bit
-        QVERIFY(std::abs(part.stretches[0].to.x - 1.5) < 1e-3); // 2.5² = 1.5² + 2²
+        QCOMPARE(part.segments.size(), 1u);
+        QVERIFY(part.segments[0].curved);
+        QCOMPARE(part.segments[0].to.y, 2.0);                  // on the edge, bit for bit
+        QVERIFY(std::abs(part.segments[0].to.x - 1.5) < 1e-3); // 2.5² = 1.5² + 2²
     }
 
     void insideAndOutsideAreTheWhole()
@@ -179,7 +180,7 @@ private slots:
             for (const auto& shape : inside.sheet.shapes)
                 for (const auto& path : shape.paths) {
                     QVERIFY(within(path.start));
-                    QVERIFY(std::ranges::all_of(path.stretches, within, &app::Stretch::to));
+                    QVERIFY(std::ranges::all_of(path.segments, within, &app::PathSegment::to));
                 }
             QCOMPARE(lengthOf(cutAt(inside.sheet, Keep::Inside).sheet), lengthOf(inside.sheet));
         }
@@ -198,7 +199,7 @@ private slots:
             for (const auto& shape : inside.sheet.shapes)
                 for (const auto& path : shape.paths) {
                     QVERIFY(within(path.start));
-                    QVERIFY(path.closed || within(path.stretches.back().to));
+                    QVERIFY(path.closed || within(path.segments.back().to));
                 }
         }
     }

@@ -14,9 +14,9 @@ app::Shape randomShape(std::mt19937_64& random)
 {
     app::Shape shape;
     std::uniform_real_distribution<double> number(-10, 10);
-    app::Path path{{number(random), number(random)}, {}, random() % 2 == 0};
+    app::Subpath path{{number(random), number(random)}, {}, random() % 2 == 0};
     for (auto n = random() % 5; n > 0; --n)
-        path.stretches.push_back({{number(random), number(random)}});
+        path.segments.push_back({{number(random), number(random)}});
     shape.paths.push_back(path);
     shape.hidden = random() % 4 == 0;
     return shape;
@@ -27,9 +27,9 @@ app::Shape stroke(std::mt19937_64& random)
 {
     std::uniform_real_distribution<double> step(-0.2, 0.2), place(-10, 10);
     app::Point at(place(random), place(random));
-    app::Path path{at, {}, false};
+    app::Subpath path{at, {}, false};
     for (int i = 0; i < 100; ++i)
-        path.stretches.push_back({at += app::Point(step(random), step(random))});
+        path.segments.push_back({at += app::Point(step(random), step(random))});
     app::Shape shape;
     shape.paths.push_back(path);
     return shape;
@@ -37,10 +37,10 @@ app::Shape stroke(std::mt19937_64& random)
 
 app::Shape moved(app::Shape shape)
 {
-    for (app::Path& path : shape.paths) {
+    for (app::Subpath& path : shape.paths) {
         path.start += 1.5;
-        for (app::Stretch& stretch : path.stretches)
-            stretch.to += 1.5;
+        for (app::PathSegment& segment : path.segments)
+            segment.to += 1.5;
     }
     return shape;
 }

@@ -23,7 +23,7 @@ QByteArray written(const app::Sheet& sheet, const app::WriteOptions& options = {
     return error ? error->toUtf8() : buffer.data();
 }
 
-app::Path line(app::Point a, app::Point b) { return {a, {{b}}, false}; }
+app::Subpath line(app::Point a, app::Point b) { return {a, {{b}}, false}; }
 
 } // namespace
 
@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(sheet.layers[1].name, QStringLiteral("walls"));
         QCOMPARE(sheet.shapes[0].paths[0], line({1, 2}, {3, 4}));
         QCOMPARE(sheet.shapes[0].style.stroke, std::optional(app::Colour{}));
-        QCOMPARE(sheet.shapes[1].paths[0], (app::Path{{7, 7}, {}, false}));
+        QCOMPARE(sheet.shapes[1].paths[0], (app::Subpath{{7, 7}, {}, false}));
         QCOMPARE(sheet.shapes[1].style.stroke, std::optional(app::Colour{1, 2, 3, 4}));
         QCOMPARE(sheet.shapes[2].paths[0], line({-5.5, 100}, {0, 0}));
         QCOMPARE(sheet.shapes[2].style.width, 2.5);
@@ -155,7 +155,7 @@ private slots:
     void writesWhatIsSeen()
     {
         app::Sheet sheet;
-        const app::Path corner{{0, 0}, {{{1, 0}}, {{1, 1}}}, true};
+        const app::Subpath corner{{0, 0}, {{{1, 0}}, {{1, 1}}}, true};
         sheet.shapes = {{{corner}, {.fill = app::Colour{255, 0, 0, 128}}, {}, 0, false},
                         {{corner}, {.stroke = app::Colour{}}, {}, 0, true},
                         {{corner}, {}, {}, 0, false}};

@@ -30,11 +30,11 @@ app::Sheet drawing()
 {
     app::Sheet sheet;
     sheet.page = {{10, 20}, {120, 60}, {70, app::Unit::Mm}, {30, app::Unit::Mm}};
-    const auto add = [&](std::vector<app::Path> paths, app::Style style) {
+    const auto add = [&](std::vector<app::Subpath> paths, app::Style style) {
         sheet.shapes.push_back({std::move(paths), std::move(style), {}, 0, false});
     };
-    const app::Path square{{80, 25}, {{{110, 25}}, {{110, 55}}, {{80, 55}}}, true};
-    const app::Path hole{{85, 30}, {{{105, 30}}, {{105, 50}}, {{85, 50}}}, true};
+    const app::Subpath square{{80, 25}, {{{110, 25}}, {{110, 55}}, {{80, 55}}}, true};
+    const app::Subpath hole{{85, 30}, {{{105, 30}}, {{105, 50}}, {{85, 50}}}, true};
     app::Style filled = pen(3, {0, 0, 128, 255});
     filled.fill = app::Colour{250, 200, 100, 128};
     filled.fillRule = app::FillRule::EvenOdd;
@@ -205,9 +205,9 @@ private slots:
     void aLongScribbleIsExported()
     {
         app::Sheet sheet;
-        app::Path path{{0, 0}, {}, false};
+        app::Subpath path{{0, 0}, {}, false};
         for (std::int64_t i = 1; i < 60'000; ++i)
-            path.stretches.push_back({{(i * 7919) % 211, (i * 104'729) % 149}});
+            path.segments.push_back({{(i * 7919) % 211, (i * 104'729) % 149}});
         app::Style style = pen(1);
         style.fill = app::Colour{255, 255, 0, 255};
         sheet.shapes = {{{path}, style, {}, 0, false}};

@@ -27,10 +27,10 @@ app::Shape scribble(std::size_t count, bool closed)
     };
     app::Shape shape;
     for (const bool curved : {false, true}) {
-        app::Path path{point(), {}, closed};
+        app::Subpath path{point(), {}, closed};
         for (std::size_t i = 0; i < count; ++i) {
             const app::Point to = point(), one = point();
-            path.stretches.push_back({to, one, point(), curved && i % 4 == 0});
+            path.segments.push_back({to, one, point(), curved && i % 4 == 0});
         }
         shape.paths.push_back(path);
     }
@@ -171,7 +171,7 @@ private slots:
         app::Shape shape = scribble(300, false);
         shape.style.stroke = blue;
         shape.style.dashes = {1, 1};
-        shape.paths[0].stretches[9].to = {1e100, 1e100};
+        shape.paths[0].segments[9].to = {1e100, 1e100};
         painted([&](QPainter& painter) { QVERIFY(!app::strokeSummed(painter, shape)); });
     }
 };

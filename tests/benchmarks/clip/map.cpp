@@ -19,7 +19,7 @@ Map read()
     const app::Sheet& sheet = imported.value->sheet;
     std::vector<app::Chord> chords;
     for (const app::Shape& shape : sheet.shapes)
-        for (const app::Path& path : shape.paths)
+        for (const app::Subpath& path : shape.paths)
             flatten(path, app::usualTolerance(sheet.page), chords);
     for (const app::Chord& chord : chords) {
         const auto [a, b] = chord.segment;

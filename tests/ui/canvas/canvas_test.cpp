@@ -87,7 +87,7 @@ private:
         const auto below = [&](int most) { return double(random() % unsigned(most * 100)) / 100; };
         app::Shape shape = line({below(200), below(100)}, {below(200), below(100)});
         while (points-- > 0)
-            shape.paths.front().stretches.push_back({{below(200), below(100)}});
+            shape.paths.front().segments.push_back({{below(200), below(100)}});
         return shape;
     }
     static constexpr ui::Backend backend = ui::Backend::Raster;

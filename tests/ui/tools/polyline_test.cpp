@@ -154,7 +154,7 @@ private slots:
             stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
         QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
         QTRY_VERIFY(told.count() > 0); // while the hand rests
-        QCOMPARE(stage.canvas->shapeInHand()->paths[0].stretches.size(), std::size_t(moves));
+        QCOMPARE(stage.canvas->shapeInHand()->paths[0].segments.size(), std::size_t(moves));
         stage.release({100, 60});
         QVERIFY(!stage.canvas->shapeInHand());
     }
@@ -199,10 +199,10 @@ private:
         {
             if (shape >= shapes().size())
                 return {};
-            const app::Path& path = shapes()[shape].paths[0];
+            const app::Subpath& path = shapes()[shape].paths[0];
             std::vector<app::Point> all{nearest(path.start)};
-            for (const app::Stretch& stretch : path.stretches)
-                all.push_back(nearest(stretch.to));
+            for (const app::PathSegment& segment : path.segments)
+                all.push_back(nearest(segment.to));
             return all;
         }
         std::vector<app::Point> placed(int count) const

@@ -34,12 +34,12 @@ private slots:
         stage.session.pen.style.width = 3;
         stage.drag({20, 30}, {70, 60});
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const app::Path& path = shapes(stage)[0].paths[0];
-        QVERIFY(near(path.start, {20, 30}) && near(path.stretches[0].to, {70, 60}) && !path.closed);
+        const app::Subpath& path = shapes(stage)[0].paths[0];
+        QVERIFY(near(path.start, {20, 30}) && near(path.segments[0].to, {70, 60}) && !path.closed);
         QCOMPARE(shapes(stage)[0].style.width, 3.0);
         QCOMPARE(stage.session.history.undoText(), QString("Draw line"));
         stage.drag({20, 90}, {120, 84}, Qt::LeftButton, Qt::ShiftModifier);
-        QCOMPARE(shapes(stage)[1].paths[0].stretches[0].to.y, shapes(stage)[1].paths[0].start.y);
+        QCOMPARE(shapes(stage)[1].paths[0].segments[0].to.y, shapes(stage)[1].paths[0].start.y);
         stage.click({100, 10});
         QCOMPARE(stage.session.history.count(), 2); // a click is no line
     }
@@ -71,9 +71,9 @@ private slots:
         }
         stage.key(Qt::Key_Return);
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const app::Path& path = shapes(stage)[0].paths[0];
-        QCOMPARE(path.stretches.size(), std::size_t(2));
-        QVERIFY(near(path.stretches[0].to, {40, 12}) && near(path.stretches[1].to, {60, 40}));
+        const app::Subpath& path = shapes(stage)[0].paths[0];
+        QCOMPARE(path.segments.size(), std::size_t(2));
+        QVERIFY(near(path.segments[0].to, {40, 12}) && near(path.segments[1].to, {60, 40}));
         QCOMPARE(stage.session.history.count(), 1);
 
         stage.click({110, 10});
@@ -89,7 +89,7 @@ private slots:
         for (const app::Point p : {app::Point(10, 10), {40, 12}, {30, 44}, {10.5, 10.5}})
             stage.click(p);
         QVERIFY(shapes(stage).size() == 1 && shapes(stage)[0].paths[0].closed);
-        QCOMPARE(shapes(stage)[0].paths[0].stretches.size(), std::size_t(2));
+        QCOMPARE(shapes(stage)[0].paths[0].segments.size(), std::size_t(2));
     }
 
     void drawsFreehandWithFewPoints()
@@ -101,9 +101,9 @@ private slots:
             stage.move({20 + i, 50 + 20 * std::sin(i * 0.06)}, Qt::LeftButton);
         stage.release({120, 50 + 20 * std::sin(6.0)});
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const auto& stretches = shapes(stage)[0].paths[0].stretches;
-        QVERIFY(stretches.size() > 5 && stretches.size() < 60);
-        QVERIFY(near(stretches.back().to, {120, 50 + 20 * std::sin(6.0)}));
+        const auto& segments = shapes(stage)[0].paths[0].segments;
+        QVERIFY(segments.size() > 5 && segments.size() < 60);
+        QVERIFY(near(segments.back().to, {120, 50 + 20 * std::sin(6.0)}));
     }
 
     void drawsRectanglesAndEllipses()
@@ -131,14 +131,14 @@ private slots:
         stage.canvas->setTool("line");
         stage.drag({11, 51}, {101.5, 20.5}); // the line's end, the window's upper edge
         QCOMPARE(shapes(stage)[1].paths[0].start, app::Point(10, 50));
-        QCOMPARE(shapes(stage)[1].paths[0].stretches[0].to.y, 20.0);
+        QCOMPARE(shapes(stage)[1].paths[0].segments[0].to.y, 20.0);
         stage.drag({11, 51}, {30, 70}, Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(shapes(stage)[2].paths[0].start != app::Point(10, 50));
         stage.drag({20, 90}, {99, 51}); // the middle
-        QCOMPARE(shapes(stage)[3].paths[0].stretches[0].to, app::Point(100, 50));
+        QCOMPARE(shapes(stage)[3].paths[0].segments[0].to, app::Point(100, 50));
         stage.canvas->setSnapping(app::SnapTo::Nothing);
         stage.drag({20, 80}, {11, 51});
-        QVERIFY(shapes(stage)[4].paths[0].stretches[0].to != app::Point(10, 50));
+        QVERIFY(shapes(stage)[4].paths[0].segments[0].to != app::Point(10, 50));
     }
 
     void clicksSelect()
@@ -194,8 +194,7 @@ private slots:
     void areasAreSelectedByAClickAndBoxedThrough()
     {
         app::Shape ground = line({0, 0}, {200, 0});
-        ground.paths[0].stretches.insert(ground.paths[0].stretches.end(),
-                                         {{{200, 100}}, {{0, 100}}});
+        ground.paths[0].segments.insert(ground.paths[0].segments.end(), {{{200, 100}}, {{0, 100}}});
         ground.paths[0].closed = true;
         ground.style.fill = app::Colour{250, 250, 250};
         Stage stage(raster, {ground, line({100, 40}, {120, 40})});

@@ -165,7 +165,7 @@ private slots:
     {
         QCOMPARE(reportOf("<path d='M0 0L1 1L'/>"), "1 part of a damaged shape");
         QCOMPARE(reportOf("<circle r='red'/>"), "1 part of a damaged shape");
-        QCOMPARE(shapeOf("<path d='M0 0L1 1L'/>").paths.at(0).stretches.size(), 1u);
+        QCOMPARE(shapeOf("<path d='M0 0L1 1L'/>").paths.at(0).segments.size(), 1u);
     }
 
     void gradientsOfGradientsEnd()
@@ -206,7 +206,7 @@ private slots:
             data += i % 2 ? "l1 1" : "l1-1";
         const auto result = readText(drawing("<path d='" + data + "'/>"));
         QVERIFY2(result, qPrintable(result.error));
-        QCOMPARE(result.value->sheet.shapes.at(0).paths.at(0).stretches.size(), 1'000'000u);
+        QCOMPARE(result.value->sheet.shapes.at(0).paths.at(0).segments.size(), 1'000'000u);
     }
 
     void thousandsOfLayersBecomeOne()

@@ -17,16 +17,16 @@ QString text(const app::svg::Outline& outline)
         };
         result += number(p.x) + ',' + number(p.y) + ' ';
     };
-    for (const app::Path& path : outline.paths) {
+    for (const app::Subpath& path : outline.paths) {
         result += 'M';
         add(path.start);
-        for (const app::Stretch& stretch : path.stretches) {
-            result += stretch.curved ? 'C' : 'L';
-            if (stretch.curved) {
-                add(stretch.control1);
-                add(stretch.control2);
+        for (const app::PathSegment& segment : path.segments) {
+            result += segment.curved ? 'C' : 'L';
+            if (segment.curved) {
+                add(segment.control1);
+                add(segment.control2);
             }
-            add(stretch.to);
+            add(segment.to);
         }
         if (path.closed)
             result += "Z ";
@@ -111,12 +111,12 @@ private slots:
         const auto data =
             QStringLiteral("M3 0A3 3 0 %1 %2 0 3").arg(large).arg(positive).toStdString();
         const auto outline = app::svg::parsePathData(data);
-        const app::Path& path = outline.paths.at(0);
+        const app::Subpath& path = outline.paths.at(0);
         const app::Point centre = large == positive ? app::Point{3, 3} : app::Point{0, 0};
-        QCOMPARE(int(path.stretches.size()), large ? 3 : 1);
+        QCOMPARE(int(path.segments.size()), large ? 3 : 1);
         app::Point from = path.start;
         double turned = 0;
-        for (const app::Stretch& c : path.stretches) {
+        for (const app::PathSegment& c : path.segments) {
             const app::Point middle = (from + 3.0 * c.control1 + 3.0 * c.control2 + c.to) / 8.0;
             for (const app::Point& p : {middle, c.to})
                 QVERIFY(std::abs(std::hypot(p.x - centre.x, p.y - centre.y) - 3) < 3 * 3e-4);
@@ -134,7 +134,7 @@ private slots:
         const auto outline = app::svg::parsePathData("M0 0A1 2 0 0 1 10 0");
         double top = 0;
         app::Point from{};
-        for (const app::Stretch& c : outline.paths.at(0).stretches) {
+        for (const app::PathSegment& c : outline.paths.at(0).segments) {
             top = std::min(top, ((from + 3.0 * c.control1 + 3.0 * c.control2 + c.to) / 8.0).y);
             top = std::min(top, c.to.y);
             from = c.to;

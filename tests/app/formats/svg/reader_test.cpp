@@ -18,17 +18,17 @@ app::Page page(const QByteArray& attributes)
 }
 
 // The paths as text: "0,0 9,9 | 1,1 2,2 z".
-QString text(const std::vector<app::Path>& paths)
+QString text(const std::vector<app::Subpath>& paths)
 {
     QStringList all;
-    for (const app::Path& path : paths) {
+    for (const app::Subpath& path : paths) {
         const auto number = [](double x) {
             return QString::number(std::round(x * 1e6) / 1e6 + 0.0, 'g', 9);
         };
         QStringList points{number(path.start.x) + ',' + number(path.start.y)};
-        for (const app::Stretch& stretch : path.stretches)
-            points << (stretch.curved ? "~" : "") + number(stretch.to.x) + ','
-                          + number(stretch.to.y);
+        for (const app::PathSegment& segment : path.segments)
+            points << (segment.curved ? "~" : "") + number(segment.to.x) + ','
+                          + number(segment.to.y);
         all << points.join(' ') + (path.closed ? " z" : "");
     }
     return all.join(" | ");

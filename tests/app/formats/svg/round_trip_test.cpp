@@ -103,17 +103,17 @@ private:
         return style;
     }
 
-    std::vector<app::Path> paths()
+    std::vector<app::Subpath> paths()
     {
-        std::vector<app::Path> paths;
+        std::vector<app::Subpath> paths;
         for (auto n = 1 + below(2) * below(3); n > 0; --n) {
-            app::Path path{point(), {}, below(2) == 0};
+            app::Subpath path{point(), {}, below(2) == 0};
             const bool curves = below(2) == 0;
-            for (auto stretches = below(5); stretches > 0; --stretches) {
+            for (auto segments = below(5); segments > 0; --segments) {
                 if (curves && below(2))
-                    path.stretches.push_back({point(), point(), point(), true});
+                    path.segments.push_back({point(), point(), point(), true});
                 else
-                    path.stretches.push_back({point()});
+                    path.segments.push_back({point()});
             }
             paths.push_back(path);
         }
@@ -170,11 +170,11 @@ private:
     {
         for (app::Shape& shape : sheet.shapes) {
             bool area = false;
-            for (app::Path& path : shape.paths) {
-                const std::size_t size = path.stretches.size();
-                area = area || size > 1 || (size == 1 && path.stretches[0].curved);
-                if (!path.closed && size == 1 && path.stretches[0] == app::Stretch{path.start})
-                    path.stretches.clear();
+            for (app::Subpath& path : shape.paths) {
+                const std::size_t size = path.segments.size();
+                area = area || size > 1 || (size == 1 && path.segments[0].curved);
+                if (!path.closed && size == 1 && path.segments[0] == app::PathSegment{path.start})
+                    path.segments.clear();
             }
             if (!area)
                 shape.style.fill.reset();

@@ -51,7 +51,7 @@ private slots:
     void elementsThatFit()
     {
         const app::Style black{.stroke = app::Colour{}};
-        const auto one = [&](std::vector<app::Path> paths) {
+        const auto one = [&](std::vector<app::Subpath> paths) {
             QByteArray body = bodyOf(sheetWith({{std::move(paths), black, {}, 0, false}}));
             body.remove(0, body.indexOf('\n') + 1);
             return body.left(body.indexOf(" fill="));
@@ -121,7 +121,7 @@ private slots:
             const auto read = readText(text);
             QVERIFY(read);
             for (const app::Shape& shape : read.value->sheet.shapes)
-                for (const app::Point& p : {shape.paths[0].start, shape.paths[0].stretches[0].to})
+                for (const app::Point& p : {shape.paths[0].start, shape.paths[0].segments[0].to})
                     QVERIFY2(p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y
                                  && p.y <= window.max.y,
                              text);
