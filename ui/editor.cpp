@@ -41,7 +41,7 @@ struct Options {
     std::optional<QSize> size;
     QString panes;                     ///< 1 to 4, or "all"; empty: as they were
     std::optional<QString> microscope; ///< open it: at a line that is typed so; empty: at the first
-    std::optional<app::Clipper> algorithm; ///< what clips
+    std::optional<app::Variant> algorithm; ///< what clips
     std::size_t step = 1;
     bool verbose = false;
 };
@@ -81,8 +81,8 @@ std::optional<QString> take(Options& options, const QString& name, const QString
         options.panes = value;
     else if (name == "--microscope" && (value == "first" || app::lineFrom(value)))
         options.microscope = value;
-    else if (name == "--algorithm" && app::findClipper(value))
-        options.algorithm = app::findClipper(value);
+    else if (name == "--algorithm" && app::findVariant(value))
+        options.algorithm = app::findVariant(value);
     else if (name == "--step" && value.toUInt() > 0)
         options.step = value.toUInt();
     else if (name == "--screenshot" && !value.isEmpty())

@@ -145,7 +145,7 @@ void StatusBar::showStep()
     visible_->setText(microscope.isCovered() && steps == 0 ? tr("steps covered")
                       : steps == 0                         ? tr("no steps")
                                                            : tr("step %1 of %2").arg(now, all));
-    showAlgorithm(microscope.specimen().clipper);
+    showAlgorithm(microscope.specimen().variant);
 }
 
 void StatusBar::showZoom()
@@ -181,19 +181,19 @@ void StatusBar::keepRoom()
     showZoom();
 }
 
-void StatusBar::showAlgorithm(const app::Clipper& clipper)
+void StatusBar::showAlgorithm(const app::Variant& variant)
 {
     QString widest;
     for (const auto& row : clipping::algorithms())
         if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
             > fontMetrics().horizontalAdvance(widest))
             widest = app::latin(row.abbreviation);
-    const bool published = clipper.form == clipping::Form::Published;
+    const bool published = variant.form == clipping::Form::Published;
     const QString mark = tr(", published");
     algorithm_->setWidest(published ? widest + mark : widest);
-    algorithm_->setText(app::latin(clipper.algorithm->abbreviation)
+    algorithm_->setText(app::latin(variant.algorithm->abbreviation)
                         + (published ? mark : QString()));
-    algorithm_->setToolTip(app::latin(clipper.algorithm->name));
+    algorithm_->setToolTip(app::latin(variant.algorithm->name));
 }
 
 void StatusBar::resizeEvent(QResizeEvent* event)

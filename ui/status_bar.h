@@ -39,7 +39,7 @@ private:
     void showTimes();
     void showPosition(std::optional<app::Point> position);
     void showStep();
-    void showAlgorithm(const app::Clipper& clipper);
+    void showAlgorithm(const app::Variant& variant);
     void showZoom();
     void keepRoom();
     void addZoomMenu();

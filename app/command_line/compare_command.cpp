@@ -23,8 +23,8 @@ Comparison comparisonOf(const Given& given)
 {
     if (!given.has(QStringLiteral("algorithm")))
         throw WrongUsage{Commands::tr("Name what to compare with -a.")};
-    Comparison comparison{*given.clipper(QStringLiteral("algorithm")),
-                          given.clipper(QStringLiteral("with")).value_or(exactClipper())};
+    Comparison comparison{*given.variant(QStringLiteral("algorithm")),
+                          given.variant(QStringLiteral("with")).value_or(exactVariant())};
     if (const auto ulps = given.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
     if (comparison.a == comparison.b)

@@ -85,7 +85,7 @@ void setAlgorithms(CostPlan& plan, const Given& given)
     plan.shown.reset();
     if (!key)
         return;
-    plan.shown = findClipper(*key);
+    plan.shown = findVariant(*key);
     if (!plan.shown)
         throw WrongUsage{Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of "
                                       "“clearcut algorithms”, with :published where there is such "

@@ -158,13 +158,13 @@ std::vector<const clipping::Algorithm*> Given::algorithms(const QString& option)
     return found;
 }
 
-std::optional<Clipper> Given::clipper(const QString& option) const
+std::optional<Variant> Given::variant(const QString& option) const
 {
     const auto key = text(option);
     if (!key)
         return std::nullopt;
-    if (auto clipper = findClipper(*key))
-        return clipper;
+    if (auto variant = findVariant(*key))
+        return variant;
     QStringList more;
     for (const Exhibit& exhibit : exhibits())
         more << exhibit.key;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/command.h"
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 #include "app/document/length.h"
 #include "app/formats/format.h"
 
@@ -35,7 +35,7 @@ public:
     /// A comma-separated list of keys and abbreviations; `all` is every one. Empty if not given.
     std::vector<const clipping::Algorithm*> algorithms(const QString& option) const;
     /// A key or abbreviation, with :published where there is such a form, or an exhibit.
-    std::optional<Clipper> clipper(const QString& option) const;
+    std::optional<Variant> variant(const QString& option) const;
     /// Four bare numbers; `names` is what the refusal calls them: "X1,Y1,X2,Y2".
     std::optional<std::array<double, 4>> numbers(const QString& option, const QString& names) const;
     const Format* format(const QString& option) const;

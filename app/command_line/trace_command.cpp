@@ -32,7 +32,7 @@ Specimen specimenOf(const Given& given)
         throw WrongUsage{Commands::tr("Give the line with --line X1,Y1,X2,Y2.")};
     const auto& [x1, y1, x2, y2] = *line;
     Specimen specimen{
-        .clipper = given.clipper(QStringLiteral("algorithm")).value_or(Clipper{&usualAlgorithm()}),
+        .variant = given.variant(QStringLiteral("algorithm")).value_or(Variant{&usualAlgorithm()}),
         .line = {{x1, y1}, {x2, y2}},
         .window = usualWindow,
         .y = given.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up : YAxis::Down,

@@ -37,10 +37,10 @@ std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, s
     return kept;
 }
 
-Dissent dissentOf(const Clipper& clipper, std::span<const Difference> fromMajority)
+Dissent dissentOf(const Variant& variant, std::span<const Difference> fromMajority)
 {
     const DifferenceCounts counts = counted(fromMajority);
-    Dissent dissent{clipper, counts.onlyB, counts.onlyA, counts.endsApart};
+    Dissent dissent{variant, counts.onlyB, counts.onlyA, counts.endsApart};
     for (const Difference& difference : fromMajority)
         dissent.segments.push_back(difference.source);
     return dissent;
@@ -64,7 +64,7 @@ QString sentence(const Dissent& dissent)
     if (dissent.moved)
         faults << counted("misplaces the ends of 1 line", "misplaces the ends of %1 lines",
                           dissent.moved);
-    return nameOf(dissent.clipper) + u' '
+    return nameOf(dissent.variant) + u' '
            + faults.join(QCoreApplication::translate("agreement", ", "));
 }
 
@@ -75,22 +75,22 @@ std::vector<Dissent> dissents(std::span<const Segment> segments, const Window& w
 {
     std::vector<std::vector<Clipped>> answers;
     for (const Algorithm& algorithm : algorithms())
-        answers.push_back(clipped(Clipper{&algorithm}, segments, window));
+        answers.push_back(clipped(Variant{&algorithm}, segments, window));
     const auto majority = majorityOf(answers, segments.size());
-    const Clipper corrected{&chosen}; // stands for the majority: what it promises is the same
+    const Variant corrected{&chosen}; // stands for the majority: what it promises is the same
     std::vector<Dissent> found;
-    const auto judge = [&](const Clipper& clipper, std::span<const Clipped> answer) {
-        auto dissent = dissentOf(clipper, differences(segments, window, answer, majority,
-                                                      {contractOfTwo, endsOf(clipper, corrected)}));
+    const auto judge = [&](const Variant& variant, std::span<const Clipped> answer) {
+        auto dissent = dissentOf(variant, differences(segments, window, answer, majority,
+                                                      {contractOfTwo, endsOf(variant, corrected)}));
         if (!dissent.none())
             found.push_back(std::move(dissent));
     };
     if (form == Form::Published && chosen.published) {
-        const Clipper published{&chosen, form};
+        const Variant published{&chosen, form};
         judge(published, clipped(published, segments, window));
     }
     for (std::size_t i = 0; i < answers.size(); ++i)
-        judge(Clipper{&algorithms()[i]}, answers[i]);
+        judge(Variant{&algorithms()[i]}, answers[i]);
     return found;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 #include <QString>
 
@@ -12,7 +12,7 @@ namespace app {
 
 /// What one form of an algorithm does on many segments that is not what most algorithms do.
 struct Dissent {
-    Clipper clipper;
+    Variant variant;
     std::size_t lost = 0;  ///< segments that are visible and that it drops
     std::size_t shown = 0; ///< segments that are not visible and that it keeps
     std::size_t moved = 0; ///< visible ones with an end farther off than both rows' ulps allow

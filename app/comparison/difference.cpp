@@ -53,7 +53,7 @@ std::vector<Difference> differences(std::span<const Segment> lines, const Window
 }
 
 std::vector<Difference> differences(std::span<const Segment> lines, const Window& window,
-                                    const Clipper& a, const Clipper& b, double ulpsAllowed)
+                                    const Variant& a, const Variant& b, double ulpsAllowed)
 {
     return differences(lines, window, clipped(a, lines, window), clipped(b, lines, window),
                        {ulpsAllowed, endsOf(a, b)});
@@ -69,7 +69,7 @@ DifferenceCounts counted(std::span<const Difference> differences)
     return counts;
 }
 
-QString sentence(const Clipper& a, const Clipper& b, const DifferenceCounts& counts,
+QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& counts,
                  std::size_t lines)
 {
     using Text = DifferenceText;
@@ -80,7 +80,7 @@ QString sentence(const Clipper& a, const Clipper& b, const DifferenceCounts& cou
     if (counts.all() == 0)
         return Text::tr("They agree on all %1 lines here").arg(countText(lines));
     // What is judged comes first: never `exact`.
-    if (a == exactClipper())
+    if (a == exactVariant())
         return sentence(b, a, {counts.onlyB, counts.onlyA, counts.endsApart}, lines);
     const QString other = nameOf(b);
     QStringList faults;

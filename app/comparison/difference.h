@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 #include <QString>
 
@@ -34,8 +34,8 @@ std::vector<Difference> differences(std::span<const clipping::Segment> lines,
 
 /// The same, clipping first. Takes as long as clipping twice.
 std::vector<Difference> differences(std::span<const clipping::Segment> lines,
-                                    const clipping::Window& window, const Clipper& a,
-                                    const Clipper& b, double ulpsAllowed);
+                                    const clipping::Window& window, const Variant& a,
+                                    const Variant& b, double ulpsAllowed);
 
 /// How many there are of each kind.
 struct DifferenceCounts {
@@ -47,7 +47,7 @@ struct DifferenceCounts {
 DifferenceCounts counted(std::span<const Difference> differences);
 
 /// "KWC as published loses 456 lines that exact keeps", or "They agree on all 9,969 lines here".
-QString sentence(const Clipper& a, const Clipper& b, const DifferenceCounts& counts,
+QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& counts,
                  std::size_t lines);
 
 } // namespace app

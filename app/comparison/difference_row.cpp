@@ -27,7 +27,7 @@ struct Rows {
 
 enum class Side : std::uint8_t { A, B };
 
-const Clipper& clipperOf(const Comparison& comparison, Side side)
+const Variant& variantOf(const Comparison& comparison, Side side)
 {
     return side == Side::A ? comparison.a : comparison.b;
 }
@@ -40,7 +40,7 @@ bool isThere(const Session& session, const Difference& difference)
 /// Of a line that is there.
 std::optional<Segment> pieceOf(const Session& session, const Difference& difference, Side side)
 {
-    return clipped(clipperOf(*session.differences.asked(), side),
+    return clipped(variantOf(*session.differences.asked(), side),
                    session.scene.segments()[difference.source], session.differences.found().window);
 }
 
@@ -141,7 +141,7 @@ QString whatText(const Session& session, const Difference& difference)
     if (difference.kind == Kind::EndsApart)
         return Rows::tr("ends apart");
     return Rows::tr("only %1 sees it")
-        .arg(nameOf(clipperOf(comparison, difference.kind == Kind::OnlyA ? Side::A : Side::B)));
+        .arg(nameOf(variantOf(comparison, difference.kind == Kind::OnlyA ? Side::A : Side::B)));
 }
 
 QString placeText(const Session& session, const Difference& difference)
@@ -187,7 +187,7 @@ template <Side side>
 QString pieceMeaning(const Comparison& comparison)
 {
     return Rows::tr("From where to where %1 leaves the line")
-        .arg(nameOf(clipperOf(comparison, side)));
+        .arg(nameOf(variantOf(comparison, side)));
 }
 
 QString superscript(int number)
@@ -239,7 +239,7 @@ QString piecesInFull(const Session& session, const Difference& difference)
     if (!isThere(session, difference))
         return {};
     const auto of = [&](Side side) {
-        return nameOf(clipperOf(*session.differences.asked(), side)) + QStringLiteral(": ")
+        return nameOf(variantOf(*session.differences.asked(), side)) + QStringLiteral(": ")
                + pieceText(pieceOf(session, difference, side), inFull);
     };
     return of(Side::A) + u'\n' + of(Side::B);

@@ -60,8 +60,8 @@ Differences extended(Differences so, const Comparison& comparison, std::span<con
 Window placeOf(const Comparison& comparison, const Segment& line, const Window& window)
 {
     std::optional<Window> place;
-    for (const Clipper& clipper : {comparison.a, comparison.b})
-        if (const auto piece = clipped(clipper, line, window); piece && isFinite(*piece)) {
+    for (const Variant& variant : {comparison.a, comparison.b})
+        if (const auto piece = clipped(variant, line, window); piece && isFinite(*piece)) {
             const glm::dvec2 min = glm::min(piece->a, piece->b), max = glm::max(piece->a, piece->b);
             place = place ? Window{glm::min(place->min, min), glm::max(place->max, max)}
                           : Window{min, max};

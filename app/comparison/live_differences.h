@@ -10,7 +10,7 @@ namespace app {
 
 /// A against B.
 struct Comparison {
-    Clipper a, b = exactClipper();
+    Variant a, b = exactVariant();
     std::optional<double> ulps{}; ///< that ends may be apart; nothing: as far as both contracts go
 
     double allowed() const { return ulps.value_or(contractUlps(a, b)); }

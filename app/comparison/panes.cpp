@@ -11,29 +11,29 @@ namespace {
 
 constexpr auto published = clipping::Form::Published;
 
-Clipper rowOf(std::string_view key, clipping::Form form = clipping::Form::Corrected)
+Variant rowOf(std::string_view key, clipping::Form form = clipping::Form::Corrected)
 {
     return {clipping::findAlgorithm(key), form};
 }
 
 /// The one whose published form loses visible lines of usual drawings: near-vertical ones.
-Clipper exhibit() { return rowOf("kwc", published); }
+Variant exhibit() { return rowOf("kwc", published); }
 
-/// What findClipper finds, but exhibits.
-std::optional<Clipper> choiceOf(const QString& key)
+/// What findVariant finds, but exhibits.
+std::optional<Variant> choiceOf(const QString& key)
 {
-    const auto found = findClipper(key);
+    const auto found = findVariant(key);
     return found && !found->exhibit ? found : std::nullopt;
 }
 
 } // namespace
 
-Panes::Panes(const Clipper& only)
+Panes::Panes(const Variant& only)
     : choices_{only}, remembered_{rowOf("exact"), rowOf("cs"), exhibit(), rowOf("md")}
 {
 }
 
-std::optional<std::size_t> Panes::find(const Clipper& choice) const
+std::optional<std::size_t> Panes::find(const Variant& choice) const
 {
     const auto found = std::ranges::find(choices_, choice);
     return found == choices_.end() ? std::nullopt
@@ -45,8 +45,8 @@ void Panes::remember()
 {
     if (all_ || size() == 1)
         return;
-    std::vector<Clipper> order = choices_;
-    for (const Clipper& choice : remembered_)
+    std::vector<Variant> order = choices_;
+    for (const Variant& choice : remembered_)
         if (!find(choice))
             order.push_back(choice);
     std::copy_n(order.begin(), most, remembered_.begin());
@@ -55,7 +55,7 @@ void Panes::remember()
 void Panes::show(std::size_t count)
 {
     remember();
-    const Clipper chosen = this->chosen();
+    const Variant chosen = this->chosen();
     all_ = false;
     active_ = std::size_t(std::ranges::find(remembered_, chosen) - remembered_.begin());
     if (count > 1 && active_ >= count) {
@@ -76,7 +76,7 @@ void Panes::show(std::size_t count)
 void Panes::showAll()
 {
     remember();
-    const Clipper chosen = this->chosen();
+    const Variant chosen = this->chosen();
     all_ = true;
     choices_ = {rowOf("exact")};
     for (const clipping::Algorithm& row : clipping::algorithms()) {
@@ -94,7 +94,7 @@ void Panes::activate(std::size_t pane)
         active_ = pane;
 }
 
-void Panes::choose(const Clipper& choice)
+void Panes::choose(const Variant& choice)
 {
     const auto there = find(choice);
     if (there && all_) {
@@ -102,7 +102,7 @@ void Panes::choose(const Clipper& choice)
     } else if (there) {
         std::swap(choices_[*there], choices_[active_]);
     } else {
-        const auto same = [&](const Clipper& c) { return c.algorithm == choice.algorithm; };
+        const auto same = [&](const Variant& c) { return c.algorithm == choice.algorithm; };
         const auto place = std::ranges::find_if(choices_, same);
         if (all_ && !same(chosen()) && place != choices_.end())
             active_ = std::size_t(place - choices_.begin());
@@ -137,12 +137,12 @@ QString Panes::text() const
     now.remember();
     QStringList words{all_ ? QStringLiteral("all") : QString::number(size()),
                       QString::number(active_)};
-    for (const Clipper& choice : now.remembered_)
+    for (const Variant& choice : now.remembered_)
         words << keyOf(choice);
     return words.join(u' ');
 }
 
-std::optional<Panes> Panes::fromText(const QString& text, const Clipper& chosen)
+std::optional<Panes> Panes::fromText(const QString& text, const Variant& chosen)
 {
     const QStringList words = text.split(u' ');
     if (words.size() != 2 + qsizetype(most))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 #include <QString>
 
@@ -19,12 +19,12 @@ public:
     /// As many as are remembered while fewer are shown.
     static constexpr std::size_t most = 4;
 
-    explicit Panes(const Clipper& only);
+    explicit Panes(const Variant& only);
 
-    std::span<const Clipper> choices() const { return choices_; }
+    std::span<const Variant> choices() const { return choices_; }
     std::size_t size() const { return choices_.size(); }
     std::size_t active() const { return active_; }
-    const Clipper& chosen() const { return choices_[active_]; } ///< of the active pane
+    const Variant& chosen() const { return choices_[active_]; } ///< of the active pane
     bool showsAll() const { return all_; }
 
     /// 1 to `most` panes, those that were there before. What was chosen stays so: where it is not
@@ -37,7 +37,7 @@ public:
     void activate(std::size_t pane);
     /// Another choice for the active pane; a pane that has it already gets the old one. Where all
     /// are shown each algorithm keeps its place: its pane becomes the active one.
-    void choose(const Clipper& choice);
+    void choose(const Variant& choice);
     /// Takes a pane away; the last one stays.
     void close(std::size_t pane);
 
@@ -47,16 +47,16 @@ public:
     /// For settings: "4 3 exact cohen-sutherland kodituwakku-wijeweera-chamikara:published …".
     QString text() const;
     /// What such a text says; of one pane only what others there were, not what it chose.
-    static std::optional<Panes> fromText(const QString& text, const Clipper& chosen);
+    static std::optional<Panes> fromText(const QString& text, const Variant& chosen);
 
 private:
-    std::optional<std::size_t> find(const Clipper& choice) const;
+    std::optional<std::size_t> find(const Variant& choice) const;
     void remember();
 
-    std::vector<Clipper> choices_;
+    std::vector<Variant> choices_;
     std::size_t active_ = 0;
     bool all_ = false;
-    std::array<Clipper, most> remembered_;
+    std::array<Variant, most> remembered_;
 };
 
 } // namespace app

@@ -141,10 +141,10 @@ void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found
 {
     const std::size_t from = block == 0 ? 0 : truthEnds_[block - 1];
     const auto truth = std::span(truth_).first(truthEnds_[block]).subspan(from);
-    const Clipper contestant{row.contestant.algorithm, row.contestant.form};
+    const Variant contestant{row.contestant.algorithm, row.contestant.form};
     const DifferenceCounts here = counted(differences(
         linesOf(frame_, block), frame_.window, found, truth,
-        {contractUlps(contestant, exactClipper()), endsOf(contestant, exactClipper())}));
+        {contractUlps(contestant, exactVariant()), endsOf(contestant, exactVariant())}));
     row.differences.onlyA += here.onlyA;
     row.differences.onlyB += here.onlyB;
     row.differences.endsApart += here.endsApart;

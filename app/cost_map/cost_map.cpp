@@ -20,24 +20,24 @@ constexpr std::size_t timedLines = 64, timedRounds = 5;
 constexpr double noise = 1.1; // times that are apart by less are the same
 
 /// Of one round, after which everything is in the caches.
-double roundOf(const Clipper& clipper, std::span<const Segment> lines, const Window& window,
+double roundOf(const Variant& variant, std::span<const Segment> lines, const Window& window,
                std::span<clipping::Clipped> out, const Clock& clock)
 {
     const double before = clock.nanoseconds();
-    clipAll(clipper, lines, window, out);
+    clipAll(variant, lines, window, out);
     return (clock.nanoseconds() - before) / double(lines.size());
 }
 
-double nanosecondsOf(const Clipper& clipper, const Segment& line, const Window& window)
+double nanosecondsOf(const Variant& variant, const Segment& line, const Window& window)
 {
     static const Clock clock = processorClock();
     std::array<Segment, timedLines> lines;
     lines.fill(line);
     std::array<clipping::Clipped, timedLines> out;
     std::array<double, timedRounds> rounds{};
-    roundOf(clipper, lines, window, out, clock);
+    roundOf(variant, lines, window, out, clock);
     for (double& round : rounds)
-        round = roundOf(clipper, lines, window, out, clock);
+        round = roundOf(variant, lines, window, out, clock);
     std::ranges::nth_element(rounds, rounds.begin() + timedRounds / 2);
     return rounds[timedRounds / 2];
 }
@@ -55,18 +55,18 @@ Segment CostPlan::lineTo(const Point& there) const
     return end == FixedEnd::End1 ? Segment{fixed, there} : Segment{there, fixed};
 }
 
-std::vector<Clipper> costContestants(clipping::Form form)
+std::vector<Variant> costContestants(clipping::Form form)
 {
-    std::vector<Clipper> all;
+    std::vector<Variant> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         if (clipping::usesOf(algorithm, form))
             all.push_back({&algorithm, form});
     return all;
 }
 
-bool canMeasure(const Clipper& clipper, const CostMeasure& measure)
+bool canMeasure(const Variant& variant, const CostMeasure& measure)
 {
-    return measure.isTime() || !clipper.exhibit;
+    return measure.isTime() || !variant.exhibit;
 }
 
 Window areaAround(const Window& window)
@@ -82,7 +82,7 @@ CostPlan usualCostPlan(const Window& window)
 {
     const Window area = areaAround(window);
     const Point from = area.min + (area.max - area.min) * Point(1. / 6, 0.4);
-    return {.shown = Clipper{clipping::findAlgorithm("MD")},
+    return {.shown = Variant{clipping::findAlgorithm("MD")},
             .contestants = costContestants(clipping::Form::Corrected),
             .measure = &costMeasures().front(),
             .fixed = from,
@@ -92,13 +92,13 @@ CostPlan usualCostPlan(const Window& window)
             .rows = 180};
 }
 
-double costOf(const Clipper& clipper, const CostMeasure& measure, const Segment& line,
+double costOf(const Variant& variant, const CostMeasure& measure, const Segment& line,
               const Window& window)
 {
-    assert(canMeasure(clipper, measure));
+    assert(canMeasure(variant, measure));
     if (measure.isTime())
-        return nanosecondsOf(clipper, line, window);
-    const auto* uses = clipping::usesOf(*clipper.algorithm, clipper.form);
+        return nanosecondsOf(variant, line, window);
+    const auto* uses = clipping::usesOf(*variant.algorithm, variant.form);
     return double(measure.of(uses->count({&line, 1}, window)));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 #include "app/cost_map/measure.h"
 #include "app/document/sheet.h"
 
@@ -17,8 +17,8 @@ enum class FixedEnd : std::uint8_t { End1, End2 };
 
 /// What a cost map shows.
 struct CostPlan {
-    std::optional<Clipper> shown{};   ///< whose cost; nothing: which contestant is the cheapest
-    std::vector<Clipper> contestants; ///< that are asked which is cheapest; at most 32
+    std::optional<Variant> shown{};   ///< whose cost; nothing: which contestant is the cheapest
+    std::vector<Variant> contestants; ///< that are asked which is cheapest; at most 32
     const CostMeasure* measure;       ///< never null
     Point fixed;
     FixedEnd end = FixedEnd::End1;
@@ -36,9 +36,9 @@ struct CostPlan {
 };
 
 /// All rows of the catalogue in one form, without those that do not have it.
-std::vector<Clipper> costContestants(clipping::Form form);
+std::vector<Variant> costContestants(clipping::Form form);
 /// Whether it can be measured so: arithmetic is not counted in exhibits.
-bool canMeasure(const Clipper& clipper, const CostMeasure& measure);
+bool canMeasure(const Variant& variant, const CostMeasure& measure);
 /// A plan of MD, of all operations, with an end left of the window and three windows of plane.
 CostPlan usualCostPlan(const clipping::Window& window);
 /// The plane around a window: three times as wide and as high. A window without extent gets some.
@@ -47,7 +47,7 @@ clipping::Window areaAround(const clipping::Window& window);
 /// Of one line: counts are those of `clipping::Uses::count`. Time: nanoseconds of the thread's
 /// processor time a line, the median of some rounds that each clip the line many times over: what
 /// is measured is noisy, and shorter than among other lines, because the processor foresees it.
-double costOf(const Clipper& clipper, const CostMeasure& measure, const clipping::Segment& line,
+double costOf(const Variant& variant, const CostMeasure& measure, const clipping::Segment& line,
               const clipping::Window& window);
 
 /// Cell by cell, row by row. While it grows it holds the first cells.

@@ -60,11 +60,11 @@ void paintShares(QPainter& painter, const QRectF& room, const CostMap& map,
         QPointF at = room.topLeft() + flow.places[entry];
         for (std::size_t i = 0; i < map.plan.contestants.size(); ++i)
             if (share.cheapest >> i & 1) {
-                const Clipper& clipper = map.plan.contestants[i];
+                const Variant& variant = map.plan.contestants[i];
                 paintMarker(painter,
                             {at + QPointF(0, (metrics.height() - markerSize) / 2),
                              QSizeF(markerSize, markerSize)},
-                            *clipper.algorithm, clipper.form, look.ground);
+                            *variant.algorithm, variant.form, look.ground);
                 at.rx() += markerSize + 3;
             }
         painter.setPen(look.text);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 #include "app/experiment/pace.h"
 
 #include <QCoreApplication>
@@ -37,7 +37,7 @@ std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const 
                   std::span<const Clipped> truth, const Window& window)
 {
     const Contestant& who = to.contestant;
-    const Ends ends = endsOf(exactClipper(), {.algorithm = who.algorithm, .form = who.form});
+    const Ends ends = endsOf(exactVariant(), {.algorithm = who.algorithm, .form = who.form});
     std::uint64_t agreed = 0, measured = 0;
     auto next = truth.begin();
     for (const Clipped& line : found) {

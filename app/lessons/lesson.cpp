@@ -30,12 +30,12 @@ std::optional<Specimen> specimenOf(const QStringList& words)
     if (words.size() != 8 || words[2] != QStringLiteral("line")
         || words[5] != QStringLiteral("window"))
         return std::nullopt;
-    const auto clipper = findClipper(words[1]);
+    const auto variant = findVariant(words[1]);
     const auto a = pointOf(words[3]), b = pointOf(words[4]);
     const auto min = pointOf(words[6]), max = pointOf(words[7]);
-    if (!clipper || !a || !b || !min || !max)
+    if (!variant || !a || !b || !min || !max)
         return std::nullopt;
-    return Specimen{*clipper, {*a, *b}, {*min, *max}, YAxis::Up, {}};
+    return Specimen{*variant, {*a, *b}, {*min, *max}, YAxis::Up, {}};
 }
 
 /// The step that a page wants to be seen: which of all, or of those with a mark, from 1.

@@ -50,7 +50,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 {
     if (!seeing.line)
         return tr("The lines of the window's four edges. %1").arg(pointAtALine());
-    const QString name = latin(seeing.clipper.algorithm->name);
+    const QString name = latin(seeing.variant.algorithm->name);
     const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
     if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
         return tr("%1 does not end on this line and is stopped: nothing is visible.").arg(name);

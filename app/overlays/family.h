@@ -15,7 +15,7 @@ struct Seeing : OverlaySubject {
     /// How this form runs on another line.
     clipping::Trace traceOf(const clipping::Segment& other) const
     {
-        return clipping::usesOf(*clipper.algorithm, clipper.form)->trace(other, window);
+        return clipping::usesOf(*variant.algorithm, variant.form)->trace(other, window);
     }
 };
 

@@ -15,7 +15,7 @@ bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y);
 Overlay overlayOf(const OverlaySubject& subject)
 {
     const clipping::Segment some{subject.window.min, subject.window.max};
-    if (const QString why = refusalOf({.clipper = subject.clipper,
+    if (const QString why = refusalOf({.variant = subject.variant,
                                        .line = subject.line.value_or(some),
                                        .window = subject.window});
         !why.isEmpty())
@@ -25,7 +25,7 @@ Overlay overlayOf(const OverlaySubject& subject)
         seeing.pointer.reset();
     if (seeing.line)
         seeing.trace = seeing.traceOf(*seeing.line);
-    return teachingOf(*subject.clipper.algorithm).overlay(seeing);
+    return teachingOf(*subject.variant.algorithm).overlay(seeing);
 }
 
 } // namespace app

@@ -78,7 +78,7 @@ struct Overlay {
 
 /// What is looked at.
 struct OverlaySubject {
-    Clipper clipper{};
+    Variant variant{};
     clipping::Window window{};
     std::optional<clipping::Segment> line{}; ///< nothing: only the pointer is looked at
     std::optional<Point> pointer{};

@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-Clipper clipperOf(const Display& display) { return {display.algorithm, display.usedForm()}; }
+Variant variantOf(const Display& display) { return {display.algorithm, display.usedForm()}; }
 
 /// Only the line may be another one: the rest is ours.
 bool sameButLine(Specimen one, const Specimen& other)
@@ -36,19 +36,19 @@ void DrawnLine::look()
         return look(*line);
     line_.reset();
     own_ = false;
-    display_ = clipperOf(session_.display());
+    display_ = variantOf(session_.display());
     show(firstSpecimen(session_));
 }
 
 void DrawnLine::look(std::size_t segment) { show(segment, explaining(session_, segment)); }
 
-void DrawnLine::show(std::size_t segment, const Clipper& clipper)
+void DrawnLine::show(std::size_t segment, const Variant& variant)
 {
     line_ = segment;
     own_ = false;
-    display_ = clipperOf(session_.display());
+    display_ = variantOf(session_.display());
     Specimen specimen = specimenOf(session_, segment);
-    specimen.clipper = clipper;
+    specimen.variant = variant;
     show(specimen);
     session_.inspect(segment);
 }
@@ -60,19 +60,19 @@ void DrawnLine::go(std::ptrdiff_t lines)
         return;
     const auto now = line_ ? std::ptrdiff_t(*line_) : lines > 0 ? -1 : count;
     show(std::size_t(((now + lines) % count + count) % count),
-         session_.microscope.specimen().clipper);
+         session_.microscope.specimen().variant);
 }
 
-void DrawnLine::choose(const Clipper& clipper)
+void DrawnLine::choose(const Variant& variant)
 {
     Specimen specimen = session_.microscope.specimen();
-    specimen.clipper = clipper;
-    if (!attached_ || clipper.exhibit)
+    specimen.variant = variant;
+    if (!attached_ || variant.exhibit)
         return session_.microscope.setSpecimen(specimen);
     show(specimen);
     Display display = session_.display();
-    display.algorithm = clipper.algorithm;
-    display.form = clipper.form;
+    display.algorithm = variant.algorithm;
+    display.form = variant.form;
     session_.setDisplay(display);
 }
 
@@ -83,7 +83,7 @@ void DrawnLine::back()
         return;
     own_ = false;
     Specimen specimen = specimenOf(session_, *line_);
-    specimen.clipper = session_.microscope.specimen().clipper;
+    specimen.variant = session_.microscope.specimen().variant;
     show(specimen);
 }
 
@@ -114,9 +114,9 @@ void DrawnLine::adopt()
         return;
     const Specimen& now = session_.microscope.specimen();
     Specimen inspectedOne = specimenOf(session_, *inspected);
-    inspectedOne.clipper = now.clipper;
+    inspectedOne.variant = now.variant;
     if (now == inspectedOne)
-        show(*inspected, now.clipper);
+        show(*inspected, now.variant);
 }
 
 /// The microscope was given another line: the user chose one, or a lesson shows its own.
@@ -132,11 +132,11 @@ void DrawnLine::notice()
 
 void DrawnLine::followDisplay()
 {
-    const Clipper now = clipperOf(session_.display());
+    const Variant now = variantOf(session_.display());
     if (now == std::exchange(display_, now) || !attached_ || !session_.microscope.isOpen())
         return;
     Specimen specimen = session_.microscope.specimen();
-    specimen.clipper = now;
+    specimen.variant = now;
     show(specimen);
 }
 
@@ -161,7 +161,7 @@ void DrawnLine::followInspected()
     const auto inspected = session_.inspected();
     if (showing_ || !attached_ || !session_.microscope.isOpen() || !inspected || inspected == line_)
         return;
-    show(*inspected, session_.microscope.specimen().clipper);
+    show(*inspected, session_.microscope.specimen().variant);
 }
 
 } // namespace app

@@ -25,7 +25,7 @@ public:
     /// The next line or the one before, round and round.
     void go(std::ptrdiff_t lines);
     /// With another algorithm or form: the drawing is clipped with it, too, if it is the drawing's.
-    void choose(const Clipper& clipper);
+    void choose(const Variant& variant);
     /// The drawing's line again, as it is there.
     void back();
 
@@ -39,7 +39,7 @@ signals:
 
 private:
     std::optional<clipping::Segment> drawn() const;
-    void show(std::size_t segment, const Clipper& clipper);
+    void show(std::size_t segment, const Variant& variant);
     void show(const Specimen& specimen);
     void adopt();
     void notice();
@@ -50,7 +50,7 @@ private:
     Session& session_;
     std::optional<std::size_t> line_; ///< nothing: of an empty drawing
     Specimen ours_;                   ///< as we showed it last
-    Clipper display_;                 ///< of the drawing, as last seen
+    Variant display_;                 ///< of the drawing, as last seen
     bool attached_ = false;           ///< what is under the microscope is ours
     bool own_ = false;                ///< the person changed the line
     bool showing_ = false;

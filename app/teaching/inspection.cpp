@@ -49,7 +49,7 @@ QString edgeName(Edge edge)
 
 /// How values are said: in which unit, and as the values of whom.
 struct Measure {
-    Clipper clipper;
+    Variant variant;
     Unit unit;
     double millimetresPerUnit;
     Point origin; ///< from which places are counted
@@ -76,7 +76,7 @@ std::optional<double> shownNumber(const clipping::NamedValue& value, const Measu
     if (value.kind != clipping::ValueKind::Number)
         return value.value;
     const double number = value.value;
-    switch (unitOfValue(measure.clipper, value.name).value_or(ValueUnit::Bare)) {
+    switch (unitOfValue(measure.variant, value.name).value_or(ValueUnit::Bare)) {
     case ValueUnit::Length:
         return measure.inUnit(number);
     case ValueUnit::Area:
@@ -177,29 +177,29 @@ Region regionOf(const Point& point, const clipping::Window& window)
     return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
 }
 
-Clipper explaining(const Session& session, std::size_t segment)
+Variant explaining(const Session& session, std::size_t segment)
 {
     const auto& asked = session.differences.asked();
     const auto& list = session.differences.found().list;
     const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
     if (!asked || found == list.end() || found->source != segment)
         return {session.display().algorithm, session.display().usedForm()};
-    return asked->a == exactClipper() ? asked->b : asked->a;
+    return asked->a == exactVariant() ? asked->b : asked->a;
 }
 
 Inspection inspect(const Session& session, std::size_t segment)
 {
     const clipping::Window& window = session.sheet().window;
-    Inspection line{.clipper = explaining(session, segment),
+    Inspection line{.variant = explaining(session, segment),
                     .number = segment,
                     .shape = session.scene.shapeOf(segment),
                     .segment = session.scene.segments()[segment]};
     line.from = regionOf(line.segment.a, window);
     line.to = regionOf(line.segment.b, window);
-    line.visible = clipped(line.clipper, line.segment, window);
+    line.visible = clipped(line.variant, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
-    if (!line.clipper.exhibit) {
-        const auto& uses = *clipping::usesOf(*line.clipper.algorithm, line.clipper.form);
+    if (!line.variant.exhibit) {
+        const auto& uses = *clipping::usesOf(*line.variant.algorithm, line.variant.form);
         line.cost = uses.count({&line.segment, 1}, window);
         line.trace = uses.trace(line.segment, window);
     }
@@ -212,7 +212,7 @@ Inspection inspect(const Session& session, std::size_t segment)
 
 QString verdictText(const Inspection& line)
 {
-    const QString name = nameOf(line.clipper);
+    const QString name = nameOf(line.variant);
     return line.visible ? tr("%1: visible, %2").arg(name, percentText(line.share))
                         : tr("%1: nothing visible").arg(name);
 }
@@ -234,9 +234,9 @@ QString costText(const clipping::OperationCounts& cost)
 
 QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
-    if (const Exhibit* exhibit = line.clipper.exhibit)
+    if (const Exhibit* exhibit = line.variant.exhibit)
         return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
-    const Measure measure{line.clipper, unit, page.millimetresPerUnit(), originOf(page, unit)};
+    const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         if (step.what != What::Test) // the microscope shows tests

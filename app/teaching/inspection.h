@@ -24,7 +24,7 @@ Region regionOf(const Point& point, const clipping::Window& window);
 struct Inspection {
     /// The variant that is explained. For a line that differs between A and B, while a panel shows
     /// it: A, or B if A is `exact`, which is never wrong. Otherwise the chosen variant.
-    Clipper clipper{};
+    Variant variant{};
     std::size_t number = 0; ///< index into the scene's segments
     std::size_t shape = 0;
     clipping::Segment segment{};
@@ -36,8 +36,8 @@ struct Inspection {
     clipping::Trace trace{};                    ///< empty for an exhibit
 };
 Inspection inspect(const Session& session, std::size_t segment);
-/// The variant that is explained for a line: Inspection::clipper.
-Clipper explaining(const Session& session, std::size_t segment);
+/// The variant that is explained for a line: Inspection::variant.
+Variant explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);

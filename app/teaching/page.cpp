@@ -42,10 +42,10 @@ AlgorithmPage pageOf(const clipping::Algorithm& algorithm)
     return {markdown, pseudoCode(markdown)};
 }
 
-QStringList codeOf(const Clipper& clipper)
+QStringList codeOf(const Variant& variant)
 {
-    const auto code = clipping::codeOf(*clipper.algorithm, clipper.form);
-    return code.empty() ? pageOf(*clipper.algorithm).code : linesOf(code);
+    const auto code = clipping::codeOf(*variant.algorithm, variant.form);
+    return code.empty() ? pageOf(*variant.algorithm).code : linesOf(code);
 }
 
 QStringList pseudoCode(const QString& markdown)

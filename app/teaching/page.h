@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 #include <QString>
 #include <QStringList>
@@ -18,7 +18,7 @@ struct AlgorithmPage {
 AlgorithmPage pageOf(const clipping::Algorithm& algorithm);
 
 /// The pseudo-code of a form without numbers: line 1 of a trace is the first.
-QStringList codeOf(const Clipper& clipper);
+QStringList codeOf(const Variant& variant);
 
 /// The numbered lines of the first block of code that has any.
 QStringList pseudoCode(const QString& markdown);

@@ -34,7 +34,7 @@ QImage painted(const WalkStep& at, Ground ground, const QSize& size, double devi
 
 Specimen pageSpecimen(const clipping::Algorithm& algorithm)
 {
-    return {.clipper = {&algorithm, clipping::Form::Corrected},
+    return {.variant = {&algorithm, clipping::Form::Corrected},
             .line = teachingOf(algorithm).figure.line,
             .window = window,
             .y = YAxis::Up,

@@ -22,11 +22,11 @@ const QString ending = QStringLiteral(".md");
 QString tr(const char* text) { return QCoreApplication::translate("reading", text); }
 
 /// What goes wrong, and a link to watch it.
-QString itemOf(const HardCase& hard, const Clipper& clipper)
+QString itemOf(const HardCase& hard, const Variant& variant)
 {
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
-                       .arg(hard.title, hard.key, words(answerOf(hard, clipper)));
-    if (const auto watch = traceLink(specimenOf(hard, clipper)))
+                       .arg(hard.title, hard.key, words(answerOf(hard, variant)));
+    if (const auto watch = traceLink(specimenOf(hard, variant)))
         text += QStringLiteral(" ([%1](%2))").arg(tr("watch it through the microscope"), *watch);
     return text + u'\n';
 }
@@ -36,8 +36,8 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
 {
     if (!algorithm.published)
         return {};
-    const Clipper published{&algorithm, clipping::Form::Published};
-    const auto cases = casesFor({.clipper = keyOf(published)});
+    const Variant published{&algorithm, clipping::Form::Published};
+    const auto cases = casesFor({.variant = keyOf(published)});
     if (cases.empty())
         return {};
     const bool all = cases.size() <= mostCases;

@@ -42,12 +42,12 @@ void paintHeader(QPainter& painter, const Specimen& specimen, const Walk& walk, 
     const FigureColours colours = figureColours(ground);
     const QFont body = slideFonts().body;
     const QRectF line(margin, 16, slideWidth - 2 * margin, 34);
-    paintMarker(painter, QRectF(line.left(), line.top() + 7, 20, 20), *specimen.clipper.algorithm,
-                specimen.clipper.form, ground);
+    paintMarker(painter, QRectF(line.left(), line.top() + 7, 20, 20), *specimen.variant.algorithm,
+                specimen.variant.form, ground);
     painter.setFont(bold(sized(body, 1.4)));
     painter.setPen(colours.text);
     painter.drawText(line.adjusted(30, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                     titleOf(specimen.clipper));
+                     titleOf(specimen.variant));
     painter.setFont(sized(body, 1.1));
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, stepText(walk, step));
     painter.setFont(sized(body, 0.9));
@@ -131,9 +131,9 @@ QRectF sentenceArea()
 
 QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step)
 {
-    return walk.moments.empty() ? titleOf(specimen.clipper)
+    return walk.moments.empty() ? titleOf(specimen.variant)
                                 : tr("%1, step %2 of %3")
-                                      .arg(titleOf(specimen.clipper))
+                                      .arg(titleOf(specimen.variant))
                                       .arg(step + 1)
                                       .arg(walk.moments.size());
 }

@@ -55,7 +55,7 @@ Ranked rankOf(const Session& session, std::size_t segment)
 Specimen specimenOf(const Session& session, std::size_t segment)
 {
     const auto lines = session.scene.segments();
-    return {.clipper = {session.display().algorithm, session.display().usedForm()},
+    return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = lines[segment],
             .window = session.sheet().window,
             .y = YAxis::Down,
@@ -83,7 +83,7 @@ Specimen firstSpecimen(const Session& session)
     if (const auto line = firstLine(session))
         return specimenOf(session, *line);
     const clipping::Window& window = session.sheet().window;
-    return {.clipper = {session.display().algorithm, session.display().usedForm()},
+    return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = across(window),
             .window = window,
             .y = YAxis::Down,

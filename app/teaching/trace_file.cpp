@@ -47,7 +47,7 @@ QByteArray pdf(const TraceExport& trace, std::span<const std::size_t> steps)
     std::vector<PaintedPage> pages;
     for (const std::size_t step : steps)
         pages.push_back(pageOf(trace, step));
-    return pdfOf(pages, {titleOf(trace.specimen.clipper), {}});
+    return pdfOf(pages, {titleOf(trace.specimen.variant), {}});
 }
 
 bool oneFile(const TraceExport& trace, const TraceFormat& format)
@@ -92,7 +92,7 @@ const TraceFormat* findTraceFormat(QStringView word)
 
 QString traceStem(const TraceExport& trace)
 {
-    return keyOf(trace.specimen.clipper).replace(u':', u'-');
+    return keyOf(trace.specimen.variant).replace(u':', u'-');
 }
 
 QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, const QString& target)

@@ -142,14 +142,14 @@ QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     const Walk& walk = trace.walk;
-    const auto& [clipper, line, window, y, origin] = trace.specimen;
+    const auto& [variant, line, window, y, origin] = trace.specimen;
     QStringList code;
     for (const QString& text : walk.code)
         code << quoted(text);
     const QString text = object(
         {{"format", quoted(QStringLiteral("clearcut-trace-1"))},
-         {"algorithm", quoted(latin(clipper.algorithm->key))},
-         {"form", quoted(clipper.form == clipping::Form::Published ? QStringLiteral("published")
+         {"algorithm", quoted(latin(variant.algorithm->key))},
+         {"form", quoted(variant.form == clipping::Form::Published ? QStringLiteral("published")
                                                                    : QStringLiteral("corrected"))},
          {"line", list(line)},
          {"window", list(clipping::Segment{window.min, window.max})},

@@ -48,10 +48,10 @@ std::optional<QString> traceLink(const Specimen& specimen)
 {
     const auto line = numbersText(specimen.line.a, specimen.line.b);
     const auto window = numbersText(specimen.window.min, specimen.window.max);
-    if (!line || !window || specimen.clipper.exhibit)
+    if (!line || !window || specimen.variant.exhibit)
         return std::nullopt;
     return QStringLiteral("clearcut:trace?a=%1&line=%2&w=%3")
-        .arg(keyOf(specimen.clipper), *line, *window);
+        .arg(keyOf(specimen.variant), *line, *window);
 }
 
 std::optional<Specimen> specimenOf(const QUrl& link)
@@ -62,15 +62,15 @@ std::optional<Specimen> specimenOf(const QUrl& link)
     const auto value = [&query](const char* name) {
         return query.queryItemValue(QLatin1StringView(name), QUrl::FullyDecoded);
     };
-    const auto clipper = findClipper(value("a"));
+    const auto variant = findVariant(value("a"));
     const auto line = numbers(value("line")), window = numbers(value("w"));
-    if (!clipper || !line || !window)
+    if (!variant || !line || !window)
         return std::nullopt;
-    return Specimen{.clipper = *clipper,
+    return Specimen{.variant = *variant,
                     .line = {{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}},
                     .window = {{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}},
                     .y = YAxis::Up,
-                    .origin = titleOf(*clipper)};
+                    .origin = titleOf(*variant)};
 }
 
 } // namespace app

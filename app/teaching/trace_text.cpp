@@ -72,8 +72,8 @@ QString endText(const Walk& walk)
 
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    const auto& [clipper, line, window, y, origin] = trace.specimen;
-    QString text = titleOf(clipper) + u'\n';
+    const auto& [variant, line, window, y, origin] = trace.specimen;
+    QString text = titleOf(variant) + u'\n';
     text += tr("Line:    %1 to %2\n").arg(pair(line.a), pair(line.b));
     text += tr("Window:  %1 to %2, y grows %3\n\n")
                 .arg(pair(window.min), pair(window.max), y == YAxis::Up ? tr("up") : tr("down"));

@@ -29,10 +29,10 @@ constexpr auto common = std::to_array<VariableUnit>({
 
 } // namespace
 
-std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name)
+std::optional<ValueUnit> unitOfValue(const Variant& variant, std::string_view name)
 {
-    const Teaching row = teachingOf(*clipper.algorithm);
-    const bool isPublished = clipper.form == clipping::Form::Published;
+    const Teaching row = teachingOf(*variant.algorithm);
+    const bool isPublished = variant.form == clipping::Form::Published;
     for (const std::span<const VariableUnit> all :
          {isPublished ? row.published : std::span<const VariableUnit>(), row.variables,
           std::span<const VariableUnit>(common)})

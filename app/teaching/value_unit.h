@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 // In which unit the numbers are that algorithms tell of their steps, by the names of their
 // variables.
@@ -28,6 +28,6 @@ struct VariableUnit {
 /// The unit of a number (clipping::ValueKind::Number) of this name that a form tells: as the
 /// algorithm's row says (app/teaching/teaching.h), else the usual one of this name, if there is
 /// one.
-std::optional<ValueUnit> unitOfValue(const Clipper& clipper, std::string_view name);
+std::optional<ValueUnit> unitOfValue(const Variant& variant, std::string_view name);
 
 } // namespace app

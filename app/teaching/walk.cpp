@@ -125,7 +125,7 @@ std::optional<double> Telling::known(std::string_view name) const
 
 QString refusalOf(const Specimen& specimen)
 {
-    if (specimen.clipper.exhibit)
+    if (specimen.variant.exhibit)
         return tr("This is an exhibit: its steps are not recorded.");
     const auto& [a, b] = specimen.line;
     const auto& [min, max] = specimen.window;
@@ -146,17 +146,17 @@ QString refusalOf(const Specimen& specimen)
 
 Walk walkOf(const Specimen& specimen)
 {
-    Walk walk{.code = codeOf(specimen.clipper), .refusal = refusalOf(specimen)};
-    if (specimen.clipper.exhibit)
-        walk.visible = clipped(specimen.clipper, specimen.line, specimen.window);
+    Walk walk{.code = codeOf(specimen.variant), .refusal = refusalOf(specimen)};
+    if (specimen.variant.exhibit)
+        walk.visible = clipped(specimen.variant, specimen.line, specimen.window);
     if (!walk.refusal.isEmpty())
         return walk;
-    const auto* uses = clipping::usesOf(*specimen.clipper.algorithm, specimen.clipper.form);
+    const auto* uses = clipping::usesOf(*specimen.variant.algorithm, specimen.variant.form);
     const clipping::Trace trace = uses->trace(specimen.line, specimen.window);
     walk.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         walk.visible = trace.visible;
-    const Teaching teaching = teachingOf(*specimen.clipper.algorithm);
+    const Teaching teaching = teachingOf(*specimen.variant.algorithm);
     const QStringList ends = endsIn(walk.code);
     const Step* before = nullptr;
     for (const Step& step : trace.steps) {

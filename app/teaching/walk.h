@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
 #include "app/comparison/outcode_text.h"
+#include "app/comparison/variants.h"
 #include "app/document/sheet.h"
 
 #include <QString>
@@ -44,7 +44,7 @@ struct Moment {
 
 /// What is looked at through the microscope.
 struct Specimen {
-    Clipper clipper{};
+    Variant variant{};
     clipping::Segment line{};
     clipping::Window window{};
     YAxis y = YAxis::Down;

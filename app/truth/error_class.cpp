@@ -30,14 +30,14 @@ QString number(double ulps)
                                     : ulpsText(ulps);
 }
 
-QString rightText(const Clipper& clipper, const TruthCounts& counts)
+QString rightText(const Variant& variant, const TruthCounts& counts)
 {
     const std::size_t wrong = counts.classes.back(), all = counts.all();
     if (wrong == 0)
         return Exactness::tr("%1 is right about all %2 visible lines")
-            .arg(nameOf(clipper), countText(all));
+            .arg(nameOf(variant), countText(all));
     return Exactness::tr("%1 is wrong about %2 of %3 visible lines")
-        .arg(nameOf(clipper), countText(wrong), countText(all));
+        .arg(nameOf(variant), countText(wrong), countText(all));
 }
 
 QStringList wrongTexts(const TruthCounts& counts)
@@ -115,11 +115,11 @@ QString errorText(double ulps)
     return ulps == 1 ? Exactness::tr("1 ulp") : Exactness::tr("%1 ulps").arg(number(ulps));
 }
 
-QString sentence(const Clipper& clipper, const TruthCounts& counts, Yardstick yardstick)
+QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick)
 {
     if (counts.all() == 0)
         return Exactness::tr("Nothing is visible here.");
-    QString text = rightText(clipper, counts);
+    QString text = rightText(variant, counts);
     if (const QStringList wrong = wrongTexts(counts); !wrong.isEmpty())
         text += QStringLiteral(": ") + wrong.join(Exactness::tr(", "));
     text += Exactness::tr(". The worst end is %1 of %2 off")

@@ -31,7 +31,7 @@ TruthCounts counted(const Truths& truths, Yardstick yardstick);
 
 /// "MD: 21,345 of 21,345 visible lines are right, the worst end is 2.1 ulps off. 12 depend on
 /// which end comes first."
-QString sentence(const Clipper& clipper, const TruthCounts& counts, Yardstick yardstick);
+QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick);
 
 /// What is to be said of one line: "lost: 300 long …", "3.2 ulps off, outside the window". Without
 /// a period.

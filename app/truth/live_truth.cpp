@@ -29,7 +29,7 @@ void LiveTruth::ask(const std::optional<Question>& question)
 {
     if (question == asked_)
         return;
-    const bool same = question && asked_ && question->clipper == asked_->clipper;
+    const bool same = question && asked_ && question->variant == asked_->variant;
     asked_ = question;
     if (same && upToDate_) // only measured otherwise
         return keep(std::move(found_));
@@ -78,7 +78,7 @@ void LiveTruth::work()
     clock.start();
     const auto lines = scene_.segments();
     while (growing_->lines < lines.size() && clock.elapsed() < sliceMilliseconds)
-        growing_ = extended(std::move(*growing_), asked_->clipper, lines, sliceLines);
+        growing_ = extended(std::move(*growing_), asked_->variant, lines, sliceLines);
     if (growing_->lines == lines.size())
         keep(*std::exchange(growing_, std::nullopt));
     else
@@ -130,7 +130,7 @@ std::span<const std::vector<Clipped>> LiveTruth::piecesAt(const Window& window)
     if (lines.size() > mostAtOnce)
         return {};
     if (!passing_ || passing_->first != window)
-        passing_ = {window, piecesOf(extended({window}, asked_->clipper, lines, lines.size()))};
+        passing_ = {window, piecesOf(extended({window}, asked_->variant, lines, lines.size()))};
     return passing_->second;
 }
 

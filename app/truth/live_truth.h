@@ -17,7 +17,7 @@ public:
     LiveTruth(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
 
     struct Question {
-        Clipper clipper;
+        Variant variant;
         Yardstick yardstick = Yardstick::Largest;
         friend bool operator==(const Question&, const Question&) = default;
     };

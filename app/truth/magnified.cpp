@@ -22,13 +22,13 @@ bool isFinite(const dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y);
 double largest(const dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
 /// The true end that belongs to an end of a piece.
-const TrueEnd& trueEnd(const TruePart& part, const Segment& piece, int end, const Clipper& clipper)
+const TrueEnd& trueEnd(const TruePart& part, const Segment& piece, int end, const Variant& variant)
 {
     const auto worse = [&](const TrueEnd& a, const TrueEnd& b) {
         return std::max(largest(a.offOf(piece.a)), largest(b.offOf(piece.b)));
     };
     const bool turned =
-        clipper.form == clipping::Form::Published && worse(part.b, part.a) < worse(part.a, part.b);
+        variant.form == clipping::Form::Published && worse(part.b, part.a) < worse(part.a, part.b);
     return (end == 0) != turned ? part.a : part.b;
 }
 
@@ -70,17 +70,17 @@ std::vector<double> walked(double centre, double from, double to, std::size_t mo
 
 } // namespace
 
-std::optional<Magnified> magnified(const Clipper& clipper, const Segment& line,
+std::optional<Magnified> magnified(const Variant& variant, const Segment& line,
                                    const Window& window, int end)
 {
-    const auto piece = clipped(clipper, line, window);
+    const auto piece = clipped(variant, line, window);
     const auto part = truePart(line, window);
     if ((!piece && !part) || (piece && !(isFinite(piece->a) && isFinite(piece->b))))
         return std::nullopt;
     Magnified seen{};
     const TrueEnd* truth = nullptr;
     if (part)
-        truth = piece ? &trueEnd(*part, *piece, end, clipper) : end == 0 ? &part->a : &part->b;
+        truth = piece ? &trueEnd(*part, *piece, end, variant) : end == 0 ? &part->a : &part->b;
     seen.returned = piece.has_value();
     seen.centre = piece ? (end == 0 ? piece->a : piece->b) : truth->nearest;
     if (truth) {

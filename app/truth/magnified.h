@@ -23,7 +23,7 @@ struct Magnified {
 
 /// Of what an algorithm returned, its first end (0) or its second (1); of a line that is lost, that
 /// end of what is true. Nothing if nothing is visible, or if the end is no number.
-std::optional<Magnified> magnified(const Clipper& clipper, const clipping::Segment& line,
+std::optional<Magnified> magnified(const Variant& variant, const clipping::Segment& line,
                                    const clipping::Window& window, int end);
 
 /// The numbers that a coordinate can be.

@@ -113,9 +113,9 @@ std::optional<LineTruth> judged(const Segment& line, const Window& window, const
     return truth;
 }
 
-Ends endsOf(const Clipper& clipper)
+Ends endsOf(const Variant& variant)
 {
-    return clipper.form == clipping::Form::Corrected ? Ends::InOrder : Ends::EitherWay;
+    return variant.form == clipping::Form::Corrected ? Ends::InOrder : Ends::EitherWay;
 }
 
 /// The pieces of lines one by one; both ascend by line.
@@ -143,19 +143,19 @@ double errorOf(const LineTruth& line, Yardstick yardstick)
                                            : std::max(line.ends[0].ownUlps, line.ends[1].ownUlps);
 }
 
-Truths extended(Truths so, const Clipper& clipper, std::span<const Segment> lines,
+Truths extended(Truths so, const Variant& variant, std::span<const Segment> lines,
                 std::size_t count)
 {
     const auto first = std::uint32_t(so.lines);
     const auto part = lines.subspan(so.lines, std::min(count, lines.size() - so.lines));
     std::vector<Segment> turned(part.size());
     std::ranges::transform(part, turned.begin(), reversed);
-    const auto straight = clipped(clipper, part, so.window),
-               fromOther = clipped(clipper, turned, so.window);
+    const auto straight = clipped(variant, part, so.window),
+               fromOther = clipped(variant, turned, so.window);
     Pieces pieces(straight), others(fromOther);
     for (std::uint32_t line = 0; line < part.size(); ++line) {
         const Answer answer{pieces.of(line), others.of(line)};
-        if (auto truth = judged(part[line], so.window, answer, endsOf(clipper))) {
+        if (auto truth = judged(part[line], so.window, answer, endsOf(variant))) {
             truth->source = first + line;
             so.list.push_back(*truth);
         }
@@ -164,9 +164,9 @@ Truths extended(Truths so, const Clipper& clipper, std::span<const Segment> line
     return so;
 }
 
-std::optional<LineTruth> truthOf(const Clipper& clipper, const Segment& line, const Window& window)
+std::optional<LineTruth> truthOf(const Variant& variant, const Segment& line, const Window& window)
 {
-    const Truths one = extended({window}, clipper, {&line, 1}, 1);
+    const Truths one = extended({window}, variant, {&line, 1}, 1);
     return one.list.empty() ? std::nullopt : std::optional(one.list.front());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 #include "app/truth/true_part.h"
 
 #include <array>
@@ -49,11 +49,11 @@ struct Truths {
     std::vector<LineTruth> list{}; ///< ascending by line: those of which anybody sees something
 };
 /// Judges lines[first, first + count) too, where first is how many were.
-Truths extended(Truths so, const Clipper& clipper, std::span<const clipping::Segment> lines,
+Truths extended(Truths so, const Variant& variant, std::span<const clipping::Segment> lines,
                 std::size_t count);
 
 /// Of one line; empty if nothing of it is visible.
-std::optional<LineTruth> truthOf(const Clipper& clipper, const clipping::Segment& line,
+std::optional<LineTruth> truthOf(const Variant& variant, const clipping::Segment& line,
                                  const clipping::Window& window);
 
 } // namespace app

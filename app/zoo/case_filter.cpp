@@ -34,10 +34,10 @@ bool CaseFilter::lets(const HardCase& hard) const
     for (const QString& word : words.split(u' ', Qt::SkipEmptyParts))
         if (!text.contains(word, Qt::CaseInsensitive))
             return false;
-    if (clipper.isEmpty() && !fault)
+    if (variant.isEmpty() && !fault)
         return true;
     return std::ranges::any_of(hard.faults, [this](const auto& one) {
-        return (clipper.isEmpty() || one.first == clipper) && (!fault || one.second == *fault);
+        return (variant.isEmpty() || one.first == variant) && (!fault || one.second == *fault);
     });
 }
 
@@ -53,10 +53,10 @@ std::vector<const HardCase*> casesFor(const CaseFilter& filter)
 std::vector<CaseChoice> caseChoices()
 {
     std::vector<CaseChoice> choices{choice(tr("All cases"), {})};
-    for (const Clipper& clipper : clippers())
-        if (clipper.form == clipping::Form::Published)
+    for (const Variant& variant : variants())
+        if (variant.form == clipping::Form::Published)
             choices.push_back(
-                choice(tr("%1 fails").arg(nameOf(clipper)), {.clipper = keyOf(clipper)}));
+                choice(tr("%1 fails").arg(nameOf(variant)), {.variant = keyOf(variant)}));
     for (const auto& [fault, name] : kinds)
         choices.push_back(choice(tr(name), {.fault = fault}));
     return choices;

@@ -8,7 +8,7 @@ namespace app {
 /// Which hard cases are shown.
 struct CaseFilter {
     QString words{};               ///< each is somewhere in title, origin or reason; any case
-    QString clipper{};             ///< a key: it fails there; empty: any
+    QString variant{};             ///< a key: it fails there; empty: any
     std::optional<Ruling> fault{}; ///< any variant (or that one) fails in this way
 
     bool lets(const HardCase& hard) const;

@@ -19,9 +19,9 @@ constexpr double leastExtent = 1e-6, mostExtent = 1e12;
 
 } // namespace
 
-Specimen specimenOf(const HardCase& hard, const Clipper& clipper)
+Specimen specimenOf(const HardCase& hard, const Variant& variant)
 {
-    return {.clipper = clipper,
+    return {.variant = variant,
             .line = hard.line,
             .window = hard.window,
             .y = YAxis::Up,
@@ -60,19 +60,19 @@ Result<Sheet> sheetOf(const HardCase& hard)
     return R::of(std::move(sheet));
 }
 
-Clipper firstToLookAt(const HardCase& hard)
+Variant firstToLookAt(const HardCase& hard)
 {
     const std::vector<CaseAnswer> answers = answersTo(hard);
     const auto interest = [](const CaseAnswer& answer) {
         if (answer.good())
             return -1.0;
-        if (answer.clipper.exhibit)
+        if (answer.variant.exhibit)
             return -0.5;
         return answer.ruling == Ruling::Endless
                    ? mostExtent
                    : std::floor(std::min(answer.beyond, mostExtent / 2));
     };
-    return std::ranges::max_element(answers, {}, interest)->clipper;
+    return std::ranges::max_element(answers, {}, interest)->variant;
 }
 
 } // namespace app

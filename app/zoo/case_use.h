@@ -11,7 +11,7 @@
 namespace app {
 
 /// For the microscope, y up.
-Specimen specimenOf(const HardCase& hard, const Clipper& clipper);
+Specimen specimenOf(const HardCase& hard, const Variant& variant);
 
 /// A drawing of the line, with its window; the very same numbers, so that y points down there. Or
 /// the sentence why there is none.
@@ -19,6 +19,6 @@ Result<Sheet> sheetOf(const HardCase& hard);
 
 /// The variant that is shown first: one that never ends, else the one farthest outside the window,
 /// else the first that fails; if none fails, the first of all.
-Clipper firstToLookAt(const HardCase& hard);
+Variant firstToLookAt(const HardCase& hard);
 
 } // namespace app

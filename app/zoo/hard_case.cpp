@@ -58,7 +58,7 @@ QString fill(HardCase& hard, const QJsonObject& entry)
     const QJsonObject faults = entry[QLatin1StringView("faults")].toObject();
     for (auto fault = faults.begin(); fault != faults.end(); ++fault) {
         const auto ruling = findRuling(fault.value().toString());
-        if (!ruling || !findClipper(fault.key()))
+        if (!ruling || !findVariant(fault.key()))
             return fault.key();
         hard.faults.emplace_back(fault.key(), *ruling);
     }

@@ -20,7 +20,7 @@ struct HardCase {
     /// What is truly visible, each coordinate rounded once. Tests compare it with exact
     /// arithmetic that shares nothing with the library.
     std::optional<clipping::Segment> visible{};
-    /// What goes wrong, and how, by keyOf(clipper). All others are right; corrected forms always.
+    /// What goes wrong, and how, by keyOf(variant). All others are right; corrected forms always.
     std::vector<std::pair<QString, Ruling>> faults{};
 
     bool isOurs() const { return link.isEmpty(); }

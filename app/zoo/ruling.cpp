@@ -39,10 +39,10 @@ double beyond(const Segment& piece, const Window& w)
     return most;
 }
 
-bool isEndless(const Clipper& clipper, const HardCase& hard)
+bool isEndless(const Variant& variant, const HardCase& hard)
 {
-    return !clipper.exhibit
-           && clipping::usesOf(*clipper.algorithm, clipper.form)
+    return !variant.exhibit
+           && clipping::usesOf(*variant.algorithm, variant.form)
                       ->trace(hard.line, hard.window)
                       .outcome
                   == clipping::Outcome::DidNotEnd;
@@ -57,11 +57,11 @@ bool meetsMoved(const HardCase& hard, double ulps)
 }
 
 /// Of what is wrong about visibility.
-Ruling excusedOr(Ruling wrong, const HardCase& hard, const Clipper& clipper)
+Ruling excusedOr(Ruling wrong, const HardCase& hard, const Variant& variant)
 {
-    if (clipper.form == clipping::Form::Published || clipper == exactClipper())
+    if (variant.form == clipping::Form::Published || variant == exactVariant())
         return wrong;
-    const double k = clipper.algorithm->ulps;
+    const double k = variant.algorithm->ulps;
     const bool near = wrong == Ruling::Shown ? meetsMoved(hard, k) : !meetsMoved(hard, -k);
     return near ? Ruling::Allowed : wrong;
 }
@@ -69,17 +69,17 @@ Ruling excusedOr(Ruling wrong, const HardCase& hard, const Clipper& clipper)
 Ruling rulingOf(const CaseAnswer& answer, const HardCase& hard)
 {
     if (!answer.visible) {
-        if (isEndless(answer.clipper, hard))
+        if (isEndless(answer.variant, hard))
             return Ruling::Endless;
-        return hard.visible ? excusedOr(Ruling::Lost, hard, answer.clipper) : Ruling::Right;
+        return hard.visible ? excusedOr(Ruling::Lost, hard, answer.variant) : Ruling::Right;
     }
     if (!isFinite(*answer.visible))
         return Ruling::NotANumber;
     if (!hard.visible)
-        return excusedOr(Ruling::Shown, hard, answer.clipper);
+        return excusedOr(Ruling::Shown, hard, answer.variant);
     if (answer.beyond > 0)
         return Ruling::Outside;
-    return answer.ulps > answer.clipper.algorithm->ulps ? Ruling::Moved : Ruling::Right;
+    return answer.ulps > answer.variant.algorithm->ulps ? Ruling::Moved : Ruling::Right;
 }
 
 /// Two digits tell how bad it is.
@@ -104,13 +104,13 @@ std::optional<Ruling> findRuling(const QString& key)
     return std::nullopt;
 }
 
-CaseAnswer answerOf(const HardCase& hard, const Clipper& clipper)
+CaseAnswer answerOf(const HardCase& hard, const Variant& variant)
 {
-    CaseAnswer answer{.clipper = clipper, .visible = clipped(clipper, hard.line, hard.window)};
+    CaseAnswer answer{.variant = variant, .visible = clipped(variant, hard.line, hard.window)};
     if (answer.visible && isFinite(*answer.visible)) {
         answer.beyond = beyond(*answer.visible, hard.window);
         if (hard.visible)
-            answer.ulps = endsApart(*answer.visible, *hard.visible, endsOf(clipper, exactClipper()))
+            answer.ulps = endsApart(*answer.visible, *hard.visible, endsOf(variant, exactVariant()))
                           / ulpFor(hard.line, hard.window);
     }
     answer.ruling = rulingOf(answer, hard);
@@ -120,8 +120,8 @@ CaseAnswer answerOf(const HardCase& hard, const Clipper& clipper)
 std::vector<CaseAnswer> answersTo(const HardCase& hard)
 {
     std::vector<CaseAnswer> answers;
-    for (const Clipper& clipper : clippers())
-        answers.push_back(answerOf(hard, clipper));
+    for (const Variant& variant : variants())
+        answers.push_back(answerOf(hard, variant));
     return answers;
 }
 
@@ -131,7 +131,7 @@ QString words(const CaseAnswer& answer)
     case Ruling::Right:
         return tr("right");
     case Ruling::Allowed:
-        return tr("within the %1 ulps that it promises").arg(answer.clipper.algorithm->ulps);
+        return tr("within the %1 ulps that it promises").arg(answer.variant.algorithm->ulps);
     case Ruling::Lost:
         return tr("lost");
     case Ruling::Shown:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/clipper.h"
+#include "app/comparison/variants.h"
 
 #include <QString>
 
@@ -26,9 +26,9 @@ enum class Ruling : std::uint8_t {
 QString keyOf(Ruling ruling);
 std::optional<Ruling> findRuling(const QString& key);
 
-/// What one clipper makes of a hard case.
+/// What one variant makes of a hard case.
 struct CaseAnswer {
-    Clipper clipper{};
+    Variant variant{};
     std::optional<clipping::Segment> visible{};
     Ruling ruling = Ruling::Right;
     double ulps = 0;   ///< how far its ends are off, in ulps of the largest |coordinate|
@@ -36,7 +36,7 @@ struct CaseAnswer {
 
     bool good() const { return ruling == Ruling::Right || ruling == Ruling::Allowed; }
 };
-CaseAnswer answerOf(const HardCase& hard, const Clipper& clipper);
+CaseAnswer answerOf(const HardCase& hard, const Variant& variant);
 /// Of all there are, in menu order.
 std::vector<CaseAnswer> answersTo(const HardCase& hard);
 

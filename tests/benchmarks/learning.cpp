@@ -27,7 +27,7 @@ double milliseconds(const Work& work)
     return times[times.size() / 2];
 }
 
-app::CostPlan planOf(const std::optional<app::Clipper>& shown, int cells)
+app::CostPlan planOf(const std::optional<app::Variant>& shown, int cells)
 {
     app::CostPlan plan = app::usualCostPlan(app::paperWindow);
     plan.shown = shown;
@@ -42,21 +42,21 @@ int main()
 {
     QTextStream out(stdout);
     constexpr int fine = 60, coarse = fine / app::LiveCostMap::coarseness;
-    const auto row = [&](const QString& name, const std::optional<app::Clipper>& shown) {
+    const auto row = [&](const QString& name, const std::optional<app::Variant>& shown) {
         out << name.leftJustified(24) << Qt::fixed << qSetRealNumberPrecision(2)
             << milliseconds([&] { app::costMap(planOf(shown, coarse)); }) << " ms coarse, "
             << milliseconds([&] { app::costMap(planOf(shown, fine)); }) << " ms fine (240 x 180)\n";
         out.flush();
     };
-    for (const app::Clipper& clipper : app::costContestants(clipping::Form::Corrected))
-        row(app::nameOf(clipper), clipper);
+    for (const app::Variant& variant : app::costContestants(clipping::Form::Corrected))
+        row(app::nameOf(variant), variant);
     row(QStringLiteral("which is cheapest"), std::nullopt);
 
     std::vector<clipping::Segment> lines(100'000);
     app::PaperScene(1).fill(lines);
     for (const char* key : {"exact", "md", "lb:published"}) {
         const double time = milliseconds([&] {
-            app::extended({app::paperWindow}, *app::findClipper(QString::fromLatin1(key)), lines,
+            app::extended({app::paperWindow}, *app::findVariant(QString::fromLatin1(key)), lines,
                           lines.size());
         });
         out << key << ": judged 100,000 lines in " << time << " ms\n";

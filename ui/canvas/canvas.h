@@ -25,7 +25,7 @@ struct FrameTimes {
     double clipMs = 0, drawMs = 0;
     std::uint64_t clipNanoseconds = 0;
     std::size_t visible = 0, total = 0;
-    std::optional<app::Clipper> choice{}; ///< what clipped
+    std::optional<app::Variant> choice{}; ///< what clipped
     bool painting = false; ///< its picture is not ready: the last one is shown, moved and scaled
 };
 

@@ -53,7 +53,7 @@ void Canvas::activatePane(std::size_t pane)
 void Canvas::followChoice()
 {
     const app::Display& display = parts_->controller.session().display();
-    const app::Clipper choice{display.algorithm, display.usedForm()};
+    const app::Variant choice{display.algorithm, display.usedForm()};
     if (choice == parts_->panes.chosen())
         return;
     parts_->panes.choose(choice);
@@ -84,7 +84,7 @@ void Canvas::addPane()
         change([](app::Panes& panes, std::size_t pane) { panes.activate(pane); });
         setFocus();
     });
-    connect(&widget.heading(), &PaneHeading::chosen, this, [change](const app::Clipper& choice) {
+    connect(&widget.heading(), &PaneHeading::chosen, this, [change](const app::Variant& choice) {
         change([&](app::Panes& panes, std::size_t pane) {
             panes.activate(pane);
             panes.choose(choice);

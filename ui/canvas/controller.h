@@ -19,14 +19,14 @@ struct FrameKey {
     std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
     app::View view;
     clipping::Window window{};
-    std::optional<app::Clipper> choice{}; ///< nothing only in the key of no frame
+    std::optional<app::Variant> choice{}; ///< nothing only in the key of no frame
     std::uint64_t found = 0;              ///< of what differs
     friend bool operator==(const FrameKey&, const FrameKey&) = default;
 };
 
 /// What one of the surfaces that share a controller shows.
 struct Pane {
-    app::Clipper choice;
+    app::Variant choice;
     bool active = true;                        ///< has the clip window's handles and label
     int among = 1;                             ///< so many panes are painted in one frame
     app::LiveDifferences* fromExact = nullptr; ///< what differs is marked; null: nothing

@@ -21,7 +21,7 @@ constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
 constexpr int widthForClose = 260; // in narrower ones the menu can close it
 constexpr int leastName = 48;      // a name shorter than this says nothing
 
-QIcon markerIcon(const app::Clipper& choice, const QPalette& palette)
+QIcon markerIcon(const app::Variant& choice, const QPalette& palette)
 {
     QPixmap picture(32, 32);
     picture.setDevicePixelRatio(2);
@@ -147,7 +147,7 @@ void PaneHeading::paintEvent(QPaintEvent*)
     if (!pane_)
         return;
     const Look& look = lookOf(palette());
-    const app::Clipper& choice = pane_->choice;
+    const app::Variant& choice = pane_->choice;
     const Places p = places();
     QPainter painter(this);
     painter.fillRect(rect(), look.panel);
@@ -221,7 +221,7 @@ void PaneHeading::fill(QMenu& menu)
     menu.addAction(tr("&Close this pane"), this, &PaneHeading::closeWanted);
 }
 
-void PaneHeading::addChoice(QMenu& menu, const app::Clipper& choice)
+void PaneHeading::addChoice(QMenu& menu, const app::Variant& choice)
 {
     auto* action = menu.addAction(markerIcon(choice, palette()), app::latin(choice.algorithm->name),
                                   this, [this, choice] { emit chosen(choice); });

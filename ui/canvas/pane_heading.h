@@ -26,7 +26,7 @@ public:
 
 signals:
     void pressed();
-    void chosen(const app::Clipper& choice);
+    void chosen(const app::Variant& choice);
     void closeWanted();
     void aloneWanted(); ///< this pane and no other
 
@@ -48,7 +48,7 @@ private:
     void place();
     void showTime();
     void fill(QMenu& menu);
-    void addChoice(QMenu& menu, const app::Clipper& choice);
+    void addChoice(QMenu& menu, const app::Variant& choice);
 
     std::optional<Pane> pane_;
     QToolButton *choose_, *close_;

@@ -29,7 +29,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
 
 void PaneWidget::show(const Pane& pane, Heading heading)
 {
-    const bool marks = pane.among > 1 && pane.choice != app::exactClipper();
+    const bool marks = pane.among > 1 && pane.choice != app::exactVariant();
     const auto revision = pane_.revision;
     pane_ = pane;
     pane_.revision = revision;

@@ -22,7 +22,7 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
 
 app::OverlaySubject subjectOf(const Controller& controller, const Pane& pane)
 {
-    app::OverlaySubject subject{.clipper = pane.choice,
+    app::OverlaySubject subject{.variant = pane.choice,
                                 .window = controller.window(),
                                 .line = lineLookedAt(controller),
                                 .seen = controller.view().visible(),

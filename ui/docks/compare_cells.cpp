@@ -4,8 +4,8 @@
 #include "app/charts/sparkline.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
-#include "ui/widgets/clipper_name.h"
 #include "ui/widgets/tabular.h"
+#include "ui/widgets/variant_name.h"
 
 #include <QPainter>
 #include <QSortFilterProxyModel>
@@ -35,7 +35,7 @@ void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& opti
                              const app::RaceRow& row) const
 {
     const auto& [algorithm, form] = row.contestant;
-    paintClipperName(painter, option.rect.adjusted(space::dockMargin, 0, 0, 0), option,
+    paintVariantName(painter, option.rect.adjusted(space::dockMargin, 0, 0, 0), option,
                      {algorithm, form});
 }
 

@@ -82,7 +82,7 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 {
     const clipping::Algorithm& algorithm = *row.contestant.algorithm;
     if (column == CompareModel::Differ && row.differences.all() > 0)
-        return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactClipper(),
+        return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactVariant(),
                              row.differences, lines);
     const QString name = row.contestant.form == clipping::Form::Published
                              ? Compare::tr("%1, as published").arg(app::latin(algorithm.name))

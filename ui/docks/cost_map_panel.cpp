@@ -7,10 +7,10 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"
-#include "ui/widgets/clipper_box.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
+#include "ui/widgets/variant_box.h"
 
 #include <QGridLayout>
 #include <QMenu>
@@ -28,7 +28,7 @@ constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Pu
 
 CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
     : QWidget(parent), plan_(app::usualCostPlan(window)),
-      algorithm_(new ClipperBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
+      algorithm_(new VariantBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
                                                   tr("Which is cheapest, as published")})),
       measure_(new ToolList), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
       view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
@@ -112,11 +112,11 @@ void CostMapPanel::choose()
     plan_.measure = &app::costMeasures()[std::size_t(measure_->currentIndex())];
     {
         const QSignalBlocker quietly(algorithm_);
-        algorithm_->offer([this](const app::Clipper& clipper) {
-            return app::canMeasure(clipper, *plan_.measure);
+        algorithm_->offer([this](const app::Variant& variant) {
+            return app::canMeasure(variant, *plan_.measure);
         });
     }
-    plan_.shown = algorithm_->clipper();
+    plan_.shown = algorithm_->variant();
     plan_.contestants =
         app::costContestants(plan_.shown ? clipping::Form::Corrected
                                          : cheapestForms[std::size_t(algorithm_->currentIndex())]);

@@ -10,7 +10,7 @@
 
 namespace ui {
 
-class ClipperBox;
+class VariantBox;
 class ToolList;
 class Segments;
 
@@ -51,7 +51,7 @@ private:
 
     app::LiveCostMap live_;
     app::CostPlan plan_;
-    ClipperBox* algorithm_;
+    VariantBox* algorithm_;
     ToolList* measure_;
     Segments* end_;
     CostMapView* view_;

@@ -63,7 +63,7 @@ QVariant DifferenceModel::headerData(int section, Qt::Orientation orientation, i
     if (role == Qt::TextAlignmentRole)
         return sideOf(section);
     const auto comparison =
-        session_.differences.asked().value_or(app::Comparison{app::exactClipper()});
+        session_.differences.asked().value_or(app::Comparison{app::exactVariant()});
     if (role == Qt::DisplayRole)
         return columnOf(section).heading(comparison);
     if (role == Qt::ToolTipRole)

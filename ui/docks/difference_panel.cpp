@@ -4,9 +4,9 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
-#include "ui/widgets/clipper_box.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/quiet_label.h"
+#include "ui/widgets/variant_box.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -24,7 +24,7 @@ constexpr int mostUlps = 1'000'000;
 constexpr int mostColumnWidth = 260;
 
 /// Published KWC loses lines, which is the difference to begin with.
-app::Clipper firstA()
+app::Variant firstA()
 {
     return {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"), clipping::Form::Published};
 }
@@ -32,14 +32,14 @@ app::Clipper firstA()
 } // namespace
 
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), model_(session), a_(new ClipperBox(tr("A"))),
-      b_(new ClipperBox(tr("B"))), ulps_(new QSpinBox), tick_(new QLabel), summary_(new QLabel),
+    : QWidget(parent), session_(session), model_(session), a_(new VariantBox(tr("A"))),
+      b_(new VariantBox(tr("B"))), ulps_(new QSpinBox), tick_(new QLabel), summary_(new QLabel),
       explanation_(new QLabel), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
     column->setSpacing(6);
-    setBoth(firstA(), app::exactClipper());
+    setBoth(firstA(), app::exactVariant());
     addChoosers();
     addTable();
     connect(&session.differences, &app::LiveDifferences::changed, this, &DifferencePanel::follow);
@@ -78,8 +78,8 @@ void DifferencePanel::addChoosers()
     grid->addLayout(allowed, 2, 1, 1, 2);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    connect(a_, &ClipperBox::currentIndexChanged, this, &DifferencePanel::change);
-    connect(b_, &ClipperBox::currentIndexChanged, this, &DifferencePanel::change);
+    connect(a_, &VariantBox::currentIndexChanged, this, &DifferencePanel::change);
+    connect(b_, &VariantBox::currentIndexChanged, this, &DifferencePanel::change);
     connect(ulps_, &QSpinBox::valueChanged, this, &DifferencePanel::ask);
     connect(exchange, &QToolButton::clicked, this, &DifferencePanel::swap);
 }
@@ -127,7 +127,7 @@ void DifferencePanel::addTable()
 
 app::Comparison DifferencePanel::wanted() const
 {
-    app::Comparison comparison{*a_->clipper(), *b_->clipper()};
+    app::Comparison comparison{*a_->variant(), *b_->variant()};
     if (ulps_->value() != asInContract)
         comparison.ulps = ulps_->value();
     return comparison;
@@ -149,14 +149,14 @@ void DifferencePanel::change()
     ask();
 }
 
-void DifferencePanel::setBoth(const app::Clipper& a, const app::Clipper& b)
+void DifferencePanel::setBoth(const app::Variant& a, const app::Variant& b)
 {
     const QScopedValueRollback together(following_, true);
     a_->choose(a);
     b_->choose(b);
 }
 
-void DifferencePanel::compare(const app::Clipper& a, const app::Clipper& b)
+void DifferencePanel::compare(const app::Variant& a, const app::Variant& b)
 {
     setBoth(a, b);
     change();
@@ -164,7 +164,7 @@ void DifferencePanel::compare(const app::Clipper& a, const app::Clipper& b)
 
 void DifferencePanel::swap()
 {
-    setBoth(*b_->clipper(), *a_->clipper());
+    setBoth(*b_->variant(), *a_->variant());
     ask();
 }
 
@@ -178,9 +178,9 @@ void DifferencePanel::follow()
         tr("%1 ulps, as in the contract").arg(app::numberText(contract, decimals)));
     ulps_->setSuffix(ulps_->value() == 1 ? tr(" ulp") : tr(" ulps"));
     QStringList wrong;
-    for (const app::Clipper& clipper : {comparison.a, comparison.b})
-        if (clipper.exhibit && !wrong.contains(clipper.exhibit->whatIsWrong))
-            wrong << clipper.exhibit->whatIsWrong;
+    for (const app::Variant& variant : {comparison.a, comparison.b})
+        if (variant.exhibit && !wrong.contains(variant.exhibit->whatIsWrong))
+            wrong << variant.exhibit->whatIsWrong;
     explanation_->setText(wrong.join(u'\n'));
     explanation_->setVisible(!wrong.isEmpty());
     table_->setVisible(model_.rowCount() > 0);

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-class ClipperBox;
+class VariantBox;
 
 /// A against B: the lines of which they leave different things, counted in a sentence and listed.
 /// While it is seen these lines are coloured on the canvas, and nothing is computed otherwise. A
@@ -22,7 +22,7 @@ public:
 
     QString summary() const { return summary_->text(); }
     /// Chooses both.
-    void compare(const app::Clipper& a, const app::Clipper& b);
+    void compare(const app::Variant& a, const app::Variant& b);
     /// The next difference of the list, or an earlier one; round and round.
     void go(int rows);
 
@@ -44,7 +44,7 @@ private:
     app::Comparison wanted() const;
     void ask();
     void change();
-    void setBoth(const app::Clipper& a, const app::Clipper& b);
+    void setBoth(const app::Variant& a, const app::Variant& b);
     void swap();
     void follow();
     void paintSummary();
@@ -54,7 +54,7 @@ private:
 
     app::Session& session_;
     DifferenceModel model_;
-    ClipperBox *a_, *b_;
+    VariantBox *a_, *b_;
     QSpinBox* ulps_;
     QLabel *tick_, *summary_, *explanation_;
     DenseTable* table_;

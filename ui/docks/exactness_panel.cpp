@@ -5,12 +5,12 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
-#include "ui/widgets/clipper_box.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/magnifier_view.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/variant_box.h"
 
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -33,7 +33,7 @@ QHBoxLayout* within()
 
 ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session),
-      algorithm_(new ClipperBox(tr("Algorithm"), {tr("The one that clips")})),
+      algorithm_(new VariantBox(tr("Algorithm"), {tr("The one that clips")})),
       yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("its own")})),
       end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
       lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
@@ -70,7 +70,7 @@ void ExactnessPanel::addChoosers()
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
     yardstick_->setToolTip(tr("A unit in the last place of the largest coordinate of line and clip "
                               "window, as in the library's contract, or of the coordinate itself"));
-    connect(algorithm_, &ClipperBox::currentIndexChanged, this, &ExactnessPanel::ask);
+    connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
 }
 
@@ -152,8 +152,8 @@ QWidget* ExactnessPanel::magnifierPage()
 app::LiveTruth::Question ExactnessPanel::wanted() const
 {
     const app::Display& display = session_.display();
-    const app::Clipper clipping{display.algorithm, display.usedForm()};
-    return {algorithm_->clipper().value_or(clipping),
+    const app::Variant clipping{display.algorithm, display.usedForm()};
+    return {algorithm_->variant().value_or(clipping),
             yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
 }
 
@@ -183,7 +183,7 @@ void ExactnessPanel::paintSummary()
     const bool known = truth.asked() && truth.upToDate();
     const bool wrong = known && truth.counts().classes.back() > 0;
     summary_->setText(
-        known ? app::sentence(truth.asked()->clipper, truth.counts(), truth.asked()->yardstick)
+        known ? app::sentence(truth.asked()->variant, truth.counts(), truth.asked()->yardstick)
               : tr("Judging %1 lines… %2")
                     .arg(app::countText(session_.scene.segments().size()),
                          app::percentText(truth.progress())));
@@ -199,7 +199,7 @@ void ExactnessPanel::showRow(int row)
     const std::size_t line = truth->source;
     session_.inspect(line);
     emit placeWanted(
-        app::placeOf({wanted().clipper}, session_.scene.segments()[line], session_.sheet().window));
+        app::placeOf({wanted().variant}, session_.scene.segments()[line], session_.sheet().window));
 }
 
 void ExactnessPanel::magnifyRow(int row)
@@ -221,17 +221,17 @@ void ExactnessPanel::magnify(std::size_t line, int end)
 
 void ExactnessPanel::showEnd()
 {
-    const app::Clipper clipper = wanted().clipper;
-    const auto seen = app::magnified(clipper, session_.scene.segments()[line_],
+    const app::Variant variant = wanted().variant;
+    const auto seen = app::magnified(variant, session_.scene.segments()[line_],
                                      session_.sheet().window, end_->chosen());
     magnifier_->setVisible(seen.has_value());
     if (!seen)
         return magnified_->setText(
             tr("%1 leaves nothing of this line that could be magnified: nothing is visible, or an "
                "end is no number.")
-                .arg(app::nameOf(clipper)));
-    magnifier_->show(*seen, app::nameOf(clipper));
-    magnified_->setText(app::magnifiedText(*seen, app::nameOf(clipper)));
+                .arg(app::nameOf(variant)));
+    magnifier_->show(*seen, app::nameOf(variant));
+    magnified_->setText(app::magnifiedText(*seen, app::nameOf(variant)));
 }
 
 void ExactnessPanel::leaveMagnifier()

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-class ClipperBox;
+class VariantBox;
 class ErrorHistogram;
 class Magnifier;
 class Segments;
@@ -56,7 +56,7 @@ private:
 
     app::Session& session_;
     TruthModel model_;
-    ClipperBox* algorithm_;
+    VariantBox* algorithm_;
     Segments *yardstick_, *end_, *lattice_;
     QLabel *summary_, *heading_, *magnified_;
     ErrorHistogram* histogram_;

@@ -123,7 +123,7 @@ QWidget* ExplanationWindow::bar()
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
     connect(look, &QToolButton::clicked, this, [this] {
         app::Specimen specimen = app::firstSpecimen(window_.session());
-        specimen.clipper = {page_->algorithm(), clipping::Form::Corrected};
+        specimen.variant = {page_->algorithm(), clipping::Form::Corrected};
         window_.session().microscope.open(specimen);
         window_.raise();
         window_.activateWindow();
@@ -266,7 +266,7 @@ ExplanationWindow& showExplanation(MainWindow& window)
 {
     const app::Session& session = window.session();
     return showExplanation(session.microscope.isOpen()
-                               ? *session.microscope.specimen().clipper.algorithm
+                               ? *session.microscope.specimen().variant.algorithm
                                : *session.display().algorithm,
                            window);
 }

@@ -3,7 +3,7 @@
 
 #include "ui/docks/algorithm_list.h"
 #include "ui/look.h"
-#include "ui/widgets/clipper_name.h"
+#include "ui/widgets/variant_name.h"
 
 #include <QPainter>
 
@@ -26,7 +26,7 @@ void TitlePainter::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const auto& algorithm = clipping::algorithms()[std::size_t(index.row())];
     const QRect row = option.rect.adjusted(space::dockMargin, 0, -space::labelToField, 0);
     drawRowGround(*painter, option);
-    paintClipperName(*painter, row, option, {&algorithm, clipping::Form::Corrected});
+    paintVariantName(*painter, row, option, {&algorithm, clipping::Form::Corrected});
     const QRect name = row.adjusted(nameAt, 0, 0, 0);
     painter->setFont(captionFont(option.font));
     painter->setPen(lookOf(option.palette).muted);

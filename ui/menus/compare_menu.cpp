@@ -67,7 +67,7 @@ void showMisprint(MainWindow& window)
     showDifferences(window);
     const app::Exhibit& misprint = app::exhibits().front();
     window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
-                                     app::exactClipper());
+                                     app::exactVariant());
 }
 
 void choose(MainWindow& window, clipping::Form form)

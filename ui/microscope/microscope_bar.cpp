@@ -96,7 +96,7 @@ void MicroscopeBar::addAlgorithm()
     row_->addWidget(forms);
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         const auto& chosen = clipping::algorithms()[std::size_t(index)];
-        const auto form = microscope_.specimen().clipper.form;
+        const auto form = microscope_.specimen().variant.form;
         drawn_.choose({&chosen, clipping::usesOf(chosen, form) ? form : clipping::Form::Corrected});
     });
     connect(corrected_, &QRadioButton::clicked, this,
@@ -149,7 +149,7 @@ void MicroscopeBar::addEnd()
 
 void MicroscopeBar::choose(clipping::Form form)
 {
-    drawn_.choose({microscope_.specimen().clipper.algorithm, form});
+    drawn_.choose({microscope_.specimen().variant.algorithm, form});
 }
 
 void MicroscopeBar::setLine(const clipping::Segment& line)
@@ -162,7 +162,7 @@ void MicroscopeBar::setLine(const clipping::Segment& line)
 void MicroscopeBar::follow()
 {
     const app::Specimen& specimen = microscope_.specimen();
-    const auto* algorithm = specimen.clipper.algorithm;
+    const auto* algorithm = specimen.variant.algorithm;
     if (!algorithm)
         return;
     algorithm_->setCurrentIndex(int(algorithm - clipping::algorithms().data()));
@@ -172,7 +172,7 @@ void MicroscopeBar::follow()
                                 : tr("%1 has no published form: it is always the corrected one")
                                       .arg(app::latin(algorithm->name)));
     corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
-    (specimen.clipper.form == clipping::Form::Published ? published_ : corrected_)
+    (specimen.variant.form == clipping::Form::Published ? published_ : corrected_)
         ->setChecked(true);
     line_->show(specimen.line);
     previous_->setEnabled(drawn_.line().has_value());

@@ -124,7 +124,7 @@ QWidget* MicroscopePage::makeRight()
                        "QToolButton:hover, QToolButton:focus { text-decoration: underline; }"));
     code->add(about);
     connect(about, &QToolButton::clicked, this,
-            [this] { emit aboutWanted(session_.microscope.specimen().clipper.algorithm); });
+            [this] { emit aboutWanted(session_.microscope.specimen().variant.algorithm); });
     right_->addWidget(underHeading(code, code_));
     right_->addWidget(underHeading(new Heading(tr("Variables")), variables_));
     right_->setStretchFactor(0, 3);

@@ -276,7 +276,7 @@ void JudgeWindow::saveExample()
 /// The reference, step by step, in the editor's microscope.
 void JudgeWindow::lookAt(const app::plug_in::Finding& finding)
 {
-    session_.microscope.open({app::exactClipper(), finding.question.line, finding.question.window,
+    session_.microscope.open({app::exactVariant(), finding.question.line, finding.question.window,
                               app::YAxis::Up,
                               tr("%1, where your algorithm is wrong")
                                   .arg(app::plug_in::categories()[finding.category].name)});

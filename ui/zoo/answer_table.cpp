@@ -4,8 +4,8 @@
 #include "app/teaching/walk.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
-#include "ui/widgets/clipper_name.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/variant_name.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -34,7 +34,7 @@ public:
         QRect cell = option.rect.adjusted(DenseTable::gap, 0, -DenseTable::gap, 0);
         if (index.column() == AnswerModel::Name) {
             cell.setLeft(option.rect.left() + space::dockMargin);
-            return paintClipperName(*painter, cell, option, answer.clipper);
+            return paintVariantName(*painter, cell, option, answer.variant);
         }
         const bool wrong = !answer.good();
         if (index.column() == AnswerModel::Verdict) {
@@ -87,7 +87,7 @@ QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
 {
     switch (column) {
     case Name:
-        return app::nameOf(answer.clipper);
+        return app::nameOf(answer.variant);
     case Verdict:
         return app::words(answer);
     case Error: // of nothing, and of what is no number, there is none
@@ -108,7 +108,7 @@ QVariant AnswerModel::data(const QModelIndex& index, int role) const
         return text(answer, index.column());
     if (role == Qt::ToolTipRole)
         return tr("%1: %2\n%3")
-            .arg(app::titleOf(answer.clipper), app::words(answer), app::pieceText(answer.visible));
+            .arg(app::titleOf(answer.variant), app::words(answer), app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
@@ -139,13 +139,13 @@ AnswerTable::AnswerTable(QWidget* parent) : DenseTable(parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
 }
 
-void AnswerTable::show(const app::HardCase& hard, const app::Clipper& first)
+void AnswerTable::show(const app::HardCase& hard, const app::Variant& first)
 {
     model_.show(hard);
     setFixedHeight(horizontalHeader()->sizeHint().height()
                    + model_.rowCount() * space::denseRowHeight);
     const auto& all = model_.answers();
-    const auto found = std::ranges::find(all, first, &app::CaseAnswer::clipper);
+    const auto found = std::ranges::find(all, first, &app::CaseAnswer::variant);
     setCurrentIndex(model_.index(found == all.end() ? 0 : int(found - all.begin()), 0));
 }
 

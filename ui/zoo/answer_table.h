@@ -39,7 +39,7 @@ public:
     explicit AnswerTable(QWidget* parent = nullptr);
 
     /// Chooses `first` there.
-    void show(const app::HardCase& hard, const app::Clipper& first);
+    void show(const app::HardCase& hard, const app::Variant& first);
     const AnswerModel& answers() const { return model_; }
     const app::CaseAnswer* chosen() const; ///< null: none
 

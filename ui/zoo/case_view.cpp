@@ -57,11 +57,11 @@ CaseView::CaseView(QWidget* parent)
     connect(table_, &AnswerTable::answerChosen, this, &CaseView::showAnswer);
     connect(microscope_, &QPushButton::clicked, this, [this] {
         if (hard_ && table_->chosen())
-            emit microscopeWanted(*hard_, table_->chosen()->clipper);
+            emit microscopeWanted(*hard_, table_->chosen()->variant);
     });
     connect(draw_, &QPushButton::clicked, this, [this] {
         if (hard_ && table_->chosen())
-            emit drawingWanted(*hard_, table_->chosen()->clipper);
+            emit drawingWanted(*hard_, table_->chosen()->variant);
     });
 }
 
@@ -139,12 +139,12 @@ void CaseView::showAnswer()
     portrait_->show(*hard_, *answer);
     note_->setVisible(!app::isToScale(*hard_, answer));
     portrait_->setAccessibleName(
-        tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->clipper), app::words(*answer)));
-    microscope_->setEnabled(!answer->clipper.exhibit);
+        tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
+    microscope_->setEnabled(!answer->variant.exhibit);
     microscope_->setToolTip(
-        answer->clipper.exhibit
+        answer->variant.exhibit
             ? tr("An exhibit: its steps are not recorded.")
-            : tr("With %1, the row that is chosen below").arg(app::nameOf(answer->clipper)));
+            : tr("With %1, the row that is chosen below").arg(app::nameOf(answer->variant)));
 }
 
 void CaseView::changeEvent(QEvent* event)

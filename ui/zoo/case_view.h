@@ -25,8 +25,8 @@ public:
     AnswerTable& table() { return *table_; }
 
 signals:
-    void microscopeWanted(const app::HardCase& hard, const app::Clipper& clipper);
-    void drawingWanted(const app::HardCase& hard, const app::Clipper& clipper);
+    void microscopeWanted(const app::HardCase& hard, const app::Variant& variant);
+    void drawingWanted(const app::HardCase& hard, const app::Variant& variant);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -88,31 +88,31 @@ void ZooWindow::choose(const app::HardCase& hard)
     list_->choose(hard);
 }
 
-void ZooWindow::chooseFailing(const QString& clipper)
+void ZooWindow::chooseFailing(const QString& variant)
 {
     for (std::size_t i = 0; i < choices_.size(); ++i)
-        if (!clipper.isEmpty() && choices_[i].filter.clipper == clipper) {
+        if (!variant.isEmpty() && choices_[i].filter.variant == variant) {
             search_->clear();
             choice_->setCurrentIndex(int(i));
         }
 }
 
-void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Clipper& clipper)
+void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Variant& variant)
 {
-    window_.session().microscope.open(app::specimenOf(hard, clipper));
+    window_.session().microscope.open(app::specimenOf(hard, variant));
     window_.raise();
     window_.activateWindow();
 }
 
 /// With what was looked at, so that its answer is what the canvas shows.
-void ZooWindow::draw(const app::HardCase& hard, const app::Clipper& clipper)
+void ZooWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
     auto sheet = app::sheetOf(hard);
     if (!sheet || !window_.files().openMade(std::move(*sheet.value), hard.title))
         return;
     app::Display display = window_.session().display();
-    display.algorithm = clipper.algorithm;
-    display.form = clipper.form;
+    display.algorithm = variant.algorithm;
+    display.form = variant.form;
     window_.session().setDisplay(display);
     window_.raise();
     window_.activateWindow();

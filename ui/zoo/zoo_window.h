@@ -23,8 +23,8 @@ public:
     explicit ZooWindow(MainWindow& window);
 
     void choose(const app::HardCase& hard); ///< whatever is searched for
-    /// Those at which a clipper fails; nothing, if it is none that can be chosen.
-    void chooseFailing(const QString& clipper);
+    /// Those at which a variant fails; nothing, if it is none that can be chosen.
+    void chooseFailing(const QString& variant);
     CaseList& list() { return *list_; }
     CaseView& view() { return *view_; }
 
@@ -34,8 +34,8 @@ protected:
 private:
     QWidget* left();
     void filter();
-    void openMicroscope(const app::HardCase& hard, const app::Clipper& clipper);
-    void draw(const app::HardCase& hard, const app::Clipper& clipper);
+    void openMicroscope(const app::HardCase& hard, const app::Variant& variant);
+    void draw(const app::HardCase& hard, const app::Variant& variant);
 
     MainWindow& window_;
     QLineEdit* search_;

@@ -31,11 +31,11 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
         return std::nullopt;
     const auto operation = std::ranges::find_if(
         operations, [&](const Operation& o) { return words[0] == QLatin1StringView(o.word); });
-    const auto one = findClipper(words[1]), other = findClipper(words[2]);
+    const auto one = findVariant(words[1]), other = findVariant(words[2]);
     if (operation == operations.end() || !one || !other || one->exhibit || other->exhibit)
         return std::nullopt;
-    const auto count = [&](const Clipper& clipper) {
-        return clipping::usesOf(*clipper.algorithm, clipper.form)
+    const auto count = [&](const Variant& variant) {
+        return clipping::usesOf(*variant.algorithm, variant.form)
                    ->count({&specimen.line, 1}, specimen.window)
                .*(operation->count);
     };

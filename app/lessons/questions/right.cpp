@@ -41,10 +41,10 @@ int verdictOn(const Walk& walk, const std::vector<Difference>& found)
                                                       : 3;
 }
 
-QString promptFor(const Clipper& clipper)
+QString promptFor(const Variant& variant)
 {
-    const QString name = latin(clipper.algorithm->abbreviation);
-    return clipper.form == clipping::Form::Published
+    const QString name = latin(variant.algorithm->abbreviation);
+    return variant.form == clipping::Form::Published
                ? tr("Does the published %1 get this line right?").arg(name)
                : tr("Does the corrected %1 get this line right?").arg(name);
 }
@@ -53,10 +53,10 @@ QString promptFor(const Clipper& clipper)
 std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::size_t,
                             const QStringList&)
 {
-    const Clipper exact = exactClipper();
-    const double ulps = contractUlps(specimen.clipper, exact);
+    const Variant exact = exactVariant();
+    const double ulps = contractUlps(specimen.variant, exact);
     const auto found =
-        differences({&specimen.line, 1}, specimen.window, specimen.clipper, exact, ulps);
+        differences({&specimen.line, 1}, specimen.window, specimen.variant, exact, ulps);
     const int verdict = verdictOn(walk, found);
     QString reason = tr(verdicts[std::size_t(verdict)].reason);
     if (!found.empty())
@@ -64,7 +64,7 @@ std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::siz
     QStringList choices;
     for (const Verdict& row : verdicts)
         choices << tr(row.choice);
-    return Question{promptFor(specimen.clipper), choices, verdict, reason,
+    return Question{promptFor(specimen.variant), choices, verdict, reason,
                     tr("Which decisions use a number that was rounded before? Think what happens "
                        "if that number is slightly too large or too small.")};
 }

@@ -15,7 +15,7 @@ QString tr(const char* text) { return QCoreApplication::translate("questions", t
 /// "ask visible": which of the four ways the line ends. What `exact` says.
 std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, const QStringList&)
 {
-    const auto piece = clipped(exactClipper(), specimen.line, specimen.window);
+    const auto piece = clipped(exactVariant(), specimen.line, specimen.window);
     const QString reason =
         !piece ? tr("No point of the line lies inside the window.")
         : *piece == specimen.line

@@ -144,7 +144,7 @@ QString given(const Telling& telling, const QStringList& code)
 
 QString generalSentence(const Telling& telling)
 {
-    const QStringList code = codeOf(telling.specimen.clipper);
+    const QStringList code = codeOf(telling.specimen.variant);
     switch (telling.step.what) {
     case What::Test:
         return asked(telling, code);

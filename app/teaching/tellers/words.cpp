@@ -136,7 +136,7 @@ QString accepted(const Telling& telling)
 
 bool isPublished(const Telling& telling)
 {
-    return telling.specimen.clipper.form == clipping::Form::Published;
+    return telling.specimen.variant.form == clipping::Form::Published;
 }
 
 bool isOutside(const Point& p, const clipping::Window& w)

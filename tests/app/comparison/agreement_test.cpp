@@ -29,7 +29,7 @@ private slots:
         const Window window{{0, -5}, {10, 5}};
         const auto found = app::dissents(segments, window, *findAlgorithm("kwc"), Form::Published);
         QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(found[0].clipper.form, Form::Published);
+        QCOMPARE(found[0].variant.form, Form::Published);
         QCOMPARE(found[0].lost + found[0].moved, std::size_t(1));
         QCOMPARE(found[0].segments, std::vector<std::uint32_t>{0});
         QVERIFY(app::sentence(found).startsWith("KWC as published "));

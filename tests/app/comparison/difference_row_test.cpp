@@ -40,7 +40,7 @@ private slots:
         }
         session.drawing.load(std::move(sheet));
         session.differences.ask(
-            app::Comparison{*app::findClipper("cb:published"), app::exactClipper(), 0});
+            app::Comparison{*app::findVariant("cb:published"), app::exactVariant(), 0});
         session.differences.finish();
         const auto& list = session.differences.found().list;
         QVERIFY(!list.empty());
@@ -71,7 +71,7 @@ private slots:
         line.paths = {{{40, 80}, {{{60, 120}}}}};
         sheet.shapes.push_back(std::move(line));
         session.drawing.load(std::move(sheet));
-        session.differences.ask(app::Comparison{*app::findClipper("md-step-2")});
+        session.differences.ask(app::Comparison{*app::findVariant("md-step-2")});
         session.differences.finish();
         const auto& list = session.differences.found().list;
         QCOMPARE(list.size(), std::size_t(1));
@@ -93,7 +93,7 @@ private slots:
             sheet.shapes.push_back(std::move(line));
         }
         session.drawing.load(std::move(sheet));
-        session.differences.ask(app::Comparison{*app::findClipper("kwc:published")});
+        session.differences.ask(app::Comparison{*app::findVariant("kwc:published")});
         session.differences.finish();
         const auto& list = session.differences.found().list;
         QVERIFY(list.size() > 10);

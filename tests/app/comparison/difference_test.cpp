@@ -7,9 +7,9 @@
 #include <random>
 
 using namespace clipping;
-using app::Clipper;
 using app::Difference;
 using app::Ends;
+using app::Variant;
 using Kind = app::Difference::Kind;
 
 namespace {
@@ -26,9 +26,9 @@ std::vector<Segment> paperScene(std::size_t count)
     return segments;
 }
 
-Clipper published(const char* name) { return {findAlgorithm(name), Form::Published}; }
-Clipper corrected(const char* name) { return {findAlgorithm(name), Form::Corrected}; }
-Clipper exhibit(std::size_t index)
+Variant published(const char* name) { return {findAlgorithm(name), Form::Published}; }
+Variant corrected(const char* name) { return {findAlgorithm(name), Form::Corrected}; }
+Variant exhibit(std::size_t index)
 {
     return {findAlgorithm("md"), Form::Published, &app::exhibits()[index]};
 }
@@ -39,8 +39,8 @@ struct Tolerance {
 };
 
 /// Line by line, with the function for one line, and ulps from the exponent.
-std::vector<Difference> byHand(std::span<const Segment> lines, const Window& w, const Clipper& a,
-                               const Clipper& b, const Tolerance& tolerance)
+std::vector<Difference> byHand(std::span<const Segment> lines, const Window& w, const Variant& a,
+                               const Variant& b, const Tolerance& tolerance)
 {
     std::vector<Difference> found;
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -86,8 +86,8 @@ private slots:
     {
         QFETCH(double, allowed);
         const auto scene = paperScene(20'000);
-        for (const Clipper& a : app::clippers())
-            for (const Clipper& b : {corrected("exact"), published("skala")}) {
+        for (const Variant& a : app::variants())
+            for (const Variant& b : {corrected("exact"), published("skala")}) {
                 if (a.exhibit)
                     continue;
                 const bool eitherWay = a.form == Form::Published || b.form == Form::Published;
@@ -184,7 +184,7 @@ private slots:
 
     void everySentence()
     {
-        const Clipper md = corrected("md"), lb = corrected("lb");
+        const Variant md = corrected("md"), lb = corrected("lb");
         QCOMPARE(app::sentence(md, lb, {1, 1, 1}, 9),
                  "MD loses 1 line that LB keeps, keeps 1 line that LB drops "
                  "and ends 1 line elsewhere than LB");
@@ -221,17 +221,17 @@ private slots:
         QVERIFY(counts.endsApart > 0);
     }
 
-    void everyClipperHasANameOfItsOwn()
+    void everyVariantHasANameOfItsOwn()
     {
         QStringList names;
-        for (const Clipper& clipper : app::clippers())
-            names << app::nameOf(clipper);
+        for (const Variant& variant : app::variants())
+            names << app::nameOf(variant);
         QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
-        for (const Clipper& clipper : app::clippers())
-            QCOMPARE(app::findClipper(app::keyOf(clipper)), clipper);
-        QCOMPARE(app::findClipper("KWC:published"), published("kwc"));
-        QVERIFY(!app::findClipper("exact:published") && !app::findClipper("")
-                && !app::findClipper("x"));
+        for (const Variant& variant : app::variants())
+            QCOMPARE(app::findVariant(app::keyOf(variant)), variant);
+        QCOMPARE(app::findVariant("KWC:published"), published("kwc"));
+        QVERIFY(!app::findVariant("exact:published") && !app::findVariant("")
+                && !app::findVariant("x"));
         QVERIFY(names.contains("exact"));
         QVERIFY(names.contains("KWC as published"));
         QVERIFY(names.contains("MD with Step 2 as printed"));

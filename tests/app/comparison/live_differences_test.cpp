@@ -34,7 +34,7 @@ app::Sheet sheetOf(std::size_t lines)
 
 Comparison kwcAgainstExact()
 {
-    return {{findAlgorithm("kwc"), Form::Published}, app::exactClipper()};
+    return {{findAlgorithm("kwc"), Form::Published}, app::exactVariant()};
 }
 
 std::vector<app::Difference> atOnce(const app::Session& session, const Comparison& comparison,
@@ -133,7 +133,7 @@ private slots:
                 QVERIFY(std::ranges::any_of(pieces, [&](const Clipped& piece) {
                     return piece.source == difference.source
                            && piece.segment
-                                  == app::clipped(app::exactClipper(),
+                                  == app::clipped(app::exactVariant(),
                                                   session.scene.segments()[difference.source],
                                                   moved);
                 }));
@@ -151,7 +151,7 @@ private slots:
         session.differences.ask(kwcAgainstExact());
         QTest::qWait(20);
         QVERIFY(changed.isEmpty());
-        Comparison stricter{{findAlgorithm("md"), Form::Corrected}, app::exactClipper(), 0};
+        Comparison stricter{{findAlgorithm("md"), Form::Corrected}, app::exactVariant(), 0};
         session.differences.ask(stricter);
         QTRY_VERIFY(session.differences.upToDate());
         QVERIFY(!session.differences.found().list.empty()); // MD rounds
@@ -178,8 +178,8 @@ private slots:
     {
         app::Session session;
         session.drawing.load(sheetOf(LiveDifferences::mostAtOnce));
-        for (const app::Clipper& clipper : app::clippers()) {
-            session.differences.ask(Comparison{clipper});
+        for (const app::Variant& variant : app::variants()) {
+            session.differences.ask(Comparison{variant});
             session.differences.finish();
             double best = 1e9;
             for (int i = 0; i < 3; ++i) {
@@ -189,7 +189,7 @@ private slots:
                 session.differences.finish();
                 best = std::min(best, double(clock.nsecsElapsed()) * 1e-6);
             }
-            qInfo("%s against exact: %.1f ms", qPrintable(app::nameOf(clipper)), best);
+            qInfo("%s against exact: %.1f ms", qPrintable(app::nameOf(variant)), best);
             QVERIFY(session.differences.upToDate());
         }
     }

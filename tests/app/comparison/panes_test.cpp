@@ -7,15 +7,15 @@
 #include <random>
 #include <set>
 
-using app::Clipper;
 using app::Panes;
+using app::Variant;
 
 namespace {
 
 constexpr double usual = 4.0 / 3;
 constexpr auto published = clipping::Form::Published;
 
-Clipper row(const char* key, clipping::Form form = clipping::Form::Corrected)
+Variant row(const char* key, clipping::Form form = clipping::Form::Corrected)
 {
     return {clipping::findAlgorithm(key), form};
 }
@@ -24,7 +24,7 @@ QString words(const Panes& panes)
 {
     QStringList all;
     for (std::size_t i = 0; i < panes.size(); ++i) {
-        const Clipper& choice = panes.choices()[i];
+        const Variant& choice = panes.choices()[i];
         const QString word = QString::fromStdString(std::string(choice.algorithm->abbreviation))
                              + (choice.form == published ? "'" : "");
         all << (i == panes.active() ? "[" + word + "]" : word);
@@ -50,7 +50,7 @@ QString allOf(const QString& abbreviation, const QString& active)
 bool twice(const Panes& panes)
 {
     std::set<std::pair<const void*, clipping::Form>> seen;
-    for (const Clipper& choice : panes.choices())
+    for (const Variant& choice : panes.choices())
         seen.insert({choice.algorithm, choice.form});
     return seen.size() != panes.size();
 }
@@ -124,7 +124,7 @@ private slots:
     }
     void fewOfAllAreNoLongerAll()
     {
-        Panes panes(app::exactClipper());
+        Panes panes(app::exactVariant());
         panes.showAll();
         while (panes.size() > Panes::most) {
             QVERIFY(panes.showsAll());
@@ -195,7 +195,7 @@ private slots:
                 break;
             default: {
                 const bool faulty = any.published && random() % 2;
-                const Clipper wish{&any, faulty ? published : clipping::Form::Corrected};
+                const Variant wish{&any, faulty ? published : clipping::Form::Corrected};
                 panes.choose(wish);
                 QVERIFY(panes.chosen() == wish);
             }

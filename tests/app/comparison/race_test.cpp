@@ -53,13 +53,13 @@ std::vector<Clipped> clipped(const Uses<Segment, Window>& uses, std::span<const 
 }
 
 /// Each line clipped by itself, by `clip` instead of `clipAll`.
-app::DifferenceCounts countedOneByOne(const app::Clipper& clipper, std::span<const Segment> lines,
+app::DifferenceCounts countedOneByOne(const app::Variant& variant, std::span<const Segment> lines,
                                       const Window& w)
 {
-    const double ulps = clipper.algorithm->ulps + exactAlgorithm().ulps;
+    const double ulps = variant.algorithm->ulps + exactAlgorithm().ulps;
     app::DifferenceCounts counts;
     for (const Segment& line : lines) {
-        const auto found = usesOf(*clipper.algorithm, clipper.form)->clip(line, w);
+        const auto found = usesOf(*variant.algorithm, variant.form)->clip(line, w);
         const auto truth = exactAlgorithm().corrected.clip(line, w);
         counts.onlyA += found && !truth;
         counts.onlyB += truth && !found;
@@ -209,7 +209,7 @@ private slots:
     void findingsMayComeLater()
     {
         const auto lines = scattered(2000);
-        const app::Clipper kwc{findAlgorithm("kwc"), Form::Published};
+        const app::Variant kwc{findAlgorithm("kwc"), Form::Published};
         app::Race race({{kwc.algorithm, kwc.form}});
         const Window other{{0, 0}, {9, 9}};
         const auto found = [&] { return race.rows()[0].differences; };

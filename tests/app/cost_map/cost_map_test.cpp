@@ -23,10 +23,10 @@ namespace {
 
 constexpr Window window{{-100, -75}, {100, 75}};
 
-CostPlan planOf(const Clipper& clipper, const CostMeasure& measure)
+CostPlan planOf(const Variant& variant, const CostMeasure& measure)
 {
     CostPlan plan = usualCostPlan(window);
-    plan.shown = clipper;
+    plan.shown = variant;
     plan.measure = &measure;
     plan.columns = 24;
     plan.rows = 18;
@@ -59,21 +59,21 @@ private slots:
     {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("measure");
-        for (const Clipper& clipper : clippers())
+        for (const Variant& variant : variants())
             for (const CostMeasure& measure : costMeasures())
-                if (!clipper.exhibit && !measure.isTime())
-                    QTest::addRow("%s %s", qPrintable(keyOf(clipper)), measure.key.data())
-                        << keyOf(clipper) << latin(measure.key);
+                if (!variant.exhibit && !measure.isTime())
+                    QTest::addRow("%s %s", qPrintable(keyOf(variant)), measure.key.data())
+                        << keyOf(variant) << latin(measure.key);
     }
     void everyCellIsTheCountOfItsLine()
     {
         QFETCH(QString, key);
         QFETCH(QString, measure);
-        const Clipper clipper = *findClipper(key);
-        const CostPlan plan = planOf(clipper, *findCostMeasure(measure));
+        const Variant variant = *findVariant(key);
+        const CostPlan plan = planOf(variant, *findCostMeasure(measure));
         const CostMap map = costMap(plan);
         QVERIFY(map.complete());
-        const auto* uses = usesOf(*clipper.algorithm, clipper.form);
+        const auto* uses = usesOf(*variant.algorithm, variant.form);
         for (int row = 0; row < plan.rows; ++row)
             for (int column = 0; column < plan.columns; ++column) {
                 const Point middle(-300 + 600 * (column + 0.5) / 24, -225 + 450 * (row + 0.5) / 18);
@@ -140,9 +140,9 @@ private slots:
             QVERIFY2(nanoseconds > 0.1 && nanoseconds < 1e6,
                      qPrintable(QString::number(nanoseconds)));
         for (const Exhibit& exhibit : exhibits()) {
-            const Clipper clipper{exhibit.meant, Form::Published, &exhibit};
-            QVERIFY(canMeasure(clipper, *plan.measure));
-            QVERIFY(!canMeasure(clipper, costMeasures().front()));
+            const Variant variant{exhibit.meant, Form::Published, &exhibit};
+            QVERIFY(canMeasure(variant, *plan.measure));
+            QVERIFY(!canMeasure(variant, costMeasures().front()));
         }
     }
 

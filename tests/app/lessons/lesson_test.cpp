@@ -262,7 +262,7 @@ private slots:
     void theFirstLessonBeginsEasily()
     {
         for (const app::LessonPage& page : app::lessons().front().pages)
-            QCOMPARE(app::keyOf(page.specimen.clipper), QStringLiteral("cohen-sutherland"));
+            QCOMPARE(app::keyOf(page.specimen.variant), QStringLiteral("cohen-sutherland"));
     }
     /// Where p is 0 it asks, and there the algorithm really does not divide.
     void theQuestionAboutParallelLinesIsAskedWherePIsZero()

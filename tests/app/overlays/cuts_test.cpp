@@ -5,11 +5,11 @@
 
 #include "tests/app/overlays/overlay_cases.h"
 
-using app::Clipper;
 using app::Emphasis;
 using app::Overlay;
 using app::OverlayLine;
 using app::OverlayMark;
+using app::Variant;
 using clipping::Segment;
 using clipping::What;
 using clipping::Window;
@@ -18,17 +18,17 @@ namespace {
 
 constexpr int cases = 1000;
 
-Overlay of(const Clipper& clipper, const Window& w, const Segment& line)
+Overlay of(const Variant& variant, const Window& w, const Segment& line)
 {
-    app::Seeing seeing{{clipper, w, line, {}, everything}};
+    app::Seeing seeing{{variant, w, line, {}, everything}};
     seeing.trace = seeing.traceOf(line);
     return app::traceOverlay(seeing);
 }
 
 /// What is said of it if its steps name no edge.
-QString captionWithoutEdges(const Clipper& clipper, const Window& w, const Segment& line)
+QString captionWithoutEdges(const Variant& variant, const Window& w, const Segment& line)
 {
-    app::Seeing seeing{{clipper, w, line, {}, everything}};
+    app::Seeing seeing{{variant, w, line, {}, everything}};
     seeing.trace = seeing.traceOf(line);
     for (clipping::Step& step : seeing.trace.steps)
         step.edge = clipping::Edge::None;
@@ -56,9 +56,9 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
-            for (const Clipper& clipper : formsOf({"CS", "LB", "CB", "MD"})) {
-                const auto trace = traceOf(clipper, line, w);
-                const Overlay overlay = of(clipper, w, line);
+            for (const Variant& variant : formsOf({"CS", "LB", "CB", "MD"})) {
+                const auto trace = traceOf(variant, line, w);
+                const Overlay overlay = of(variant, w, line);
                 const auto marks = cutsIn(overlay);
                 for (const clipping::Step& step : trace.steps)
                     if (step.what == What::Cut && marks.size() < 8)
@@ -68,12 +68,12 @@ private slots:
                                                                 || m.at == step.segment.b;
                                                      })
                                      || step.segment == line,
-                                 said(clipper, w, line));
+                                 said(variant, w, line));
                 const auto lit = std::ranges::count_if(overlay.lines, [](const OverlayLine& l) {
                     return l.kind == OverlayLine::Kind::Border && l.emphasis == Emphasis::Lit;
                 });
-                QVERIFY2((lit > 0) == !marks.empty(), said(clipper, w, line));
-                QVERIFY2(overlay.table.has_value() == !marks.empty(), said(clipper, w, line));
+                QVERIFY2((lit > 0) == !marks.empty(), said(variant, w, line));
+                QVERIFY2(overlay.table.has_value() == !marks.empty(), said(variant, w, line));
                 if (!marks.empty())
                     QCOMPARE(overlay.table->rows.size(), marks.size());
                 cut += int(marks.size());
@@ -85,16 +85,16 @@ private slots:
     void aCutWithoutAnEdgeIsACut()
     {
         const Window w{{0, 0}, {4, 3}};
-        for (const Clipper& clipper : everyForm()) {
-            const QString cut = captionWithoutEdges(clipper, w, {{-2, 1}, {6, 2}});
+        for (const Variant& variant : everyForm()) {
+            const QString cut = captionWithoutEdges(variant, w, {{-2, 1}, {6, 2}});
             QVERIFY2(cut.endsWith("cuts the line: what is left is visible."), qPrintable(cut));
-            const QString whole = captionWithoutEdges(clipper, w, {{1, 1}, {2, 2}});
+            const QString whole = captionWithoutEdges(variant, w, {{1, 1}, {2, 2}});
             QVERIFY2(whole.endsWith("cuts nothing: the whole line is visible."), qPrintable(whole));
         }
     }
     void theCaptionSaysWhatBecomesOfTheLine()
     {
-        const Clipper md{clipping::findAlgorithm("MD")};
+        const Variant md{clipping::findAlgorithm("MD")};
         const Window w{{0, 0}, {4, 3}};
         const auto caption = [&](const Segment& line) { return of(md, w, line).caption; };
         const QString name = "Matthes-Drakopoulos ";
@@ -106,7 +106,7 @@ private slots:
                      + "cuts the line at the left edge and the right edge: what is left is "
                        "visible.");
         QVERIFY(caption({{-2, 2}, {1, 5}}).endsWith("and then rejects it: nothing is visible."));
-        const Clipper cs{clipping::findAlgorithm("CS"), clipping::Form::Published};
+        const Variant cs{clipping::findAlgorithm("CS"), clipping::Form::Published};
         QCOMPARE(of(cs, {{0.1, 0.1}, {3, 3}}, {{1, 1}, {-1, -1}}).caption,
                  "Cohen-Sutherland does not end on this line and is stopped: nothing is visible.");
         QCOMPARE(of({clipping::findAlgorithm("CS")}, w, {{-6, -1}, {6, 2.5}}).caption,

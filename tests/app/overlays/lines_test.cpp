@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/overlays/overlay_cases.h"
 
-using app::Clipper;
 using app::Emphasis;
 using app::Overlay;
 using app::OverlayArea;
 using app::OverlayMark;
 using app::Point;
+using app::Variant;
 using app::YAxis;
 using clipping::Edge;
 using clipping::Segment;
@@ -30,10 +30,10 @@ bool isCorner(const Point& p, const Window& w)
     return (p.x == w.min.x || p.x == w.max.x) && (p.y == w.min.y || p.y == w.max.y);
 }
 
-Overlay of(const Clipper& clipper, const Window& w, const Segment& line,
+Overlay of(const Variant& variant, const Window& w, const Segment& line,
            std::optional<Point> pointer = {}, YAxis y = YAxis::Up)
 {
-    return app::overlayOf({clipper, w, line, pointer, everything, y});
+    return app::overlayOf({variant, w, line, pointer, everything, y});
 }
 
 } // namespace
@@ -49,12 +49,12 @@ private slots:
         for (int i = 0; i < 2 * cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
-            for (const Clipper& clipper : formsOf({"NLN"})) {
-                const QByteArray what = said(clipper, w, line);
+            for (const Variant& variant : formsOf({"NLN"})) {
+                const QByteArray what = said(variant, w, line);
                 clipping::Clipped piece[1];
-                const bool visible = app::clipAll(clipper, {&line, 1}, w, piece) == 1;
-                const auto areas = pointed(of(clipper, w, {line.a, line.a}, line.b));
-                const auto lit = of(clipper, w, line).areas;
+                const bool visible = app::clipAll(variant, {&line, 1}, w, piece) == 1;
+                const auto areas = pointed(of(variant, w, {line.a, line.a}, line.b));
+                const auto lit = of(variant, w, line).areas;
                 const auto isLit = [](const OverlayArea& a) { return a.emphasis == Emphasis::Lit; };
                 QVERIFY2(areas.size() == (visible ? 1 : 0), what);
                 QVERIFY2(std::ranges::count_if(lit, isLit) == (visible ? 1 : 0), what);
@@ -75,7 +75,7 @@ private slots:
     void sectorsCoverThePlaneOnce()
     {
         Cases some(2);
-        const Clipper nln{clipping::findAlgorithm("NLN")};
+        const Variant nln{clipping::findAlgorithm("NLN")};
         int inside = 0;
         for (int i = 0; i < 2 * cases; ++i) {
             const Window w = some.window();
@@ -107,13 +107,13 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
-            for (const Clipper& clipper : formsOf({"LB", "CB"})) {
+            for (const Variant& variant : formsOf({"LB", "CB"})) {
                 if (w.min.x == w.max.x || w.min.y == w.max.y)
-                    if (clipper.form == clipping::Form::Published)
+                    if (variant.form == clipping::Form::Published)
                         continue; // CB's normals vanish, and with them what it could see
-                const QByteArray what = said(clipper, w, line);
-                const auto trace = traceOf(clipper, line, w);
-                const Overlay overlay = of(clipper, w, line);
+                const QByteArray what = said(variant, w, line);
+                const auto trace = traceOf(variant, line, w);
+                const Overlay overlay = of(variant, w, line);
                 QVERIFY2((overlay.axis->from <= overlay.axis->to)
                              == (trace.outcome == clipping::Outcome::Visible),
                          what);
@@ -142,7 +142,7 @@ private slots:
     void entriesAndExitsAreMarkedOnTheirEdges()
     {
         Cases some(4);
-        const Clipper lb{clipping::findAlgorithm("LB")};
+        const Variant lb{clipping::findAlgorithm("LB")};
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Segment line{some.point(), some.point()};
@@ -172,19 +172,19 @@ private slots:
             Window w = some.window();
             w = {whole(w.min), whole(w.max)};
             const Segment line{whole(some.pointNear(w)), whole(some.pointNear(w))};
-            for (const Clipper& clipper : formsOf({"Skala"})) {
-                const auto patterns = valuesNamed(traceOf(clipper, line, w), "c");
-                const Overlay overlay = of(clipper, w, line);
+            for (const Variant& variant : formsOf({"Skala"})) {
+                const auto patterns = valuesNamed(traceOf(variant, line, w), "c");
+                const Overlay overlay = of(variant, w, line);
                 QVERIFY2(overlay.table->lit.has_value() == !patterns.empty(),
-                         said(clipper, w, line));
+                         said(variant, w, line));
                 std::vector<OverlayMark> signs = overlay.marks;
                 std::erase_if(signs, [](const OverlayMark& m) { return !m.label.startsWith('x'); });
-                QVERIFY2(signs.size() == (patterns.empty() ? 0 : 4), said(clipper, w, line));
+                QVERIFY2(signs.size() == (patterns.empty() ? 0 : 4), said(variant, w, line));
                 if (patterns.empty())
                     continue;
                 ++asked;
                 QVERIFY2(*overlay.table->lit == std::size_t(patterns.back()),
-                         said(clipper, w, line));
+                         said(variant, w, line));
                 bool allLeft = true, allOnLine = true;
                 const Point d = line.b - line.a;
                 const auto sideOf = [&](const Point& p) {
@@ -195,7 +195,7 @@ private slots:
                     allLeft = allLeft && sideOf(mark.at) >= 0;
                     allOnLine = allOnLine && sideOf(mark.at) == 0;
                 }
-                const bool strict = allLeft && clipper.form == clipping::Form::Corrected;
+                const bool strict = allLeft && variant.form == clipping::Form::Corrected;
                 // A window without area on the line is taken for one that the line halves.
                 const auto side = [&](const OverlayMark& mark) {
                     const int k = mark.label[1].digitValue();
@@ -209,7 +209,7 @@ private slots:
                 for (const OverlayMark& mark : signs)
                     QVERIFY2((mark.symbol == OverlayMark::Symbol::Plus)
                                  == (strict ? side(mark) > 0 : side(mark) >= 0),
-                             said(clipper, w, line));
+                             said(variant, w, line));
             }
         }
         QVERIFY(asked > cases);
@@ -217,7 +217,7 @@ private slots:
 
     void theTableOfSignsIsTheAlgorithms()
     {
-        const Clipper skala{clipping::findAlgorithm("Skala")};
+        const Variant skala{clipping::findAlgorithm("Skala")};
         const auto rows = of(skala, {{0, 0}, {4, 3}}, {{1, 1}, {5, 2}}).table->rows;
         QCOMPARE(rows.size(), std::size_t(16));
         QCOMPARE(rows[3], (QStringList{"3", "0011", "right, left"}));
@@ -231,7 +231,7 @@ private slots:
     void exactSaysWhichCornerDecides()
     {
         Cases some(6);
-        const Clipper exact = app::exactClipper();
+        const Variant exact = app::exactVariant();
         for (int i = 0; i < 2 * cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
@@ -255,18 +255,18 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
-            for (const Clipper& clipper : formsOf({"KWC", "MD", "CS", "SPY"})) {
-                const auto trace = traceOf(clipper, line, w);
-                const Overlay overlay = of(clipper, w, line);
+            for (const Variant& variant : formsOf({"KWC", "MD", "CS", "SPY"})) {
+                const auto trace = traceOf(variant, line, w);
+                const Overlay overlay = of(variant, w, line);
                 for (const OverlayMark& mark : overlay.marks) {
                     if (mark.symbol != OverlayMark::Symbol::Diamond)
                         continue;
                     const auto was = [&](const clipping::Step& step) {
                         return step.segment.a == mark.at || step.segment.b == mark.at;
                     };
-                    QVERIFY2(std::ranges::any_of(trace.steps, was), said(clipper, w, line));
+                    QVERIFY2(std::ranges::any_of(trace.steps, was), said(variant, w, line));
                 }
-                if (clipper.algorithm->abbreviation == "MD" && !trace.steps.empty())
+                if (variant.algorithm->abbreviation == "MD" && !trace.steps.empty())
                     QCOMPARE(overlay.table->rows.back()[0],
                              QString(trace.outcome == clipping::Outcome::Visible ? "visible"
                                                                                  : "rejected"));
@@ -278,11 +278,11 @@ private slots:
     {
         const double nan = std::nan(""), huge = 1e300;
         const Window w{{0, 0}, {4, 3}};
-        for (const Clipper& clipper : everyForm()) {
+        for (const Variant& variant : everyForm()) {
             for (const auto& [window, line] : {std::pair{w, Segment{{nan, 0}, {1, 1}}},
                                                {Window{{4, 3}, {0, 0}}, {{0, 0}, {1, 1}}},
                                                {Window{{0, 0}, {INFINITY, 1}}, {{0, 0}, {1, 1}}}}) {
-                const Overlay overlay = of(clipper, window, line, Point(1, 1));
+                const Overlay overlay = of(variant, window, line, Point(1, 1));
                 QVERIFY(!overlay.caption.isEmpty() && overlay.areas.empty());
             }
             for (const auto& [window, line] :
@@ -290,23 +290,23 @@ private slots:
                   {w, {{-huge, 1}, {huge, 2}}},
                   {w, {{1, 1}, {1, 1}}},
                   {Window{{-huge, -huge}, {huge, huge}}, {{0, 0}, {huge, 1}}}}) {
-                const Overlay overlay = of(clipper, window, line, Point(nan, 1));
+                const Overlay overlay = of(variant, window, line, Point(nan, 1));
                 QVERIFY(!overlay.caption.isEmpty());
                 for (const OverlayArea& area : overlay.areas)
                     for (const Point& corner : area.corners)
                         QVERIFY2(depth({{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}, corner) > -1e-6,
-                                 said(clipper, window, line));
+                                 said(variant, window, line));
             }
-            const Overlay nowhere = of(clipper, w, {{0, 0}, {1, 1}}, Point(nan, 1)),
-                          without = of(clipper, w, {{0, 0}, {1, 1}});
+            const Overlay nowhere = of(variant, w, {{0, 0}, {1, 1}}, Point(nan, 1)),
+                          without = of(variant, w, {{0, 0}, {1, 1}});
             QVERIFY2(!nowhere.areas.empty() || !nowhere.lines.empty(),
-                     said(clipper, w, {{0, 0}, {1, 1}}));
+                     said(variant, w, {{0, 0}, {1, 1}}));
             QCOMPARE(nowhere.areas.size(), without.areas.size());
             QCOMPARE(nowhere.lines.size(), without.lines.size());
         }
-        for (const Clipper& clipper : app::clippers())
-            if (clipper.exhibit)
-                QVERIFY(!of(clipper, w, {{0, 0}, {9, 9}}).caption.isEmpty());
+        for (const Variant& variant : app::variants())
+            if (variant.exhibit)
+                QVERIFY(!of(variant, w, {{0, 0}, {9, 9}}).caption.isEmpty());
     }
 
     // Where y grows downwards on the screen, its top edge is the library's bottom.
@@ -314,10 +314,10 @@ private slots:
     {
         const Window w{{0, 0}, {4, 3}};
         const Segment line{{1, -5}, {1, 2}};
-        const Clipper md{clipping::findAlgorithm("MD")};
+        const Variant md{clipping::findAlgorithm("MD")};
         QVERIFY(of(md, w, line, {}, YAxis::Down).caption.contains("the top edge"));
         QVERIFY(of(md, w, line, {}, YAxis::Up).caption.contains("the bottom edge"));
-        const Clipper nln{clipping::findAlgorithm("NLN")};
+        const Variant nln{clipping::findAlgorithm("NLN")};
         const auto label = [&](YAxis y) {
             return pointed(of(nln, w, {{1, 1}, {1, 1}}, Point(1, 9), y)).at(0).label;
         };

@@ -47,27 +47,27 @@ private:
 inline constexpr clipping::Window everything{{-8, -8}, {8, 8}};
 
 /// Every form of every row.
-inline std::vector<app::Clipper> everyForm()
+inline std::vector<app::Variant> everyForm()
 {
-    std::vector<app::Clipper> all;
-    for (const app::Clipper& clipper : app::clippers())
-        if (!clipper.exhibit)
-            all.push_back(clipper);
+    std::vector<app::Variant> all;
+    for (const app::Variant& variant : app::variants())
+        if (!variant.exhibit)
+            all.push_back(variant);
     return all;
 }
-inline std::vector<app::Clipper> formsOf(std::initializer_list<std::string_view> abbreviations)
+inline std::vector<app::Variant> formsOf(std::initializer_list<std::string_view> abbreviations)
 {
-    std::vector<app::Clipper> forms = everyForm();
-    std::erase_if(forms, [&](const app::Clipper& c) {
+    std::vector<app::Variant> forms = everyForm();
+    std::erase_if(forms, [&](const app::Variant& c) {
         return std::ranges::find(abbreviations, c.algorithm->abbreviation) == abbreviations.end();
     });
     return notEmpty(std::move(forms));
 }
 
-inline clipping::Trace traceOf(const app::Clipper& clipper, const clipping::Segment& line,
+inline clipping::Trace traceOf(const app::Variant& variant, const clipping::Segment& line,
                                const clipping::Window& window)
 {
-    return clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
+    return clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
 }
 
 /// All values of that name, in order.
@@ -109,11 +109,11 @@ inline double depth(const std::vector<app::Point>& polygon, const app::Point& p)
     return least;
 }
 
-inline QByteArray said(const app::Clipper& clipper, const clipping::Window& w,
+inline QByteArray said(const app::Variant& variant, const clipping::Window& w,
                        const clipping::Segment& s)
 {
     return QStringLiteral("%1, window (%2,%3)-(%4,%5), line (%6,%7)-(%8,%9)")
-        .arg(app::keyOf(clipper))
+        .arg(app::keyOf(variant))
         .arg(w.min.x, 0, 'g', 17)
         .arg(w.min.y, 0, 'g', 17)
         .arg(w.max.x, 0, 'g', 17)

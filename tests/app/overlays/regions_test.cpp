@@ -4,11 +4,11 @@
 
 #include "tests/app/overlays/overlay_cases.h"
 
-using app::Clipper;
 using app::Emphasis;
 using app::Overlay;
 using app::OverlayArea;
 using app::Point;
+using app::Variant;
 using app::YAxis;
 using clipping::Segment;
 using clipping::Window;
@@ -64,10 +64,10 @@ QString nameOf(unsigned code)
     return name.isEmpty() ? QStringLiteral("C") : name;
 }
 
-Overlay at(const Clipper& clipper, const Window& w, const Point& p, YAxis y,
+Overlay at(const Variant& variant, const Window& w, const Point& p, YAxis y,
            std::optional<Segment> line = {})
 {
-    return app::overlayOf({clipper, w, line, p, everything, y});
+    return app::overlayOf({variant, w, line, p, everything, y});
 }
 
 } // namespace
@@ -81,18 +81,18 @@ private slots:
     {
         const Window w{{-4, -3}, {4, 3}};
         const Segment line{{-6, -1}, {3, 5}};
-        for (const Clipper& clipper : everyForm()) {
-            const Overlay without = app::overlayOf({clipper, w, std::nullopt, {}, everything}),
-                          with = app::overlayOf({clipper, w, line, {}, everything});
+        for (const Variant& variant : everyForm()) {
+            const Overlay without = app::overlayOf({variant, w, std::nullopt, {}, everything}),
+                          with = app::overlayOf({variant, w, line, {}, everything});
             for (const Overlay* overlay : {&without, &with}) {
                 QVERIFY2(overlay->areas.size() + overlay->lines.size() >= 4,
-                         said(clipper, w, line));
-                QVERIFY2(!overlay->caption.isEmpty(), said(clipper, w, line));
+                         said(variant, w, line));
+                QVERIFY2(!overlay->caption.isEmpty(), said(variant, w, line));
             }
             for (const Point& end : {line.a, line.b})
                 QVERIFY2(std::ranges::count(with.marks, end, &app::OverlayMark::at) == 1,
-                         said(clipper, w, line));
-            QVERIFY2(with.caption != without.caption, said(clipper, w, line));
+                         said(variant, w, line));
+            QVERIFY2(with.caption != without.caption, said(variant, w, line));
         }
     }
 
@@ -102,17 +102,17 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Point p = some.pointNear(w), q = some.pointNear(w);
-            for (const Clipper& clipper : formsOf({"CS", "Skala", "SPY", "MS", "EX"})) {
-                const QByteArray what = said(clipper, w, {p, q});
+            for (const Variant& variant : formsOf({"CS", "Skala", "SPY", "MS", "EX"})) {
+                const QByteArray what = said(variant, w, {p, q});
                 const unsigned code = codeOf(p, w);
-                if (const auto codes = codesIn(traceOf(clipper, {p, q}, w))) {
+                if (const auto codes = codesIn(traceOf(variant, {p, q}, w))) {
                     QVERIFY2(codes->first == code, what);
                     QVERIFY2(codes->second == codeOf(q, w), what);
                 } else
-                    QVERIFY2(clipper.algorithm->abbreviation == "EX", what);
-                const bool letters = clipper.algorithm->abbreviation == "SPY";
+                    QVERIFY2(variant.algorithm->abbreviation == "EX", what);
+                const bool letters = variant.algorithm->abbreviation == "SPY";
                 for (const YAxis y : {YAxis::Up, YAxis::Down}) {
-                    const auto areas = pointed(at(clipper, w, p, y));
+                    const auto areas = pointed(at(variant, w, p, y));
                     QVERIFY2(areas.size() == 1, what);
                     const QString name = letters ? nameOf(code)
                                                  : QStringLiteral("%1%2%3%4")
@@ -134,15 +134,15 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Point p = some.point();
-            for (const Clipper& clipper : formsOf({"CS", "SPY", "MD", "SB"}))
-                for (const OverlayArea& area : at(clipper, w, p, YAxis::Down).areas) {
+            for (const Variant& variant : formsOf({"CS", "SPY", "MD", "SB"}))
+                for (const OverlayArea& area : at(variant, w, p, YAxis::Down).areas) {
                     const double d = depth(area.corners, p);
                     const bool here =
                         area.pointed
                         || (area.ground == OverlayArea::Ground::Hatched && p.x > w.max.x);
                     const bool agrees =
                         d > 1e-9 ? here : !here || d > -1e-9 || area.corners.empty();
-                    QVERIFY2(agrees, said(clipper, w, {p, p}));
+                    QVERIFY2(agrees, said(variant, w, {p, p}));
                 }
         }
     }
@@ -154,9 +154,9 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Point p = some.pointNear(w);
-            for (const Clipper& clipper : formsOf({"KWC", "MD"})) {
+            for (const Variant& variant : formsOf({"KWC", "MD"})) {
                 const Segment line{p, (w.min + w.max) / 2.0};
-                const auto trace = traceOf(clipper, line, w);
+                const auto trace = traceOf(variant, line, w);
                 QStringList fired;
                 Point before = p;
                 for (const clipping::Step& step : trace.steps) {
@@ -166,19 +166,19 @@ private slots:
                     before = step.segment.a;
                 }
                 fired.removeDuplicates();
-                const auto areas = pointed(at(clipper, w, p, YAxis::Up));
-                QVERIFY2(areas.size() == 1, said(clipper, w, line));
+                const auto areas = pointed(at(variant, w, p, YAxis::Up));
+                QVERIFY2(areas.size() == 1, said(variant, w, line));
                 const QString label = areas[0].label;
                 const bool corner = (codeOf(p, w) & 3U) != 0 && (codeOf(p, w) & 12U) != 0;
                 const bool straight = line.a.x == line.b.x || line.a.y == line.b.y;
-                if (straight && clipper.algorithm->abbreviation == "KWC")
+                if (straight && variant.algorithm->abbreviation == "KWC")
                     continue; // its special cases ask otherwise
                 if (fired.isEmpty())
-                    QVERIFY2(label == "stays", said(clipper, w, line));
+                    QVERIFY2(label == "stays", said(variant, w, line));
                 else
                     QVERIFY2(label.startsWith(fired[0]) && (fired.size() == 1 || corner)
                                  && label.contains(fired.back()),
-                             said(clipper, w, line));
+                             said(variant, w, line));
                 QCOMPARE(label.contains("then"), corner);
             }
         }
@@ -190,15 +190,15 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Point p = some.pointNear(w);
-            for (const Clipper& clipper : formsOf({"SB"})) {
+            for (const Variant& variant : formsOf({"SB"})) {
                 const Segment line{p,
                                    {w.max.x, (w.min.y + w.max.y) / 2}}; // begins at p, goes right
-                const auto cells = valuesNamed(traceOf(clipper, line, w), "c");
-                const auto areas = pointed(at(clipper, w, p, YAxis::Down));
-                QVERIFY2(areas.size() == (p.x > w.max.x ? 0 : 1), said(clipper, w, line));
+                const auto cells = valuesNamed(traceOf(variant, line, w), "c");
+                const auto areas = pointed(at(variant, w, p, YAxis::Down));
+                QVERIFY2(areas.size() == (p.x > w.max.x ? 0 : 1), said(variant, w, line));
                 if (!areas.empty())
                     QVERIFY2(areas[0].label == QString::number(cells.at(0)),
-                             said(clipper, w, line));
+                             said(variant, w, line));
             }
         }
     }
@@ -209,18 +209,18 @@ private slots:
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
             const Segment line{some.pointNear(w), some.pointNear(w)};
-            for (const Clipper& clipper : formsOf({"SB"})) {
-                const auto trace = traceOf(clipper, line, w);
+            for (const Variant& variant : formsOf({"SB"})) {
+                const auto trace = traceOf(variant, line, w);
                 std::vector<double> cells = valuesNamed(trace, "c");
                 if (trace.outcome == clipping::Outcome::Visible)
                     cells.push_back(4);
                 const Overlay overlay =
-                    app::overlayOf({clipper, w, line, std::nullopt, everything});
+                    app::overlayOf({variant, w, line, std::nullopt, everything});
                 for (const OverlayArea& area : overlay.areas)
                     if (area.ground == OverlayArea::Ground::Clear)
                         QVERIFY2((area.emphasis == Emphasis::Lit)
                                      == (std::ranges::count(cells, area.label.toDouble()) > 0),
-                                 said(clipper, w, line));
+                                 said(variant, w, line));
             }
         }
     }
@@ -228,7 +228,7 @@ private slots:
     void halvingsAreTheLibrarys()
     {
         Cases some(6);
-        const Clipper ms{clipping::findAlgorithm("MS")};
+        const Variant ms{clipping::findAlgorithm("MS")};
         int compared = 0;
         for (int i = 0; i < cases; ++i) {
             const Window w = some.window();
@@ -249,7 +249,7 @@ private slots:
 
     void codesOfBothEndsDecide()
     {
-        const Clipper cs{clipping::findAlgorithm("CS")};
+        const Variant cs{clipping::findAlgorithm("CS")};
         const Window w{{0, 0}, {4, 3}};
         const auto table = [&](const Segment& line) {
             return *app::overlayOf({cs, w, line, std::nullopt, everything, YAxis::Up}).table;

@@ -105,7 +105,7 @@ private slots:
         app::Display display = session.display();
         display.algorithm = clipping::findAlgorithm("skala");
         session.setDisplay(display);
-        QCOMPARE(session.microscope.specimen().clipper.algorithm, display.algorithm);
+        QCOMPARE(session.microscope.specimen().variant.algorithm, display.algorithm);
         session.inspect(1);
         QCOMPARE(session.microscope.specimen().line, half);
     }
@@ -148,7 +148,7 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({sheetOf({across, half}), {}});
         drawn.look(0);
-        const app::Specimen lesson{.clipper = {clipping::findAlgorithm("cs")},
+        const app::Specimen lesson{.variant = {clipping::findAlgorithm("cs")},
                                    .line = {{0, 0}, {3, 3}},
                                    .window = {{1, 1}, {2, 2}},
                                    .y = app::YAxis::Up};
@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(session.microscope.specimen(), lesson);
         drawn.choose({clipping::findAlgorithm("lb")});
         QCOMPARE(session.display().algorithm, clipping::findAlgorithm("skala"));
-        QCOMPARE(session.microscope.specimen().clipper.algorithm, clipping::findAlgorithm("lb"));
+        QCOMPARE(session.microscope.specimen().variant.algorithm, clipping::findAlgorithm("lb"));
     }
     void choosingClipsTheDrawingToo()
     {
@@ -173,7 +173,7 @@ private slots:
         drawn.choose({clipping::findAlgorithm("cs"), clipping::Form::Published});
         QCOMPARE(session.display().algorithm, clipping::findAlgorithm("cs"));
         QCOMPARE(session.display().form, clipping::Form::Published);
-        QCOMPARE(session.microscope.specimen().clipper.form, clipping::Form::Published);
+        QCOMPARE(session.microscope.specimen().variant.form, clipping::Form::Published);
     }
     void linesGoRoundAndRound()
     {

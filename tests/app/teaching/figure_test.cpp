@@ -35,7 +35,7 @@ QByteArray told(const Specimen& s, std::size_t step)
 {
     const auto& [a, b] = s.line;
     return QStringLiteral("%1 %2,%3,%4,%5 window %6,%7,%8,%9 step %10")
-        .arg(keyOf(s.clipper))
+        .arg(keyOf(s.variant))
         .arg(a.x, 0, 'g', 17)
         .arg(a.y, 0, 'g', 17)
         .arg(b.x, 0, 'g', 17)
@@ -102,13 +102,13 @@ class FigureTest : public QObject {
 
     /// Random lines: some long, some short, some parallel to an axis, some a point, some with ends
     /// on edges, and a third with a window that is thin or a point.
-    Specimen anySpecimen(const Clipper& clipper)
+    Specimen anySpecimen(const Variant& variant)
     {
         std::uniform_real_distribution<double> anywhere(-250, 250);
         std::uniform_int_distribution<int> kind(0, 8), onGrid(-3, 3);
         const auto point = [&] { return Point(anywhere(random_), anywhere(random_)); };
         Specimen s{
-            clipper, {point(), point()}, window, kind(random_) % 2 ? YAxis::Up : YAxis::Down, {}};
+            variant, {point(), point()}, window, kind(random_) % 2 ? YAxis::Up : YAxis::Down, {}};
         switch (kind(random_)) {
         case 0:
             s.line.b = s.line.a + 0.02 * s.line.b;
@@ -254,11 +254,11 @@ private slots:
     void labelsAreInsideAndApart() // every form of every row
     {
         std::size_t wanted = 0, placed = 0;
-        for (const Clipper& clipper : clippers()) {
-            if (clipper.exhibit)
+        for (const Variant& variant : variants()) {
+            if (variant.exhibit)
                 continue;
             for (int i = 0; i < 150; ++i) {
-                const Specimen s = anySpecimen(clipper);
+                const Specimen s = anySpecimen(variant);
                 const Walk walk = walkOf(s);
                 const FigureFrame frame =
                     i % 2 ? figureFrame(s, size, font()) : nearFrame(s, size, font());
@@ -287,7 +287,7 @@ private slots:
     void keepsClearOfWhatIsReserved()
     {
         for (int i = 0; i < 300; ++i) {
-            const Specimen s = anySpecimen(exactClipper());
+            const Specimen s = anySpecimen(exactVariant());
             FigureFrame frame = figureFrame(s, size, font());
             frame.reserved = QRectF(10, 10, 180, 140);
             const Walk walk = walkOf(s);
@@ -331,7 +331,7 @@ private slots:
     void frameShowsTheWindowAndNearLines()
     {
         for (int i = 0; i < 2000; ++i) {
-            const Specimen s = anySpecimen(exactClipper());
+            const Specimen s = anySpecimen(exactVariant());
             const FigureFrame frame = figureFrame(s, size, font());
             QVERIFY2(frame.shows(s.window.min) && frame.shows(s.window.max), told(s, 0));
             const Point span = s.window.max - s.window.min;

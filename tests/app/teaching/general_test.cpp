@@ -16,9 +16,9 @@ constexpr clipping::Segment across{{-160, -30}, {70, 130}};
 QStringList told(const char* key, const clipping::Segment& line = across)
 {
     const app::Specimen specimen{
-        *app::findClipper(QLatin1StringView(key)), line, window, app::YAxis::Up, {}};
-    const auto& clipper = specimen.clipper;
-    const auto trace = clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
+        *app::findVariant(QLatin1StringView(key)), line, window, app::YAxis::Up, {}};
+    const auto& variant = specimen.variant;
+    const auto trace = clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
     const app::Walk walk = app::walkOf(specimen);
     QStringList all;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
@@ -114,7 +114,7 @@ private slots:
     /// "x[k]" is the coordinate of the end that k numbers.
     void indexedNames()
     {
-        const app::Specimen specimen{app::exactClipper(), across, window, app::YAxis::Up, {}};
+        const app::Specimen specimen{app::exactVariant(), across, window, app::YAxis::Up, {}};
         const clipping::Step step{};
         const std::vector<app::Variable> variables{
             {"i", 1}, {"k", 2}, {"x[1]", 5}, {"x[2]", 7}, {"X[k]", 9}};

@@ -174,18 +174,18 @@ private slots:
     {
         app::Session session;
         session.load({sheetOf({{{1, 1}, {2, 2}}, {{5, 4}, {5.05, 9}}}), {}});
-        const auto kwc = *app::findClipper("kwc:published");
-        const auto look = [&](const app::Clipper& a, const app::Clipper& b) {
+        const auto kwc = *app::findVariant("kwc:published");
+        const auto look = [&](const app::Variant& a, const app::Variant& b) {
             session.differences.ask(app::Comparison{a, b});
             session.differences.finish();
         };
-        look(kwc, app::exactClipper());
+        look(kwc, app::exactVariant());
         QCOMPARE(session.differences.found().list.size(), std::size_t(1));
-        QVERIFY(app::inspect(session, 1).clipper == kwc);
+        QVERIFY(app::inspect(session, 1).variant == kwc);
         QCOMPARE(app::verdictText(app::inspect(session, 1)), "KWC as published: nothing visible");
         QCOMPARE(app::verdictText(app::inspect(session, 0)), "exact: visible, 100.0 %");
-        look(app::exactClipper(), kwc);
-        QVERIFY(app::inspect(session, 1).clipper == kwc);
+        look(app::exactVariant(), kwc);
+        QVERIFY(app::inspect(session, 1).variant == kwc);
         session.differences.ask(std::nullopt);
         QCOMPARE(app::verdictText(app::inspect(session, 1)), "exact: visible, 100.0 %");
     }
@@ -193,11 +193,11 @@ private slots:
     {
         app::Session session;
         session.load({sheetOf({{{-3, 4}, {17, 9}}, {{-5, 2}, {7, 12}}, {{2, -6}, {9, 14}}}), {}});
-        session.differences.ask(app::Comparison{*app::findClipper("md-step-2")});
+        session.differences.ask(app::Comparison{*app::findVariant("md-step-2")});
         session.differences.finish();
         QVERIFY(!session.differences.found().list.empty());
         const auto line = app::inspect(session, session.differences.found().list[0].source);
-        QVERIFY(line.clipper.exhibit);
+        QVERIFY(line.variant.exhibit);
         QVERIFY(stepTexts(line).front().contains("not recorded"));
         QVERIFY(app::verdictText(line).startsWith("MD with Step 2 as printed: "));
     }

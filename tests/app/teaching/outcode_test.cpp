@@ -174,7 +174,7 @@ private slots:
     {
         for (const char* key : {"cohen-sutherland", "midpoint-subdivision", "skala", "exact"})
             for (const Point& p : points()) {
-                const auto overlay = app::overlayOf({.clipper = {clipping::findAlgorithm(key)},
+                const auto overlay = app::overlayOf({.variant = {clipping::findAlgorithm(key)},
                                                      .window = window,
                                                      .pointer = p,
                                                      .seen = {{-20, -20}, {30, 30}},

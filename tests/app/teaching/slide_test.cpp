@@ -36,9 +36,9 @@ std::vector<PaintedText> textsOn(const TraceExport& trace)
     return texts;
 }
 
-TraceExport traceOf(const Clipper& clipper, const clipping::Segment& line)
+TraceExport traceOf(const Variant& variant, const clipping::Segment& line)
 {
-    TraceExport trace{.specimen = {clipper, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
+    TraceExport trace{.specimen = {variant, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
                       .walk = {}};
     trace.walk = walkOf(trace.specimen);
     return trace;
@@ -62,22 +62,22 @@ private slots:
     {
         const double least = slideHeight / 40;
         std::size_t slides = 0;
-        for (const Clipper& clipper : clippers()) {
-            TraceExport trace = traceOf(clipper, lines[0]);
+        for (const Variant& variant : variants()) {
+            TraceExport trace = traceOf(variant, lines[0]);
             for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
                 trace.only = step;
                 QString written;
                 for (const PaintedText& text : textsOn(trace)) {
                     QVERIFY2(text.size >= least && !text.text.contains(u'\u2026'),
                              qPrintable(QStringLiteral("%1: “%2” has %3 pixels")
-                                            .arg(keyOf(clipper), text.text)
+                                            .arg(keyOf(variant), text.text)
                                             .arg(text.size)));
                     written += text.text.simplified() + u' ';
                 }
                 const int line = trace.walk.moments[step].line;
                 const QString code = trace.walk.code.value(line - 1).simplified();
                 QVERIFY2(written.contains(code),
-                         qPrintable(keyOf(clipper) + ": " + code + " | " + written));
+                         qPrintable(keyOf(variant) + ": " + code + " | " + written));
                 ++slides;
             }
         }
@@ -86,9 +86,9 @@ private slots:
     /// The sentence has room even in the smallest font.
     void everySentenceHasRoom()
     {
-        for (const Clipper& clipper : clippers())
+        for (const Variant& variant : variants())
             for (const clipping::Segment& line : lines) {
-                TraceExport trace = traceOf(clipper, line);
+                TraceExport trace = traceOf(variant, line);
                 for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
                     QFont font = QGuiApplication::font();
                     font.setPixelSize(18);

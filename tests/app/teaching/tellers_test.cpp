@@ -39,29 +39,29 @@ std::vector<clipping::Segment> lines(int count)
 }
 
 /// Every form of every row of the library's catalogue, whether it has a row for teaching or not.
-std::vector<app::Clipper> toldClippers()
+std::vector<app::Variant> toldVariants()
 {
-    std::vector<app::Clipper> all = app::clippers();
-    std::erase_if(all, [](const app::Clipper& clipper) { return clipper.exhibit != nullptr; });
+    std::vector<app::Variant> all = app::variants();
+    std::erase_if(all, [](const app::Variant& variant) { return variant.exhibit != nullptr; });
     return notEmpty(std::move(all));
 }
 
-QString sentenceOf(const app::Clipper& clipper, const app::Telling& telling)
+QString sentenceOf(const app::Variant& variant, const app::Telling& telling)
 {
-    return app::sentenceOf(app::teachingOf(*clipper.algorithm), telling);
+    return app::sentenceOf(app::teachingOf(*variant.algorithm), telling);
 }
 
-bool hasItsOwnWords(const app::Clipper& clipper)
+bool hasItsOwnWords(const app::Variant& variant)
 {
-    return app::teachingOf(*clipper.algorithm).sentence != app::generalSentence;
+    return app::teachingOf(*variant.algorithm).sentence != app::generalSentence;
 }
 
 /// Calls of(telling) for each step of the line.
-void forEachStep(const app::Clipper& clipper, const clipping::Segment& line,
+void forEachStep(const app::Variant& variant, const clipping::Segment& line,
                  const clipping::Window& w, app::YAxis y, const auto& of)
 {
-    const app::Specimen specimen{clipper, line, w, y, {}};
-    const auto trace = clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, w);
+    const app::Specimen specimen{variant, line, w, y, {}};
+    const auto trace = clipping::usesOf(*variant.algorithm, variant.form)->trace(line, w);
     const auto walk = app::walkOf(specimen); // no moments for what is refused
     const clipping::Step* before = nullptr;
     for (std::size_t i = 0; i < notEmpty(trace.steps).size(); ++i) {
@@ -77,7 +77,7 @@ QByteArray told(const app::Telling& telling, const QString& sentence)
 {
     const auto& [a, b] = telling.specimen.line;
     return QStringLiteral("%1, %2 %3 to %4 %5, line %6 (%7): %8")
-        .arg(app::keyOf(telling.specimen.clipper))
+        .arg(app::keyOf(telling.specimen.variant))
         .arg(a.x, 0, 'g', 17)
         .arg(a.y, 0, 'g', 17)
         .arg(b.x, 0, 'g', 17)
@@ -110,7 +110,7 @@ QStringList sentences(const char* key, const clipping::Segment& line,
 {
     QStringList all;
     const auto walk =
-        app::walkOf({*app::findClipper(QLatin1StringView(key)), line, w, app::YAxis::Up, {}});
+        app::walkOf({*app::findVariant(QLatin1StringView(key)), line, w, app::YAxis::Up, {}});
     for (const auto& moment : walk.moments)
         all << QStringLiteral("%1: %2").arg(moment.line).arg(moment.sentence);
     return all;
@@ -142,15 +142,15 @@ private slots:
     /// By the row's own words where it has some, which are for every step.
     void everyStepIsSaid()
     {
-        for (const app::Clipper& clipper : toldClippers())
+        for (const app::Variant& variant : toldVariants())
             for (const auto& line : lines(300))
                 for (const auto y : {app::YAxis::Up, app::YAxis::Down}) {
                     QByteArray wrong;
-                    forEachStep(clipper, line, window, y, [&](const app::Telling& telling) {
-                        const QString sentence = sentenceOf(clipper, telling);
+                    forEachStep(variant, line, window, y, [&](const app::Telling& telling) {
+                        const QString sentence = sentenceOf(variant, telling);
                         if (!fault(sentence).isEmpty())
                             wrong = told(telling, sentence);
-                        const auto own = app::teachingOf(*clipper.algorithm).sentence;
+                        const auto own = app::teachingOf(*variant.algorithm).sentence;
                         if (own(telling).isEmpty())
                             wrong = told(telling, "has no words of its row");
                     });
@@ -163,12 +163,12 @@ private slots:
     /// A row that has its own words does not say the same; but all accept in the same words.
     void theGeneralWordsSpeak()
     {
-        for (const app::Clipper& clipper : toldClippers()) {
-            const QStringList code = app::codeOf(clipper);
+        for (const app::Variant& variant : toldVariants()) {
+            const QStringList code = app::codeOf(variant);
             for (const auto& line : lines(40)) {
                 QByteArray wrong;
                 QMap<QString, QString> saidAt; // the line of the code, by the sentence
-                forEachStep(clipper, line, window, app::YAxis::Up, [&](const app::Telling& t) {
+                forEachStep(variant, line, window, app::YAxis::Up, [&](const app::Telling& t) {
                     const QString sentence = app::generalSentence(t);
                     const QString at = code.value(t.step.line - 1).trimmed();
                     const bool isEnd = t.step.what == clipping::What::Cut
@@ -177,11 +177,11 @@ private slots:
                     if (!fault(sentence).isEmpty())
                         wrong = told(t, sentence);
                     if (!isEnd && saidAt.value(sentence, at) != at
-                        && !clipping::codeOf(*clipper.algorithm, clipper.form).empty())
+                        && !clipping::codeOf(*variant.algorithm, variant.form).empty())
                         wrong = told(t, sentence + " is said of " + saidAt[sentence]);
                     saidAt[sentence] = at;
-                    if (hasItsOwnWords(clipper) && t.step.what != clipping::What::Accept
-                        && sentenceOf(clipper, t) == sentence)
+                    if (hasItsOwnWords(variant) && t.step.what != clipping::What::Accept
+                        && sentenceOf(variant, t) == sentence)
                         wrong = told(t, sentence);
                 });
                 QVERIFY2(wrong.isEmpty(), wrong);
@@ -192,15 +192,15 @@ private slots:
     /// Numbers of any size, windows without area, lines that only touch.
     void hardCasesAreSaidInWords()
     {
-        for (const app::Clipper& clipper : toldClippers())
+        for (const app::Variant& variant : toldVariants())
             for (const Family& family : families()) {
                 const auto inputs = family.inputs();
                 for (std::size_t i = 0; i < inputs.size() && i < 100; ++i) {
                     QByteArray wrong;
                     const auto& [segment, w] = inputs[i];
-                    forEachStep(clipper, segment, w, app::YAxis::Up,
+                    forEachStep(variant, segment, w, app::YAxis::Up,
                                 [&](const app::Telling& telling) {
-                                    const QString sentence = sentenceOf(clipper, telling);
+                                    const QString sentence = sentenceOf(variant, telling);
                                     if (!fault(sentence).isEmpty())
                                         wrong = told(telling, sentence);
                                     if (i < 3 && telling.step.cost.comparisons < 100)
@@ -219,16 +219,16 @@ private slots:
         static const QRegularExpression vertical(
             QStringLiteral("\\b(top|bottom|above|below|up|down)\\b"));
         int different = 0;
-        for (const app::Clipper& clipper : toldClippers())
+        for (const app::Variant& variant : toldVariants())
             for (const auto& line : lines(200)) {
                 QStringList up, down;
                 const auto say = [&](QStringList& into) {
-                    return [&](const app::Telling& t) { into << sentenceOf(clipper, t); };
+                    return [&](const app::Telling& t) { into << sentenceOf(variant, t); };
                 };
-                forEachStep(clipper, line, window, app::YAxis::Up, say(up));
-                forEachStep(clipper, line, window, app::YAxis::Down, say(down));
+                forEachStep(variant, line, window, app::YAxis::Up, say(up));
+                forEachStep(variant, line, window, app::YAxis::Down, say(down));
                 const auto trace =
-                    clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
+                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
                 for (qsizetype i = 0; i < up.size(); ++i) {
                     const Edge edge = trace.steps[std::size_t(i)].edge;
                     if ((edge == Edge::Top || edge == Edge::Bottom) && up[i].contains(vertical)) {
@@ -245,14 +245,14 @@ private slots:
     {
         static const QRegularExpression assigns(QStringLiteral("=|move|exchange"));
         static const QRegularExpression asks(QStringLiteral("\\b(if|while|until|repeat)\\b"));
-        for (const app::Clipper& clipper : toldClippers())
+        for (const app::Variant& variant : toldVariants())
             for (const auto& line : lines(200)) {
-                const auto walk = app::walkOf({clipper, line, window, app::YAxis::Up, {}});
+                const auto walk = app::walkOf({variant, line, window, app::YAxis::Up, {}});
                 for (const auto& moment : notEmpty(walk.moments)) {
                     QVERIFY(moment.line >= 1 && moment.line <= walk.code.size());
                     const QString& code = walk.code[moment.line - 1];
                     const QByteArray where =
-                        QStringList{app::keyOf(clipper), code, moment.sentence}.join(u'/').toUtf8();
+                        QStringList{app::keyOf(variant), code, moment.sentence}.join(u'/').toUtf8();
                     if (moment.mark == app::Mark::Accept)
                         QVERIFY2(code.contains(QStringLiteral("accept")), where);
                     else if (moment.mark == app::Mark::Reject)
@@ -267,8 +267,8 @@ private slots:
 
     void pseudoCodeIsPlain()
     {
-        for (const app::Clipper& clipper : toldClippers())
-            for (const QString& code : notEmpty(app::pageOf(*clipper.algorithm).code))
+        for (const app::Variant& variant : toldVariants())
+            for (const QString& code : notEmpty(app::pageOf(*variant.algorithm).code))
                 for (const QChar c : code)
                     QVERIFY2(c.unicode() >= 32 && c.unicode() < 127, code.toUtf8());
     }

@@ -17,7 +17,7 @@ QStringList told(const char* key, const clipping::Segment& s = line,
 {
     QStringList all;
     for (const auto& moment :
-         app::walkOf({*app::findClipper(QLatin1StringView(key)), s, w, app::YAxis::Up, {}}).moments)
+         app::walkOf({*app::findVariant(QLatin1StringView(key)), s, w, app::YAxis::Up, {}}).moments)
         all << QStringLiteral("%1: %2").arg(moment.line).arg(moment.sentence);
     return all;
 }
@@ -88,10 +88,10 @@ private slots:
     /// Turned back they are those of the picture.
     void variablesOfAMirroredPlane()
     {
-        const auto clipper = app::findClipper(QStringLiteral("nln"));
+        const auto variant = app::findVariant(QStringLiteral("nln"));
         QStringList all;
         for (const auto& moment :
-             app::walkOf({*clipper, line, window, app::YAxis::Up, {}}).moments) {
+             app::walkOf({*variant, line, window, app::YAxis::Up, {}}).moments) {
             const auto value = [&](const char* name) {
                 const auto& known = moment.variables;
                 const auto found =

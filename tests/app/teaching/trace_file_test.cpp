@@ -219,11 +219,11 @@ private slots:
 
     void theWalksOfAllRowsBecomeSlides() // published endless ones too
     {
-        for (const Clipper& clipper : clippers()) {
-            if (clipper.exhibit)
+        for (const Variant& variant : variants()) {
+            if (variant.exhibit)
                 continue;
             TraceExport trace = sample();
-            trace.specimen.clipper = clipper;
+            trace.specimen.variant = variant;
             trace.specimen.window = {{0.1, 0.1}, {3, 3}};
             trace.specimen.line = {{1, 1}, {-1, -1}};
             trace.walk = walkOf(trace.specimen);

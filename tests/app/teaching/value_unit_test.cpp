@@ -13,7 +13,7 @@
 
 namespace {
 
-using app::Clipper;
+using app::Variant;
 using Point = glm::dvec2;
 using app::ValueUnit;
 
@@ -32,31 +32,31 @@ std::vector<clipping::Segment> lines()
 }
 
 // A row that has nothing of its own in teaching yet shows its numbers as they are.
-std::vector<Clipper> toldClippers()
+std::vector<Variant> toldVariants()
 {
-    auto all = app::clippers();
-    std::erase_if(all, [](const Clipper& clipper) {
-        return clipper.exhibit != nullptr
-               || std::ranges::count(app::teachings(), clipper.algorithm->key, &app::Teaching::key)
+    auto all = app::variants();
+    std::erase_if(all, [](const Variant& variant) {
+        return variant.exhibit != nullptr
+               || std::ranges::count(app::teachings(), variant.algorithm->key, &app::Teaching::key)
                       == 0;
     });
     return all;
 }
 
-std::vector<clipping::Step> stepsOf(const Clipper& clipper, const clipping::Segment& line,
+std::vector<clipping::Step> stepsOf(const Variant& variant, const clipping::Segment& line,
                                     double size, const Point& by)
 {
     const auto moved = [&](const Point& p) { return p * size + by; };
-    return clipping::usesOf(*clipper.algorithm, clipper.form)
+    return clipping::usesOf(*variant.algorithm, variant.form)
         ->trace({moved(line.a), moved(line.b)}, {moved(window.min), moved(window.max)})
         .steps;
 }
 
 /// Calls of(name, number, the same number there) for each number that is told of a line.
-void forEachNumber(const Clipper& clipper, const clipping::Segment& line, double size,
+void forEachNumber(const Variant& variant, const clipping::Segment& line, double size,
                    const Point& by, const auto& of)
 {
-    const auto here = stepsOf(clipper, line, 1, {}), there = stepsOf(clipper, line, size, by);
+    const auto here = stepsOf(variant, line, 1, {}), there = stepsOf(variant, line, size, by);
     for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
         if (here[i].line != there[i].line || here[i].values.size() != there[i].values.size())
             return; // rounding has led it another way
@@ -66,10 +66,10 @@ void forEachNumber(const Clipper& clipper, const clipping::Segment& line, double
     }
 }
 
-QByteArray said(const Clipper& clipper, std::string_view name, double here, double there)
+QByteArray said(const Variant& variant, std::string_view name, double here, double there)
 {
     return QStringLiteral("%1 tells %2 = %3, and %4 there")
-        .arg(app::keyOf(clipper))
+        .arg(app::keyOf(variant))
         .arg(QLatin1StringView(name.data(), qsizetype(name.size())))
         .arg(here, 0, 'g', 17)
         .arg(there, 0, 'g', 17)
@@ -89,10 +89,10 @@ class ValueUnitTest : public QObject {
 private slots:
     void everyNumberThatIsToldHasAUnit()
     {
-        for (const Clipper& clipper : toldClippers())
+        for (const Variant& variant : toldVariants())
             for (const auto& line : lines())
-                forEachNumber(clipper, line, 1, {}, [&](auto name, double here, double there) {
-                    QVERIFY2(app::unitOfValue(clipper, name), said(clipper, name, here, there));
+                forEachNumber(variant, line, 1, {}, [&](auto name, double here, double there) {
+                    QVERIFY2(app::unitOfValue(variant, name), said(variant, name, here, there));
                 });
     }
     /// In a plane of four times the size a length is four times as long: exactly, for 4 is a power
@@ -100,13 +100,13 @@ private slots:
     void unitsAreThoseOfALargerPlane()
     {
         std::size_t lengths = 0, areas = 0;
-        for (const Clipper& clipper : toldClippers())
+        for (const Variant& variant : toldVariants())
             for (const auto& line : lines())
-                forEachNumber(clipper, line, 4, {}, [&](auto name, double here, double there) {
-                    const auto unit = app::unitOfValue(clipper, name);
+                forEachNumber(variant, line, 4, {}, [&](auto name, double here, double there) {
+                    const auto unit = app::unitOfValue(variant, name);
                     const bool isArea = isAmong(unit, {ValueUnit::Area, ValueUnit::FixedArea});
                     const double scale = isArea ? 16 : isAmong(unit, {ValueUnit::Bare}) ? 1 : 4;
-                    QVERIFY2(there == here * scale, said(clipper, name, here, there));
+                    QVERIFY2(there == here * scale, said(variant, name, here, there));
                     lengths += scale == 4, areas += isArea;
                 });
         QVERIFY(lengths > 10'000 && areas > 5'000);
@@ -116,10 +116,10 @@ private slots:
     {
         const Point by(3, -5);
         std::set<std::string_view> fixed;
-        for (const Clipper& clipper : toldClippers())
+        for (const Variant& variant : toldVariants())
             for (const auto& line : lines())
-                forEachNumber(clipper, line, 1, by, [&](auto name, double here, double there) {
-                    const auto unit = app::unitOfValue(clipper, name);
+                forEachNumber(variant, line, 1, by, [&](auto name, double here, double there) {
+                    const auto unit = app::unitOfValue(variant, name);
                     const double way = isAmong(unit, {ValueUnit::X})   ? by.x
                                        : isAmong(unit, {ValueUnit::Y}) ? by.y
                                                                        : 0;
@@ -129,7 +129,7 @@ private slots:
                         if (!asSaid)
                             fixed.insert(name);
                     } else if (!isAmong(unit, {ValueUnit::Turned}))
-                        QVERIFY2(asSaid, said(clipper, name, here, there));
+                        QVERIFY2(asSaid, said(variant, name, here, there));
                 });
         QVERIFY(fixed == (std::set<std::string_view>{"c", "ew[n]", "pw", "x", "y"}));
     }

@@ -21,7 +21,7 @@ QByteArray told(const app::Specimen& specimen)
 {
     const auto& [a, b] = specimen.line;
     return QStringLiteral("%1: %2 %3 %4 %5")
-        .arg(app::keyOf(specimen.clipper))
+        .arg(app::keyOf(specimen.variant))
         .arg(a.x, 0, 'g', 17)
         .arg(a.y, 0, 'g', 17)
         .arg(b.x, 0, 'g', 17)
@@ -64,13 +64,13 @@ private slots:
         Lines lines(5);
         for (int i = 0; i < 10'000; ++i) {
             const clipping::Segment line = lines.next();
-            for (const app::Clipper& clipper : app::clippers()) {
-                if (clipper.exhibit)
+            for (const app::Variant& variant : app::variants()) {
+                if (variant.exhibit)
                     continue;
-                const app::Specimen specimen{clipper, line, window, app::YAxis::Up, {}};
+                const app::Specimen specimen{variant, line, window, app::YAxis::Up, {}};
                 const auto trace =
-                    clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
-                const auto piece = app::clipped(clipper, line, window);
+                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+                const auto piece = app::clipped(variant, line, window);
                 QVERIFY2(!trace.steps.empty(), told(specimen));
                 QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), told(specimen));
                 QVERIFY2(!piece || sameBits(*piece, trace.visible), told(specimen));
@@ -83,12 +83,12 @@ private slots:
         Lines lines(7);
         for (int i = 0; i < 300; ++i) {
             const clipping::Segment line = lines.next();
-            for (const app::Clipper& clipper : app::clippers()) {
-                if (clipper.exhibit)
+            for (const app::Variant& variant : app::variants()) {
+                if (variant.exhibit)
                     continue;
-                const app::Specimen specimen{clipper, line, window, app::YAxis::Up, {}};
+                const app::Specimen specimen{variant, line, window, app::YAxis::Up, {}};
                 const auto trace =
-                    clipping::usesOf(*clipper.algorithm, clipper.form)->trace(line, window);
+                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
                 const app::Walk walk = app::walkOf(specimen);
                 QCOMPARE(walk.moments.size(), trace.steps.size());
                 for (std::size_t step = 0; step < trace.steps.size(); ++step)
@@ -106,11 +106,11 @@ private slots:
         std::mt19937_64 random(6);
         std::uniform_real_distribution<double> anywhere(-250, 250);
         for (int i = 0; i < 300; ++i)
-            for (const app::Clipper& clipper : app::clippers()) {
-                if (clipper.exhibit)
+            for (const app::Variant& variant : app::variants()) {
+                if (variant.exhibit)
                     continue;
                 const app::Specimen specimen{
-                    clipper,
+                    variant,
                     {{anywhere(random), anywhere(random)}, {anywhere(random), anywhere(random)}},
                     window,
                     i % 2 ? app::YAxis::Up : app::YAxis::Down,
@@ -128,7 +128,7 @@ private slots:
     }
     void refusesWithASentence()
     {
-        const app::Clipper exact = app::exactClipper();
+        const app::Variant exact = app::exactVariant();
         const auto refusal = [&](const clipping::Segment& line, const clipping::Window& w) {
             return app::walkOf({exact, line, w, app::YAxis::Up, {}}).refusal;
         };
@@ -147,7 +147,7 @@ private slots:
     {
         app::Microscope microscope;
         microscope.open(
-            {app::exactClipper(), {{-160, -30}, {70, 130}}, window, app::YAxis::Up, {}});
+            {app::exactVariant(), {{-160, -30}, {70, 130}}, window, app::YAxis::Up, {}});
         const std::size_t count = microscope.walk().moments.size();
         QVERIFY(count > 1);
         microscope.goTo(count + 5);

@@ -17,7 +17,7 @@ namespace {
 constexpr Window paper{{-100, -75}, {100, 75}};
 constexpr Segment slanted{{-160, -30}, {70, 130}};
 
-Clipper clipper(const char* key) { return *findClipper(QString::fromLatin1(key)); }
+Variant variant(const char* key) { return *findVariant(QString::fromLatin1(key)); }
 
 MagnifierLook look() { return {chartLook(Ground::Light), 0xC2410C, 0x1D63C9, 0xA80F86, 0xE4E7EB}; }
 
@@ -39,8 +39,8 @@ private slots:
     {
         for (const char* key : {"md", "lb:published", "cs", "skala", "exact"})
             for (const int end : {0, 1}) {
-                const auto seen = magnified(clipper(key), slanted, paper, end);
-                const auto truth = truthOf(clipper(key), slanted, paper);
+                const auto seen = magnified(variant(key), slanted, paper, end);
+                const auto truth = truthOf(variant(key), slanted, paper);
                 QVERIFY(seen && seen->truth);
                 const double off = std::max(std::abs(seen->truth->x), std::abs(seen->truth->y));
                 QCOMPARE(off / seen->largestUlp, truth->ends[std::size_t(end)].ulps);
@@ -54,15 +54,15 @@ private slots:
     void aLineThatIsLostHasItsTrueEnd()
     {
         const Segment steep{{100, 0}, {100.5, 300}};
-        const auto seen = magnified(clipper("kwc:published"), steep, {{0, 10}, {300, 290}}, 0);
+        const auto seen = magnified(variant("kwc:published"), steep, {{0, 10}, {300, 290}}, 0);
         QVERIFY(seen && !seen->returned && seen->truth);
         QCOMPARE(seen->centre.y, 10.);
         QVERIFY(magnifiedText(*seen, "KWC").startsWith("KWC shows nothing"));
-        const auto invented = magnified(clipper("md:published"),
+        const auto invented = magnified(variant("md:published"),
                                         {{-1, 1 + 0x1p-51}, {3, 1 - 0x1p-52}}, {{0, 0}, {1, 1}}, 0);
         QVERIFY(invented && invented->returned && !invented->truth);
-        QVERIFY(!magnified(clipper("sb:published"), {{2, 1}, {2, -1}}, {{0, 0}, {2, 2}}, 1));
-        QVERIFY(!magnified(clipper("md"), {{5, 5}, {6, 6}}, {{0, 0}, {2, 2}}, 0));
+        QVERIFY(!magnified(variant("sb:published"), {{2, 1}, {2, -1}}, {{0, 0}, {2, 2}}, 1));
+        QVERIFY(!magnified(variant("md"), {{5, 5}, {6, 6}}, {{0, 0}, {2, 2}}, 0));
     }
 
     void theLatticeIsEveryNumber()
@@ -87,7 +87,7 @@ private slots:
     {
         const Segment far{{1e15 + 1, 7}, {1e15 + 8, 1e15}};
         const Window window{{1e15, 10}, {1e15 + 100, 1e15 / 3}};
-        const auto seen = magnified(clipper("md"), far, window, 1);
+        const auto seen = magnified(variant("md"), far, window, 1);
         QVERIFY(seen && seen->truth);
         MagnifierView view = usualView(*seen, {400, 300});
         const QImage one = picture(*seen, view);
@@ -102,7 +102,7 @@ private slots:
 
     void zoomKeepsThePointUnderTheHand()
     {
-        const auto seen = magnified(clipper("md"), slanted, paper, 1);
+        const auto seen = magnified(variant("md"), slanted, paper, 1);
         const MagnifierView view = usualView(*seen, {400, 300});
         const QPointF about(70, -30);
         const MagnifierView closer = zoomed(view, *seen, 3, about);
@@ -128,7 +128,7 @@ private slots:
              {std::pair(Segment{{-1e-321, 5e-324}, {1e-320, 9e-321}}, tiny),
               std::pair(Segment{{-1e300, 3}, {1e300, 1e299}}, huge)})
             for (const int end : {0, 1}) {
-                const auto seen = magnified(clipper("exact"), line, window, end);
+                const auto seen = magnified(variant("exact"), line, window, end);
                 QVERIFY(seen && seen->truth);
                 MagnifierView view = usualView(*seen, {400, 300});
                 QVERIFY(std::isfinite(view.pixelsPerUnit) && view.pixelsPerUnit > 0);
@@ -139,7 +139,7 @@ private slots:
 
     void theAlgorithmsEndIsPaintedInItsColour()
     {
-        const auto seen = magnified(clipper("md"), slanted, paper, 1);
+        const auto seen = magnified(variant("md"), slanted, paper, 1);
         MagnifierView view = usualView(*seen, {400, 300});
         const QImage image = picture(*seen, view);
         const QPointF end = QPointF(200, 150) + view.middle;

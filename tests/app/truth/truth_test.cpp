@@ -90,7 +90,7 @@ void compareWithOracle(std::span<const Segment> lines, const Window& window)
 
 LineTruth truth(const char* key, const Segment& line, const Window& window)
 {
-    return *truthOf(*findClipper(QString::fromLatin1(key)), line, window);
+    return *truthOf(*findVariant(QString::fromLatin1(key)), line, window);
 }
 
 constexpr Window two{{0, 0}, {2, 2}};
@@ -131,21 +131,21 @@ private slots:
     void everyAlgorithmIsJudgedAsTheOracleWould_data()
     {
         QTest::addColumn<QString>("key");
-        for (const Clipper& clipper : clippers())
-            QTest::newRow(qPrintable(keyOf(clipper))) << keyOf(clipper);
+        for (const Variant& variant : variants())
+            QTest::newRow(qPrintable(keyOf(variant))) << keyOf(variant);
     }
     void everyAlgorithmIsJudgedAsTheOracleWould()
     {
         QFETCH(QString, key);
-        const Clipper clipper = *findClipper(key);
-        const bool ours = clipper.form == Form::Corrected;
+        const Variant variant = *findVariant(key);
+        const bool ours = variant.form == Form::Corrected;
         const auto check = [&](std::span<const Segment> lines, const Window& window) {
-            const Truths all = extended({window}, clipper, lines, lines.size());
+            const Truths all = extended({window}, variant, lines, lines.size());
             auto next = all.list.begin();
             for (std::uint32_t i = 0; i < lines.size(); ++i) {
                 const auto oracle = oracleOf(lines[i], window);
-                const auto piece = clipped(clipper, lines[i], window);
-                const auto other = clipped(clipper, {lines[i].b, lines[i].a}, window);
+                const auto piece = clipped(variant, lines[i], window);
+                const auto other = clipped(variant, {lines[i].b, lines[i].a}, window);
                 if (!oracle && !piece && !other)
                     continue;
                 QVERIFY2(next != all.list.end() && next->source == i, text(lines[i]));
@@ -174,7 +174,7 @@ private slots:
                 QVERIFY2(line.outside() == !(inside(piece->a) && inside(piece->b)), text(lines[i]));
                 if (ours) {
                     QVERIFY2(!line.outside(), text(lines[i]));
-                    QVERIFY2(errorOf(line, Yardstick::Largest) <= clipper.algorithm->ulps,
+                    QVERIFY2(errorOf(line, Yardstick::Largest) <= variant.algorithm->ulps,
                              text(lines[i]));
                 }
             }
@@ -188,7 +188,7 @@ private slots:
     {
         const auto check = [&](std::span<const Segment> lines, const Window& window) {
             for (const LineTruth& line :
-                 extended({window}, exactClipper(), lines, lines.size()).list) {
+                 extended({window}, exactVariant(), lines, lines.size()).list) {
                 QVERIFY2(!line.isWrong() && !line.orderMatters, text(lines[line.source]));
                 QVERIFY2(errorOf(line, Yardstick::Own) <= 1, text(lines[line.source]));
             }
@@ -221,7 +221,7 @@ private slots:
         const double u = 0x1p-52;
         const Segment missing{{-1, 1 + 2 * u}, {3, 1 - u}};
         QVERIFY(truth("md:published", missing, {{0, 0}, {1, 1}}).fault == Fault::Invented);
-        QVERIFY(!truthOf(exactClipper(), missing, {{0, 0}, {1, 1}}));
+        QVERIFY(!truthOf(exactVariant(), missing, {{0, 0}, {1, 1}}));
         // X2: the misprint begins at (0,0) instead of (1/2,0): half a unit, 2^51 ulps of 2
         const LineTruth misprint = truth("md-step-2", {{0, -1}, {1, 1}}, two);
         QCOMPARE(errorOf(misprint, Yardstick::Largest), 0.5 / 0x1p-51);
@@ -233,7 +233,7 @@ private slots:
         std::size_t outside = 0;
         const auto lines = paperLines(20'000);
         for (const LineTruth& line :
-             extended({paperWindow}, *findClipper("lb:published"), lines, lines.size()).list)
+             extended({paperWindow}, *findVariant("lb:published"), lines, lines.size()).list)
             outside += line.outside();
         QVERIFY2(outside > 100, qPrintable(QString::number(outside))); // 8 % of what is visible
     }
@@ -280,7 +280,7 @@ private slots:
         QVERIFY(!truePart({{0, 0}, {infinite, 1}}, two));
         QVERIFY(!truePart({{0, 0}, {1, 1}}, {{2, 0}, {0, 2}}));
         QVERIFY(truePart({{0, 0}, {1, 1}}, {{1, 1}, {1, 1}}));
-        QVERIFY(!truthOf(*findClipper("md"), {{nan, 0}, {1, 1}}, two));
+        QVERIFY(!truthOf(*findVariant("md"), {{nan, 0}, {1, 1}}, two));
     }
 
     void distancesFromALineAreExact()
@@ -298,11 +298,11 @@ private slots:
     void itGrowsInSlices()
     {
         const auto lines = paperLines(5'000);
-        const Clipper clipper = *findClipper("skala:published");
+        const Variant variant = *findVariant("skala:published");
         Truths slices{paperWindow};
         while (slices.lines < lines.size())
-            slices = extended(std::move(slices), clipper, lines, 700);
-        const Truths all = extended({paperWindow}, clipper, lines, lines.size());
+            slices = extended(std::move(slices), variant, lines, 700);
+        const Truths all = extended({paperWindow}, variant, lines, lines.size());
         QCOMPARE(slices.list.size(), all.list.size());
         for (std::size_t i = 0; i < all.list.size(); ++i) {
             QCOMPARE(slices.list[i].source, all.list[i].source);

@@ -36,12 +36,12 @@ Truth<2> truthOf(const HardCase& hard)
 }
 
 /// What a published form or an exhibit does wrong, worked out from the oracle's truth alone.
-Ruling ruling(const HardCase& hard, const Clipper& clipper)
+Ruling ruling(const HardCase& hard, const Variant& variant)
 {
     const auto truth = truthOf(hard);
-    const auto piece = clipped(clipper, hard.line, hard.window);
-    const auto& uses = clipping::usesOf(*clipper.algorithm, clipper.form);
-    if (!piece && !clipper.exhibit
+    const auto piece = clipped(variant, hard.line, hard.window);
+    const auto& uses = clipping::usesOf(*variant.algorithm, variant.form);
+    if (!piece && !variant.exhibit
         && uses->trace(hard.line, hard.window).outcome == clipping::Outcome::DidNotEnd)
         return Ruling::Endless;
     if (!piece)
@@ -58,23 +58,23 @@ Ruling ruling(const HardCase& hard, const Clipper& clipper)
     const double off =
         std::min(ulpsOff(piece, inputOf(hard), truth),
                  ulpsOff(std::optional(Segment{piece->b, piece->a}), inputOf(hard), truth));
-    return off > clipper.algorithm->ulps ? Ruling::Moved : Ruling::Right;
+    return off > variant.algorithm->ulps ? Ruling::Moved : Ruling::Right;
 }
 
-/// Whether zoo.json says of this clipper what it does wrong. Not of the form of a new row: that is
+/// Whether zoo.json says of this variant what it does wrong. Not of the form of a new row: that is
 /// judged in the gallery like all others, and its faults are written down when it is to stay.
-bool isListed(const Clipper& clipper)
+bool isListed(const Variant& variant)
 {
     return std::ranges::any_of(hardCases(), [&](const HardCase& hard) {
         return std::ranges::any_of(
-            hard.faults, [&](const auto& fault) { return fault.first == keyOf(clipper); });
+            hard.faults, [&](const auto& fault) { return fault.first == keyOf(variant); });
     });
 }
 
-Ruling listed(const HardCase& hard, const Clipper& clipper)
+Ruling listed(const HardCase& hard, const Variant& variant)
 {
     for (const auto& [key, fault] : hard.faults)
-        if (key == keyOf(clipper))
+        if (key == keyOf(variant))
             return fault;
     return Ruling::Right;
 }
@@ -138,15 +138,15 @@ private slots:
         QFETCH(int, index);
         const HardCase& hard = hardCases()[std::size_t(index)];
         std::size_t faults = 0;
-        for (const Clipper& clipper : clippers()) {
-            if (clipper.form == Form::Corrected)
+        for (const Variant& variant : variants()) {
+            if (variant.form == Form::Corrected)
                 continue;
-            const CaseAnswer answer = answerOf(hard, clipper);
-            const QByteArray name = keyOf(clipper).toUtf8();
-            QVERIFY2(keyOf(answer.ruling) == keyOf(ruling(hard, clipper)), name);
-            if (!isListed(clipper))
+            const CaseAnswer answer = answerOf(hard, variant);
+            const QByteArray name = keyOf(variant).toUtf8();
+            QVERIFY2(keyOf(answer.ruling) == keyOf(ruling(hard, variant)), name);
+            if (!isListed(variant))
                 continue;
-            QVERIFY2(answer.ruling == listed(hard, clipper), name);
+            QVERIFY2(answer.ruling == listed(hard, variant), name);
             faults += answer.good() ? 0 : 1;
         }
         QCOMPARE(faults, hard.faults.size()); // and no fault of what does not exist
@@ -169,8 +169,8 @@ private slots:
               "slater-barsky:published", "sobkow-pospisil-yang:published"})
             QVERIFY2(failing.contains(QLatin1StringView(key)), key);
         for (const QString& key : failing) {
-            const auto clipper = findClipper(key);
-            QVERIFY2(clipper && clipper->form == Form::Published, qPrintable(key));
+            const auto variant = findVariant(key);
+            QVERIFY2(variant && variant->form == Form::Published, qPrintable(key));
         }
         QCOMPARE(ways.size(), 6);
     }
@@ -210,11 +210,11 @@ private slots:
     void saysWhatCameOut()
     {
         const HardCase& md = *findHardCase(QStringLiteral("far-outside"));
-        const CaseAnswer far = answerOf(md, *findClipper(QStringLiteral("MD:published")));
+        const CaseAnswer far = answerOf(md, *findVariant(QStringLiteral("MD:published")));
         QCOMPARE(words(far), QStringLiteral("seen where nothing is"));
         QCOMPARE(far.beyond, 466.0);
         const HardCase& lb = *findHardCase(QStringLiteral("paper-outside"));
-        const CaseAnswer out = answerOf(lb, *findClipper(QStringLiteral("LB:published")));
+        const CaseAnswer out = answerOf(lb, *findVariant(QStringLiteral("LB:published")));
         QVERIFY(words(out) == QStringLiteral("outside the window by 1.1e−13"));
         QCOMPARE(pieceText(hardCases().front().visible),
                  QStringLiteral("(1, 1) to (1e−09, 1e−09)"));

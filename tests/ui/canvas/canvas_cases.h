@@ -192,7 +192,7 @@ inline void whatDiffersIsColouredAndFollowsTheGesture(ui::Backend backend)
                < 40;
     };
     QVERIFY(!isMarked({100.25, 50}));
-    stage.session.differences.ask(app::Comparison{*app::findClipper("kwc:published")});
+    stage.session.differences.ask(app::Comparison{*app::findVariant("kwc:published")});
     QTRY_VERIFY(stage.session.differences.upToDate());
     QVERIFY(isMarked({100.25, 50}));
     QVERIFY(!isMarked({75, 45}));     // both see this one

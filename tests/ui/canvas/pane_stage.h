@@ -11,7 +11,7 @@
 
 inline constexpr auto published = clipping::Form::Published;
 
-inline app::Clipper row(const char* key, clipping::Form form = clipping::Form::Corrected)
+inline app::Variant row(const char* key, clipping::Form form = clipping::Form::Corrected)
 {
     return {clipping::findAlgorithm(key), form};
 }
@@ -78,7 +78,7 @@ public:
             }
         return found;
     }
-    app::Clipper chosen() const
+    app::Variant chosen() const
     {
         return {session.display().algorithm, session.display().usedForm()};
     }

@@ -305,7 +305,7 @@ private slots:
         t.action("misprint")->trigger();
         QVERIFY(t.window->showsPanel("difference"));
         const auto& asked = t.window->session().differences.asked();
-        QVERIFY(asked && asked->a.exhibit && asked->b == app::exactClipper());
+        QVERIFY(asked && asked->a.exhibit && asked->b == app::exactVariant());
         QCOMPARE(asked->a.exhibit->key, "md-step-2");
     }
 

@@ -53,7 +53,7 @@ struct Stage {
     }
     void choose(const QString& key)
     {
-        algorithm->setCurrentIndex(algorithm->findText(app::titleOf(*app::findClipper(key))));
+        algorithm->setCurrentIndex(algorithm->findText(app::titleOf(*app::findVariant(key))));
         QTRY_VERIFY(session.truth.upToDate());
     }
     QString cell(int row, int column) const
@@ -144,7 +144,7 @@ private slots:
         QTest::mouseDClick(stage.table->viewport(), Qt::LeftButton, {}, stage.place(0));
         QVERIFY(stage.panel.magnifies());
         const std::size_t line = *stage.session.inspected();
-        const auto truth = app::truthOf(*app::findClipper("lb:published"),
+        const auto truth = app::truthOf(*app::findVariant("lb:published"),
                                         stage.session.scene.segments()[line], window);
         const app::Magnified& seen = stage.panel.magnifier().seen();
         QVERIFY(seen.returned && seen.truth);

@@ -267,7 +267,7 @@ private slots:
         TestWindow t; // never shown, so that no other frames come
         const auto frame = [&](const char* algorithm, double clipMs) {
             FrameTimes times{.clipMs = clipMs, .drawMs = 1, .total = 5000};
-            times.choice = app::findClipper(algorithm);
+            times.choice = app::findVariant(algorithm);
             emit t.window->canvas().frameShown(times);
         };
         for (int i = 0; i < 9; ++i)

@@ -183,7 +183,7 @@ private slots:
                 link.scheme() == QStringLiteral("https")
                 || (link.scheme().isEmpty() && app::algorithmOfPage(link.path()))
                 || app::specimenOf(link) || app::findHardCase(after)
-                || (link.path().startsWith(QStringLiteral("fails/")) && app::findClipper(after));
+                || (link.path().startsWith(QStringLiteral("fails/")) && app::findVariant(after));
             QVERIFY2(good, qPrintable(text));
         }
     }
@@ -259,7 +259,7 @@ private slots:
             const auto back = app::specimenOf(QUrl(*link));
             QVERIFY2(back, qPrintable(*link));
             QVERIFY(back->line == there.line && back->window == there.window);
-            QCOMPARE(app::keyOf(back->clipper), QStringLiteral("cohen-sutherland:published"));
+            QCOMPARE(app::keyOf(back->variant), QStringLiteral("cohen-sutherland:published"));
         }
         QVERIFY(links > 30);
     }

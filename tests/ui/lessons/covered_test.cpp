@@ -134,7 +134,7 @@ private slots:
         Stage stage;
         app::Microscope& microscope = stage.session.microscope;
         app::Specimen other = specimen(cut);
-        other.clipper = {clipping::findAlgorithm("liang-barsky")};
+        other.variant = {clipping::findAlgorithm("liang-barsky")};
         microscope.openCovered(specimen(cut), 0);
         const QImage one = stage.page.view().grab().toImage();
         microscope.openCovered(other, 0);

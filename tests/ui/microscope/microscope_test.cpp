@@ -293,7 +293,7 @@ private slots:
                 if (!clipping::usesOf(algorithm, form))
                     continue;
                 s.t.window->drawnLine().choose({&algorithm, form});
-                QCOMPARE(s.microscope().specimen().clipper.algorithm, &algorithm);
+                QCOMPARE(s.microscope().specimen().variant.algorithm, &algorithm);
                 s.key(Qt::Key_Home);
                 while (!s.microscope().atEnd()) {
                     QVERIFY(!s.page().steps().sentence().isEmpty());

@@ -133,7 +133,7 @@ private slots:
         QVERIFY(microscope.isOpen());
         QCOMPARE(microscope.specimen().line, verdict.findings[2].question.line);
         QCOMPARE(microscope.specimen().window, verdict.findings[2].question.window);
-        QCOMPARE(microscope.specimen().clipper, app::exactClipper());
+        QCOMPARE(microscope.specimen().variant, app::exactVariant());
         findings->selectRow(1);
         stage.click("Look at the line in the microscope");
         QCOMPARE(microscope.specimen().line, verdict.findings[1].question.line);

@@ -105,7 +105,7 @@ private slots:
         for (int row = 0; row < list.model()->rowCount(); ++row) {
             list.setCurrentIndex(list.model()->index(row, 0));
             const auto answer =
-                app::answerOf(*list.chosen(), *app::findClipper(QStringLiteral("skala:published")));
+                app::answerOf(*list.chosen(), *app::findVariant(QStringLiteral("skala:published")));
             QVERIFY2(!answer.good(), qPrintable(list.chosen()->key));
         }
         visit.zoo->choose(theCase("sdl-6791")); // which is not among them
@@ -117,9 +117,9 @@ private slots:
         Visit visit;
         visit.zoo->choose(theCase("far-outside"));
         AnswerTable& table = visit.zoo->view().table();
-        QCOMPARE(table.model()->rowCount(), int(app::clippers().size()));
+        QCOMPARE(table.model()->rowCount(), int(app::variants().size()));
         QVERIFY(table.chosen());
-        QCOMPARE(app::keyOf(table.chosen()->clipper),
+        QCOMPARE(app::keyOf(table.chosen()->variant),
                  QStringLiteral("matthes-drakopoulos:published"));
         int wrong = 0;
         for (int row = 0; row < table.model()->rowCount(); ++row)
@@ -141,7 +141,7 @@ private slots:
         QVERIFY(microscope.isOpen());
         QCOMPARE(microscope.specimen().line, theCase("plotink-40").line);
         QCOMPARE(microscope.specimen().y, app::YAxis::Up);
-        QCOMPARE(app::keyOf(microscope.specimen().clipper),
+        QCOMPARE(app::keyOf(microscope.specimen().variant),
                  QStringLiteral("cohen-sutherland:published"));
         visit.zoo->choose(theCase("step-2-nothing")); // an exhibit is chosen, without steps
         QVERIFY(!look->isEnabled());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/clipper_box.h"
+#include "ui/widgets/variant_box.h"
 
 #include "ui/widgets/algorithm_marker.h"
 
@@ -15,21 +15,21 @@ namespace {
 
 constexpr int markerSize = 12;
 
-QPixmap marker(const app::Clipper& clipper, const QPalette& palette, double pixelRatio)
+QPixmap marker(const app::Variant& variant, const QPalette& palette, double pixelRatio)
 {
     QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
     picture.setDevicePixelRatio(pixelRatio);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *clipper.algorithm,
-                     clipper.form, groundOf(palette));
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *variant.algorithm,
+                     variant.form, groundOf(palette));
     return picture;
 }
 
 } // namespace
 
-ClipperBox::ClipperBox(const QString& name, const QStringList& before, QWidget* parent)
-    : ToolList(parent), all_(app::clippers()), before_(int(before.size()))
+VariantBox::VariantBox(const QString& name, const QStringList& before, QWidget* parent)
+    : ToolList(parent), all_(app::variants()), before_(int(before.size()))
 {
     setAccessibleName(name);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
@@ -38,40 +38,40 @@ ClipperBox::ClipperBox(const QString& name, const QStringList& before, QWidget* 
     setMaxVisibleItems(30);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     addItems(before);
-    for (const app::Clipper& clipper : all_)
-        addItem(app::titleOf(clipper));
+    for (const app::Variant& variant : all_)
+        addItem(app::titleOf(variant));
     paintMarkers();
 }
 
-std::optional<app::Clipper> ClipperBox::clipper() const
+std::optional<app::Variant> VariantBox::variant() const
 {
     return currentIndex() < before_ ? std::nullopt
                                     : std::optional(all_[std::size_t(currentIndex() - before_)]);
 }
 
-int ClipperBox::rowOf(const app::Clipper& clipper) const
+int VariantBox::rowOf(const app::Variant& variant) const
 {
-    return before_ + int(std::ranges::find(all_, clipper) - all_.begin());
+    return before_ + int(std::ranges::find(all_, variant) - all_.begin());
 }
 
-void ClipperBox::choose(const app::Clipper& clipper) { setCurrentIndex(rowOf(clipper)); }
+void VariantBox::choose(const app::Variant& variant) { setCurrentIndex(rowOf(variant)); }
 
-void ClipperBox::offer(const std::function<bool(const app::Clipper&)>& fits)
+void VariantBox::offer(const std::function<bool(const app::Variant&)>& fits)
 {
     const auto* items = qobject_cast<QStandardItemModel*>(model());
-    for (const app::Clipper& clipper : all_)
-        items->item(rowOf(clipper))->setEnabled(fits(clipper));
+    for (const app::Variant& variant : all_)
+        items->item(rowOf(variant))->setEnabled(fits(variant));
     if (!items->item(currentIndex())->isEnabled())
         setCurrentIndex(0);
 }
 
-void ClipperBox::paintMarkers()
+void VariantBox::paintMarkers()
 {
-    for (const app::Clipper& clipper : all_)
-        setItemIcon(rowOf(clipper), marker(clipper, palette(), devicePixelRatioF()));
+    for (const app::Variant& variant : all_)
+        setItemIcon(rowOf(variant), marker(variant, palette(), devicePixelRatioF()));
 }
 
-void ClipperBox::changeEvent(QEvent* event)
+void VariantBox::changeEvent(QEvent* event)
 {
     ToolList::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)

@@ -3,48 +3,40 @@
 
 #include "app/comparison/exhibits/exhibit.h"
 #include "app/comparison/ulps.h"
+#include "app/document/variant.h"
 
 namespace app {
 
-/// What can be compared: one form of an algorithm, which it has, or an exhibit.
-struct Clipper {
-    const clipping::Algorithm* algorithm = nullptr;  ///< of an exhibit: what it was meant to be
-    clipping::Form form = clipping::Form::Corrected; ///< of an exhibit: published
-    const Exhibit* exhibit = nullptr;
-
-    friend bool operator==(const Clipper&, const Clipper&) = default;
-};
-
 /// All there are, in menu order: the forms of each row, then the exhibits.
-std::vector<Clipper> clippers();
-Clipper exactClipper();
+std::vector<Variant> variants();
+Variant exactVariant();
 
 /// "exact", "MD", "KWC as published", "MD with Step 2 as printed".
-QString nameOf(const Clipper& clipper);
+QString nameOf(const Variant& variant);
 /// "KWC  Kodituwakku-Wijeweera-Chamikara, as published".
-QString titleOf(const Clipper& clipper);
+QString titleOf(const Variant& variant);
 
 /// For files and the command line: "matthes-drakopoulos", "skala:published", "md-step-2".
-QString keyOf(const Clipper& clipper);
+QString keyOf(const Variant& variant);
 /// By such a key; abbreviations in any case do as well. Nothing: there is no such algorithm, form
 /// or exhibit.
-std::optional<Clipper> findClipper(const QString& key);
+std::optional<Variant> findVariant(const QString& key);
 
 /// As in `clipping::Uses`.
-std::size_t clipAll(const Clipper& clipper, std::span<const clipping::Segment> in,
+std::size_t clipAll(const Variant& variant, std::span<const clipping::Segment> in,
                     const clipping::Window& window, std::span<clipping::Clipped> out);
 /// All that it leaves, in the order of the lines.
-std::vector<clipping::Clipped> clipped(const Clipper& clipper,
+std::vector<clipping::Clipped> clipped(const Variant& variant,
                                        std::span<const clipping::Segment> in,
                                        const clipping::Window& window);
-std::optional<clipping::Segment> clipped(const Clipper& clipper, const clipping::Segment& line,
+std::optional<clipping::Segment> clipped(const Variant& variant, const clipping::Segment& line,
                                          const clipping::Window& window);
 
 /// Only corrected forms promise that a piece runs the way its line does.
-Ends endsOf(const Clipper& one, const Clipper& other);
+Ends endsOf(const Variant& one, const Variant& other);
 
 /// What the contract lets both be off together; a published form is held to its row's. An exhibit
 /// too.
-double contractUlps(const Clipper& one, const Clipper& other);
+double contractUlps(const Variant& one, const Variant& other);
 
 } // namespace app

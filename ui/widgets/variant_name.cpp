@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/clipper_name.h"
+#include "ui/widgets/variant_name.h"
 
 #include "app/latin.h"
 #include "ui/look.h"
@@ -16,25 +16,25 @@ constexpr int markerSize = 12, markerRoom = 20;
 
 } // namespace
 
-void paintClipperName(QPainter& painter, const QRect& cell, const QStyleOptionViewItem& option,
-                      const app::Clipper& clipper)
+void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionViewItem& option,
+                      const app::Variant& variant)
 {
     const Look& look = lookOf(option.palette);
     app::paintMarker(painter, QRectF(cell.left(), cell.center().y() - 5.5, markerSize, markerSize),
-                     *clipper.algorithm, clipper.form, groundOf(option.palette));
+                     *variant.algorithm, variant.form, groundOf(option.palette));
     QRect text = cell.adjusted(markerRoom, 0, 0, 0);
     const QFont bold = semiBold(option.font);
-    const QString name = clipper.exhibit ? QString() : app::latin(clipper.algorithm->abbreviation);
+    const QString name = variant.exhibit ? QString() : app::latin(variant.algorithm->abbreviation);
     painter.setFont(bold);
     painter.setPen(look.text);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
-    if (clipper.form != clipping::Form::Published)
+    if (variant.form != clipping::Form::Published)
         return;
-    if (!clipper.exhibit)
+    if (!variant.exhibit)
         text.setLeft(text.left() + QFontMetrics(bold).horizontalAdvance(name) + 8);
-    QString aside = clipper.exhibit ? clipper.exhibit->name
+    QString aside = variant.exhibit ? variant.exhibit->name
                                     : QCoreApplication::translate("Compare", "as published");
-    if (!clipper.exhibit && option.fontMetrics.horizontalAdvance(aside) > text.width())
+    if (!variant.exhibit && option.fontMetrics.horizontalAdvance(aside) > text.width())
         aside = QCoreApplication::translate("Compare", "pub.");
     painter.setFont(option.font);
     painter.setPen(look.muted);

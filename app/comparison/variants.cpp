@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/variants.h"
+
+#include "app/latin.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Clipped;
+using clipping::Form;
+using clipping::Segment;
+using clipping::Window;
+
+std::vector<Variant> variants()
+{
+    std::vector<Variant> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        for (const Form form : {Form::Corrected, Form::Published})
+            if (clipping::usesOf(algorithm, form))
+                all.push_back({&algorithm, form});
+    for (const Exhibit& exhibit : exhibits())
+        all.push_back({exhibit.meant, Form::Published, &exhibit});
+    return all;
+}
+
+Variant exactVariant() { return {&clipping::exactAlgorithm(), Form::Corrected}; }
+
+QString nameOf(const Variant& variant)
+{
+    if (variant.exhibit)
+        return variant.exhibit->name;
+    const clipping::Algorithm& row = *variant.algorithm;
+    const QString name = latin(variant == exactVariant() ? row.key : row.abbreviation);
+    return variant.form == Form::Corrected
+               ? name
+               : QCoreApplication::translate("Variant", "%1 as published").arg(name);
+}
+
+QString titleOf(const Variant& variant)
+{
+    if (variant.exhibit)
+        return variant.exhibit->name;
+    const QString both = latin(variant.algorithm->abbreviation) + QStringLiteral("  ")
+                         + latin(variant.algorithm->name);
+    return variant.form == Form::Corrected
+               ? both
+               : QCoreApplication::translate("Variant", "%1, as published").arg(both);
+}
+
+static const QString publishedSuffix = QStringLiteral(":published");
+
+QString keyOf(const Variant& variant)
+{
+    if (variant.exhibit)
+        return variant.exhibit->key;
+    const QString key = latin(variant.algorithm->key);
+    return variant.form == Form::Corrected ? key : key + publishedSuffix;
+}
+
+std::optional<Variant> findVariant(const QString& key)
+{
+    for (const Exhibit& exhibit : exhibits())
+        if (exhibit.key == key)
+            return Variant{exhibit.meant, Form::Published, &exhibit};
+    const bool published = key.endsWith(publishedSuffix);
+    const QString name = published ? key.chopped(publishedSuffix.size()) : key;
+    const auto* algorithm = clipping::findAlgorithm(name.toStdString());
+    const Form form = published ? Form::Published : Form::Corrected;
+    if (!algorithm || !clipping::usesOf(*algorithm, form))
+        return std::nullopt;
+    return Variant{algorithm, form};
+}
+
+std::size_t clipAll(const Variant& variant, std::span<const Segment> in, const Window& window,
+                    std::span<Clipped> out)
+{
+    return variant.exhibit
+               ? variant.exhibit->clipAll(in, window, out)
+               : clipping::usesOf(*variant.algorithm, variant.form)->clipAll(in, window, out);
+}
+
+std::vector<Clipped> clipped(const Variant& variant, std::span<const Segment> in,
+                             const Window& window)
+{
+    std::vector<Clipped> out(in.size());
+    out.resize(clipAll(variant, in, window, out));
+    return out;
+}
+
+std::optional<Segment> clipped(const Variant& variant, const Segment& line, const Window& window)
+{
+    Clipped piece{};
+    if (clipAll(variant, {&line, 1}, window, {&piece, 1}) == 0)
+        return std::nullopt;
+    return piece.segment;
+}
+
+Ends endsOf(const Variant& one, const Variant& other)
+{
+    const bool both = one.form == Form::Corrected && other.form == Form::Corrected;
+    return both ? Ends::InOrder : Ends::EitherWay;
+}
+
+double contractUlps(const Variant& one, const Variant& other)
+{
+    return one.algorithm->ulps + other.algorithm->ulps;
+}
+
+} // namespace app
