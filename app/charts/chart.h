@@ -10,7 +10,7 @@
 
 namespace app {
 
-// A chart as plain data: a row a contestant, from the top down, with bars or boxes in one panel or
+// A chart as plain data: a row a variant, from the top down, with bars or boxes in one panel or
 // in several side by side. chart_paint.h paints it, chart_file.h writes it.
 
 /// A bar from zero, of parts one after the other. The n-th part has the n-th pattern

@@ -24,11 +24,11 @@ constexpr std::array kinds{
     Kind{QT_TRANSLATE_NOOP("Charts", "divisions"), &OperationCounts::divisions},
 };
 
-ChartRow rowOf(const ContestantOperations& operations, std::uint64_t lines)
+ChartRow rowOf(const VariantOperations& operations, std::uint64_t lines)
 {
-    ChartRow row = rowFor(operations.contestant);
+    ChartRow row = rowFor(operations.variant);
     const OperationCounts scene = operations.scene();
-    QStringList detail{fullName(operations.contestant)};
+    QStringList detail{fullName(operations.variant)};
     Bar bar;
     for (const Kind& kind : kinds) {
         bar.parts.push_back(double(scene.*kind.count) / double(lines));
@@ -45,13 +45,13 @@ ChartRow rowOf(const ContestantOperations& operations, std::uint64_t lines)
 
 double lengthOf(const ChartRow& row) { return std::get<Bar>(row.figures.front()).length(); }
 
-/// Of one contestant: a bar a class, and what a line of the scene costs.
+/// Of one variant: a bar a class, and what a line of the scene costs.
 struct ClassRow {
     ChartRow row;
     double weighted = 0;
 };
 
-void add(ClassRow& so, const ClassTimes& one, std::size_t contestant, const Measure& measure)
+void add(ClassRow& so, const ClassTimes& one, std::size_t variant, const Measure& measure)
 {
     const QString name = words(one.of.lineClass);
     if (one.record.timings.empty()) {
@@ -59,20 +59,20 @@ void add(ClassRow& so, const ClassTimes& one, std::size_t contestant, const Meas
         so.row.detail += u'\n' + Charts::tr("%1: none in this scene").arg(name);
         return;
     }
-    const Summary times = summaryOf(measure.times(one.record.timings[contestant]));
+    const Summary times = summaryOf(measure.times(one.record.timings[variant]));
     so.weighted += one.of.share * times.median;
     so.row.figures.push_back(Bar{{times.median}, {}, numberText(times.median, 1)});
     so.row.detail += u'\n' + QStringLiteral("%1: %2").arg(name, nanosecondsText(times.median));
 }
 
-std::vector<Contestant> contestantsOf(const ClassProfile& profile)
+std::vector<Variant> variantsOf(const ClassProfile& profile)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     const auto measured = std::ranges::find_if(
         profile.classes, [](const ClassTimes& one) { return !one.record.timings.empty(); });
     if (measured != profile.classes.end())
         for (const Timing& timing : measured->record.timings)
-            all.push_back(timing.contestant);
+            all.push_back(timing.variant);
     return all;
 }
 
@@ -85,7 +85,7 @@ QStringList notesOf(const ClassProfile& profile)
             notes << Charts::tr("Lines of class “%1” are too rare in the scene: those of the scene "
                                 "“%2” stand in for them.")
                          .arg(words(one.of.lineClass), one.of.standIn);
-    if (const QString batches = batchText(contestantsOf(profile)); !batches.isEmpty())
+    if (const QString batches = batchText(variantsOf(profile)); !batches.isEmpty())
         notes << batches;
     return notes;
 }
@@ -104,7 +104,7 @@ Chart chartOf(const OperationProfile& profile)
                                      "bits are not counted.")}};
     for (std::size_t k = 0; k < kinds.size(); ++k)
         chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
-    for (const ContestantOperations& operations : profile.rows)
+    for (const VariantOperations& operations : profile.rows)
         chart.rows.push_back(rowOf(operations, profile.options.lines));
     std::ranges::stable_sort(chart.rows, {}, lengthOf);
     return withSharedNote(std::move(chart));
@@ -126,9 +126,9 @@ Chart chartOf(const ClassProfile& profile)
                                 Charts::tr("nanoseconds a line")});
     const Measure clip = measures().front();
     std::vector<ClassRow> rows;
-    for (const Contestant& contestant : contestantsOf(profile)) {
-        ClassRow so{rowFor(contestant)};
-        so.row.detail = fullName(contestant);
+    for (const Variant& variant : variantsOf(profile)) {
+        ClassRow so{rowFor(variant)};
+        so.row.detail = fullName(variant);
         for (const ClassTimes& one : profile.classes)
             add(so, one, rows.size(), clip);
         so.row.numbers = {numberText(so.weighted, 1)};

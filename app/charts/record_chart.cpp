@@ -27,10 +27,10 @@ double lowestOf(const PaperTable& paper)
 /// Whether the paper's time of this algorithm is set beside this timing of it.
 bool comparable(const Record& record, const Timing& timing, const PaperTable& paper)
 {
-    return columnOf(paper, timing.contestant.algorithm)
+    return columnOf(paper, timing.variant.algorithm)
            && std::ranges::none_of(record.timings, [&](const Timing& other) {
-                  return other.contestant.algorithm == timing.contestant.algorithm
-                         && other.contestant.form < timing.contestant.form;
+                  return other.variant.algorithm == timing.variant.algorithm
+                         && other.variant.form < timing.variant.form;
               });
 }
 
@@ -46,9 +46,9 @@ std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
     return found == order.end() ? order.front() : *found;
 }
 
-QString detailOf(const Contestant& contestant, const Summary& times)
+QString detailOf(const Variant& variant, const Summary& times)
 {
-    QStringList lines{fullName(contestant),
+    QStringList lines{fullName(variant),
                       Charts::tr("median %1 a line").arg(nanosecondsText(times.median))};
     if (std::isfinite(times.confidence.low) && std::isfinite(times.confidence.high))
         lines << Charts::tr("with 95 % confidence %1 to %2")
@@ -80,13 +80,13 @@ QString testText(const Ranking& ranking, std::size_t thing)
                  .arg(numberText(test.ratio, 3), pText(test.p));
 }
 
-ChartRow rowOf(const Contestant& contestant, const Summary& times, double lowest)
+ChartRow rowOf(const Variant& variant, const Summary& times, double lowest)
 {
-    ChartRow row = rowFor(contestant);
+    ChartRow row = rowFor(variant);
     row.value = nanosecondsText(times.median);
     row.figures = {Bar{{times.median / lowest}, relative(times.confidence, lowest)}};
     row.numbers = {ratioText(times.median / lowest)};
-    row.detail = detailOf(contestant, times);
+    row.detail = detailOf(variant, times);
     return row;
 }
 
@@ -112,7 +112,7 @@ std::vector<LegendEntry> legendOf(const Record& record)
 {
     const auto has = [&](clipping::Form form) {
         return std::ranges::any_of(
-            record.timings, [&](const Timing& timing) { return timing.contestant.form == form; });
+            record.timings, [&](const Timing& timing) { return timing.variant.form == form; });
     };
     const QString here = Charts::tr("here, median of %1").arg(countText(record.options.runs));
     std::vector<LegendEntry> legend;
@@ -126,7 +126,7 @@ std::vector<LegendEntry> legendOf(const Record& record)
 
 void addBatches(Chart& chart, const Record& record)
 {
-    if (const QString batches = batchText(contestantsOf(record)); !batches.isEmpty())
+    if (const QString batches = batchText(variantsOf(record)); !batches.isEmpty())
         chart.notes << batches;
 }
 
@@ -150,7 +150,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
                 .reference = 1,
                 .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
-        chart.rows.push_back(rowOf(record.timings[i].contestant, times[i], times[one].median));
+        chart.rows.push_back(rowOf(record.timings[i].variant, times[i], times[one].median));
         chart.rows.back().detail += testText(ranking, i);
         if (paper && comparable(record, record.timings[i], *paper))
             compare(chart.rows.back(), *paper);
@@ -188,10 +188,10 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
                 .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
         const auto runs = measure.times(record.timings[i]);
-        ChartRow row = rowFor(record.timings[i].contestant);
+        ChartRow row = rowFor(record.timings[i].variant);
         row.figures = {boxOf(runs), boxOf(deviations(runs, times[i].median))};
         row.numbers = {nanosecondsText(times[i].median)};
-        row.detail = detailOf(record.timings[i].contestant, times[i]);
+        row.detail = detailOf(record.timings[i].variant, times[i]);
         chart.rows.push_back(std::move(row));
     }
     addBatches(chart, record);

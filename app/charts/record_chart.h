@@ -17,7 +17,7 @@ namespace app {
 Chart chartOf(const Record& record, const Measure& measure,
               const std::optional<PaperTable>& paper = {});
 
-/// How the single runs lie: a box a contestant, in the order of the medians, nanoseconds a line.
+/// How the single runs lie: a box a variant, in the order of the medians, nanoseconds a line.
 Chart boxPlotOf(const Record& record, const Measure& measure);
 
 /// The chart that the paper draws of a table: its own averages in seconds, from low to high, with

@@ -12,7 +12,7 @@ QString keyOf(const Trial& trial, const Measure& measure)
     if (!trial.paper)
         return measure.key;
     return QStringList{trial.paper->key, measure.key,
-                       wordOf(trial.record.timings.front().contestant.form)}
+                       wordOf(trial.record.timings.front().variant.form)}
         .join(u'-');
 }
 

@@ -9,23 +9,23 @@
 
 namespace app {
 
-ChartRow rowFor(const Contestant& contestant)
+ChartRow rowFor(const Variant& variant)
 {
-    const std::string_view name = contestant.algorithm->abbreviation;
-    const bool published = contestant.form == clipping::Form::Published;
-    return {.algorithm = contestant.algorithm,
-            .form = contestant.form,
+    const std::string_view name = variant.algorithm->abbreviation;
+    const bool published = variant.form == clipping::Form::Published;
+    return {.algorithm = variant.algorithm,
+            .form = variant.form,
             .name = latin(name),
             .note = published ? Charts::tr("as published") : QString(),
             .figures = {}};
 }
 
-QString fullName(const Contestant& contestant)
+QString fullName(const Variant& variant)
 {
-    const std::string_view name = contestant.algorithm->name;
+    const std::string_view name = variant.algorithm->name;
     const QString text = latin(name);
-    return contestant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
-                                                        : text;
+    return variant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
+                                                     : text;
 }
 
 Chart withSharedNote(Chart chart)

@@ -15,10 +15,10 @@ struct Charts {
     Q_DECLARE_TR_FUNCTIONS(Charts)
 };
 
-/// A row without figures: name, marker and form of a contestant.
-ChartRow rowFor(const Contestant& contestant);
+/// A row without figures: name, marker and form of a variant.
+ChartRow rowFor(const Variant& variant);
 /// "Cohen-Sutherland, as published".
-QString fullName(const Contestant& contestant);
+QString fullName(const Variant& variant);
 /// "23.9 ns": as many decimals as times in milliseconds have.
 QString nanosecondsText(double nanoseconds);
 /// The chart with the note that all of its rows share, if there is one, said once: below its title.

@@ -36,7 +36,7 @@ Study measured(const Plan& plan)
 Table analysed(const Analysis& analysis, const PlannedTrial& trial)
 {
     ProgressLine line;
-    return *analysis.table(trial.options, trial.contestants,
+    return *analysis.table(trial.options, trial.variants,
                            {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 

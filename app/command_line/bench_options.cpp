@@ -209,16 +209,16 @@ std::vector<clipping::Form> formsGiven(const Given& given)
     return {both[choice - 1]};
 }
 
-std::vector<Contestant> contestantsGiven(const Given& given)
+std::vector<Variant> variantsGiven(const Given& given)
 {
     auto algorithms = given.algorithms(QStringLiteral("algorithms"));
     if (algorithms.empty())
         for (const auto& algorithm : clipping::algorithms())
             algorithms.push_back(&algorithm);
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     for (const clipping::Form form : formsGiven(given))
-        for (const Contestant& contestant : contestants(algorithms, form))
-            all.push_back(contestant);
+        for (const Variant& variant : variantsOf(algorithms, form))
+            all.push_back(variant);
     return withOneByOne(all);
 }
 

@@ -27,6 +27,6 @@ Precision precisionGiven(const Given& given);
 std::vector<clipping::Form> formsGiven(const Given& given);
 
 /// The algorithms and forms they name: both forms unless --form names one.
-std::vector<Contestant> contestantsGiven(const Given& given);
+std::vector<Variant> variantsGiven(const Given& given);
 
 } // namespace app

@@ -38,10 +38,10 @@ std::vector<PlannedTrial> paperTrials(const Given& given, const ExperimentOption
 
 PlannedTrial sceneTrial(const Given& given, const ExperimentOptions& options)
 {
-    auto contestants = contestantsGiven(given);
-    if (contestants.empty())
+    auto variants = variantsGiven(given);
+    if (variants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
-    return {std::nullopt, options, std::move(contestants)};
+    return {std::nullopt, options, std::move(variants)};
 }
 
 bool repeatsPaper(const Given& given) { return given.has(QStringLiteral("paper")); }
@@ -80,9 +80,9 @@ PlannedTrial explanationOf(const Plan& plan)
 {
     PlannedTrial all{std::nullopt, plan.trials.front().options, {}};
     for (const PlannedTrial& trial : plan.trials)
-        for (const Contestant& one : trial.contestants)
-            if (std::ranges::find(all.contestants, one) == all.contestants.end())
-                all.contestants.push_back(one);
+        for (const Variant& one : trial.variants)
+            if (std::ranges::find(all.variants, one) == all.variants.end())
+                all.variants.push_back(one);
     return all;
 }
 

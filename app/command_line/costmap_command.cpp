@@ -80,8 +80,7 @@ void setAlgorithms(CostPlan& plan, const Given& given)
         throw WrongUsage{Commands::tr("Give either -a ALGORITHM, whose cost is shown, or "
                                       "--cheapest.")};
     const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
-    plan.contestants =
-        costContestants(published ? clipping::Form::Published : clipping::Form::Corrected);
+    plan.variants = costVariants(published ? clipping::Form::Published : clipping::Form::Corrected);
     plan.shown.reset();
     if (!key)
         return;

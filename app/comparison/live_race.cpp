@@ -27,9 +27,9 @@ LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), s
     connect(&session.drawing, &Drawing::changed, this, &LiveRace::follow);
 }
 
-void LiveRace::setContestants(std::vector<Contestant> contestants)
+void LiveRace::setVariants(std::vector<Variant> variants)
 {
-    contestants_ = std::move(contestants);
+    variants_ = std::move(variants);
     if (running()) {
         stop();
         start();
@@ -40,7 +40,7 @@ void LiveRace::start()
 {
     if (running())
         return;
-    race_.emplace(contestants_);
+    race_.emplace(variants_);
     sinceFindings_.invalidate();
     begin();
 }
@@ -136,7 +136,7 @@ bool LiveRace::enough() const
 {
     const std::size_t rounds = race_->rounds();
     return rounds >= Race::length
-           || (rounds >= leastRounds(contestants_.size()) && sinceNew_.elapsed() >= longEnough)
+           || (rounds >= leastRounds(variants_.size()) && sinceNew_.elapsed() >= longEnough)
            || (rounds >= 2 && lines() < leastLinesToTime);
 }
 

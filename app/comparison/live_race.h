@@ -21,8 +21,8 @@ public:
     explicit LiveRace(const Session& session, QObject* parent = nullptr);
 
     /// Who races, at least one; what was measured is forgotten.
-    void setContestants(std::vector<Contestant> contestants);
-    std::span<const Contestant> contestants() const { return contestants_; }
+    void setVariants(std::vector<Variant> variants);
+    std::span<const Variant> variants() const { return variants_; }
     void start(); ///< on what is shown now
     void stop();  ///< what was measured is forgotten
     bool running() const { return race_.has_value(); }
@@ -50,7 +50,7 @@ private:
     bool enough() const;
 
     const Session& session_;
-    std::vector<Contestant> contestants_;
+    std::vector<Variant> variants_;
     std::optional<Race> race_;
     std::optional<clipping::Window> window_; ///< of the last frame
     std::uint64_t revision_ = 0;             ///< of the lines

@@ -30,9 +30,9 @@ std::vector<clipping::Segment> evenly(std::span<const clipping::Segment> lines, 
     return sample;
 }
 
-const auto& usesOf(const Contestant& contestant)
+const auto& usesOf(const Variant& variant)
 {
-    return *clipping::usesOf(*contestant.algorithm, contestant.form);
+    return *clipping::usesOf(*variant.algorithm, variant.form);
 }
 
 } // namespace
@@ -43,12 +43,12 @@ std::span<const double> RaceRow::times() const
     return ofThisFrame < leastTelling ? all : all.last(ofThisFrame);
 }
 
-Race::Race(const std::vector<Contestant>& contestants, Clock clock)
-    : clock_(std::move(clock)), nanoseconds_(contestants.size())
+Race::Race(const std::vector<Variant>& variants, Clock clock)
+    : clock_(std::move(clock)), nanoseconds_(variants.size())
 {
-    assert(!contestants.empty());
-    for (const Contestant& contestant : contestants)
-        rows_.push_back({.contestant = contestant});
+    assert(!variants.empty());
+    for (const Variant& variant : variants)
+        rows_.push_back({.variant = variant});
 }
 
 void Race::begin(const RaceFrame& frame, Purpose purpose)
@@ -122,16 +122,16 @@ void Race::tellTruth(std::size_t block)
                                                        std::span(truth_).subspan(begin)));
 }
 
-void Race::clip(std::size_t contestant, std::size_t block)
+void Race::clip(std::size_t variant, std::size_t block)
 {
-    RaceRow& row = next_[contestant];
+    RaceRow& row = next_[variant];
     const auto lines = linesOf(frame_, block);
     const auto out = std::span(found_).subspan(row.visible);
-    const auto& uses = usesOf(row.contestant);
+    const auto& uses = usesOf(row.variant);
     emptyUpperHalves();
     const double start = clock_.nanoseconds();
     const std::size_t visible = uses.clipAll(lines, frame_.window, out);
-    nanoseconds_[contestant] += clock_.nanoseconds() - start;
+    nanoseconds_[variant] += clock_.nanoseconds() - start;
     row.visible += visible;
     if (judges())
         judge(row, block, out.first(visible));
@@ -141,19 +141,18 @@ void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found
 {
     const std::size_t from = block == 0 ? 0 : truthEnds_[block - 1];
     const auto truth = std::span(truth_).first(truthEnds_[block]).subspan(from);
-    const Variant contestant{row.contestant.algorithm, row.contestant.form};
     const DifferenceCounts here = counted(differences(
         linesOf(frame_, block), frame_.window, found, truth,
-        {contractUlps(contestant, exactVariant()), endsOf(contestant, exactVariant())}));
+        {contractUlps(row.variant, exactVariant()), endsOf(row.variant, exactVariant())}));
     row.differences.onlyA += here.onlyA;
     row.differences.onlyB += here.onlyB;
     row.differences.endsApart += here.endsApart;
 }
 
-void Race::count(std::size_t contestant)
+void Race::count(std::size_t variant)
 {
-    RaceRow& row = next_[contestant];
-    const auto c = usesOf(row.contestant).count(sample_, frame_.window);
+    RaceRow& row = next_[variant];
+    const auto c = usesOf(row.variant).count(sample_, frame_.window);
     row.operations = double(c.comparisons + c.additions + c.multiplications + c.divisions)
                      / double(std::max<std::size_t>(sample_.size(), 1));
 }

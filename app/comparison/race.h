@@ -19,13 +19,13 @@ struct RaceFrame {
     }
 };
 
-/// What one contestant needed and found.
+/// What one variant needed and found.
 struct RaceRow {
-    Contestant contestant;
+    Variant variant;
     std::vector<double> milliseconds{}; ///< for all lines, of the last rounds, the newest last
     std::size_t ofThisFrame = 0;        ///< how many of them: those at the end
     std::size_t visible = 0;            ///< lines
-    DifferenceCounts differences{};     ///< A is the contestant, B `exact`
+    DifferenceCounts differences{};     ///< A is the variant, B `exact`
     double operations = 0; ///< a line: comparisons, additions, multiplications, divisions
 
     /// Of the rounds of this frame, or of all of them as long as those are too few to say anything:
@@ -34,7 +34,7 @@ struct RaceRow {
     Summary summary() const { return summaryOf(times()); }
 };
 
-/// All contestants clip the same frame, round by round, each in turn and each into the same buffer;
+/// All variants clip the same frame, round by round, each in turn and each into the same buffer;
 /// who begins changes from round to round. A round is made of many short steps, so that between
 /// them a window can answer. What is truly visible is what the row `exact` says. One thread.
 class Race {
@@ -45,7 +45,7 @@ public:
     static constexpr std::size_t quickSample = 256, thoroughSample = 16384;
 
     /// Of at least one.
-    explicit Race(const std::vector<Contestant>& contestants, Clock clock = processorClock());
+    explicit Race(const std::vector<Variant>& variants, Clock clock = processorClock());
 
     /// What a round is for: only times, or also what has not been found out of this frame yet,
     /// which takes a tenth more; until then rows keep what was found before.
@@ -53,13 +53,13 @@ public:
     /// Begins a round. Times of another number of lines are forgotten. No round is under way.
     void begin(const RaceFrame& frame, Purpose purpose = Purpose::Findings);
     bool running() const { return racing_; }
-    /// One contestant's turn on some of the lines, which takes some milliseconds. True: it was the
+    /// One variant's turn on some of the lines, which takes some milliseconds. True: it was the
     /// round's last one.
     bool step();
     /// Gives up the round under way, of which nothing is kept.
     void drop() { racing_ = false; }
 
-    /// After the last round that was finished, in the order of the contestants.
+    /// After the last round that was finished, in the order of the variants.
     const std::vector<RaceRow>& rows() const { return rows_; }
     const RaceFrame& frame() const { return frame_; } ///< of the last round that was begun
     std::size_t rounds() const { return rounds_; }    ///< finished ones, of this frame
@@ -70,9 +70,9 @@ private:
     bool counts() const;
     std::size_t turns() const;
     void tellTruth(std::size_t block);
-    void clip(std::size_t contestant, std::size_t block);
+    void clip(std::size_t variant, std::size_t block);
     void judge(RaceRow& row, std::size_t block, std::span<const clipping::Clipped> found) const;
-    void count(std::size_t contestant);
+    void count(std::size_t variant);
     void finish();
 
     Clock clock_;

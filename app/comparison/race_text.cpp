@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/race_text.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/ranking.h"
+#include "app/experiment/short_names.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
 
@@ -32,7 +32,7 @@ QString groupsText(std::span<const RaceRow> rows)
     for (const auto& group : ranking.groups) {
         QStringList names;
         for (const std::size_t i : group)
-            names << nameOf(rows[i].contestant);
+            names << shortNameOf(rows[i].variant);
         if (names.size() > 1)
             texts << listText(names);
     }

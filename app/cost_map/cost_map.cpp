@@ -55,7 +55,7 @@ Segment CostPlan::lineTo(const Point& there) const
     return end == FixedEnd::End1 ? Segment{fixed, there} : Segment{there, fixed};
 }
 
-std::vector<Variant> costContestants(clipping::Form form)
+std::vector<Variant> costVariants(clipping::Form form)
 {
     std::vector<Variant> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
@@ -83,7 +83,7 @@ CostPlan usualCostPlan(const Window& window)
     const Window area = areaAround(window);
     const Point from = area.min + (area.max - area.min) * Point(1. / 6, 0.4);
     return {.shown = Variant{clipping::findAlgorithm("MD")},
-            .contestants = costContestants(clipping::Form::Corrected),
+            .variants = costVariants(clipping::Form::Corrected),
             .measure = &costMeasures().front(),
             .fixed = from,
             .window = window,
@@ -105,14 +105,14 @@ double costOf(const Variant& variant, const CostMeasure& measure, const Segment&
 Cheapest cheapestOf(const CostPlan& plan, const Segment& line)
 {
     std::array<double, 32> costs{};
-    assert(plan.contestants.size() <= costs.size());
+    assert(plan.variants.size() <= costs.size());
     Cheapest best{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
-        costs[i] = costOf(plan.contestants[i], *plan.measure, line, plan.window);
+    for (std::size_t i = 0; i < plan.variants.size(); ++i) {
+        costs[i] = costOf(plan.variants[i], *plan.measure, line, plan.window);
         best.cost = std::min(best.cost, costs[i]);
     }
     const double most = plan.measure->isTime() ? best.cost * noise : best.cost;
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+    for (std::size_t i = 0; i < plan.variants.size(); ++i)
         if (costs[i] <= most)
             best.which |= 1u << i;
     return best;

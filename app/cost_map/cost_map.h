@@ -17,8 +17,8 @@ enum class FixedEnd : std::uint8_t { End1, End2 };
 
 /// What a cost map shows.
 struct CostPlan {
-    std::optional<Variant> shown{};   ///< whose cost; nothing: which contestant is the cheapest
-    std::vector<Variant> contestants; ///< that are asked which is cheapest; at most 32
+    std::optional<Variant> shown{};   ///< whose cost; nothing: which variant is the cheapest
+    std::vector<Variant> variants;    ///< that are asked which is cheapest; at most 32
     const CostMeasure* measure;       ///< never null
     Point fixed;
     FixedEnd end = FixedEnd::End1;
@@ -36,7 +36,7 @@ struct CostPlan {
 };
 
 /// All rows of the catalogue in one form, without those that do not have it.
-std::vector<Variant> costContestants(clipping::Form form);
+std::vector<Variant> costVariants(clipping::Form form);
 /// Whether it can be measured so: arithmetic is not counted in exhibits.
 bool canMeasure(const Variant& variant, const CostMeasure& measure);
 /// A plan of MD, of all operations, with an end left of the window and three windows of plane.
@@ -54,7 +54,7 @@ double costOf(const Variant& variant, const CostMeasure& measure, const clipping
 struct CostMap {
     CostPlan plan;
     std::vector<float> values{};           ///< the cost; of a map of the cheapest: the least one
-    std::vector<std::uint32_t> cheapest{}; ///< there: bit n is contestant n. Several bits: a tie
+    std::vector<std::uint32_t> cheapest{}; ///< there: bit n is variant n. Several bits: a tie
 
     bool complete() const { return values.size() == plan.cells(); }
     std::size_t at(int column, int row) const
@@ -68,7 +68,7 @@ CostMap extended(CostMap so, std::size_t cells);
 /// All of it.
 CostMap costMap(CostPlan plan);
 
-/// The contestants that are cheapest for one line, and their cost.
+/// The variants that are cheapest for one line, and their cost.
 struct Cheapest {
     std::uint32_t which;
     double cost;

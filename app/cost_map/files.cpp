@@ -35,9 +35,9 @@ QString text(const Point& point) { return number(point.x) + u',' + number(point.
 QString winnersOf(const CostPlan& plan, std::uint32_t cheapest)
 {
     QStringList keys;
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+    for (std::size_t i = 0; i < plan.variants.size(); ++i)
         if (cheapest >> i & 1)
-            keys << keyOf(plan.contestants[i]);
+            keys << keyOf(plan.variants[i]);
     return keys.join(u' ');
 }
 

@@ -34,9 +34,9 @@ QColor mixed(const QColor& one, const QColor& other, double share)
 std::vector<QRgb> stripesOf(const CostPlan& plan, std::uint32_t cheapest, const ChartLook& look)
 {
     std::vector<QRgb> colours;
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+    for (std::size_t i = 0; i < plan.variants.size(); ++i)
         if (cheapest >> i & 1)
-            colours.push_back(mixed(algorithmColour(*plan.contestants[i].algorithm, look.ground),
+            colours.push_back(mixed(algorithmColour(*plan.variants[i].algorithm, look.ground),
                                     look.paper, softness)
                                   .rgb());
     return colours;

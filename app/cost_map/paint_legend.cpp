@@ -58,9 +58,9 @@ void paintShares(QPainter& painter, const QRectF& room, const CostMap& map,
     for (std::size_t entry = 0; entry < legend.shares.size(); ++entry) {
         const CostLegend::Share& share = legend.shares[entry];
         QPointF at = room.topLeft() + flow.places[entry];
-        for (std::size_t i = 0; i < map.plan.contestants.size(); ++i)
+        for (std::size_t i = 0; i < map.plan.variants.size(); ++i)
             if (share.cheapest >> i & 1) {
-                const Variant& variant = map.plan.contestants[i];
+                const Variant& variant = map.plan.variants[i];
                 paintMarker(painter,
                             {at + QPointF(0, (metrics.height() - markerSize) / 2),
                              QSizeF(markerSize, markerSize)},

@@ -33,9 +33,9 @@ QString coordinatesText(const Point& point)
 QString namesOf(const CostPlan& plan, std::uint32_t cheapest)
 {
     QStringList names;
-    for (std::size_t i = 0; i < plan.contestants.size(); ++i)
+    for (std::size_t i = 0; i < plan.variants.size(); ++i)
         if (cheapest >> i & 1)
-            names << nameOf(plan.contestants[i]);
+            names << nameOf(plan.variants[i]);
     return names.join(QStringLiteral(" = "));
 }
 

@@ -36,7 +36,7 @@ bool isInside(const Segment& s, const Window& w)
 std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
                   std::span<const Clipped> truth, const Window& window)
 {
-    const Contestant& who = to.contestant;
+    const Variant& who = to.variant;
     const Ends ends = endsOf(exactVariant(), {.algorithm = who.algorithm, .form = who.form});
     std::uint64_t agreed = 0, measured = 0;
     auto next = truth.begin();
@@ -61,18 +61,17 @@ std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const 
     return measured;
 }
 
-void clipInto(std::vector<Clipped>& out, const Contestant& contestant,
-              std::span<const Segment> lines, const Window& window)
+void clipInto(std::vector<Clipped>& out, const Variant& variant, std::span<const Segment> lines,
+              const Window& window)
 {
     out.resize(lines.size());
-    out.resize(
-        clipping::usesOf(*contestant.algorithm, contestant.form)->clipAll(lines, window, out));
+    out.resize(clipping::usesOf(*variant.algorithm, variant.form)->clipAll(lines, window, out));
 }
 
 QStringList rowOf(const Accuracy& row)
 {
-    return {QString::fromUtf8(row.contestant.algorithm->key),
-            wordOf(row.contestant.form),
+    return {QString::fromUtf8(row.variant.algorithm->key),
+            wordOf(row.variant.form),
             QString::number(row.visible),
             QString::number(row.lost),
             QString::number(row.shown),
@@ -84,13 +83,13 @@ QStringList rowOf(const Accuracy& row)
 } // namespace
 
 std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options,
-                                                std::span<const Contestant> contestants,
+                                                std::span<const Variant> variants,
                                                 const Follower& follower)
 {
     std::vector<Accuracy> all;
-    for (const Contestant& contestant : contestants)
-        all.push_back({.contestant = contestant});
-    const Contestant exact{&clipping::exactAlgorithm(), clipping::Form::Corrected};
+    for (const Variant& variant : variants)
+        all.push_back({.variant = variant});
+    const Variant exact{&clipping::exactAlgorithm(), clipping::Form::Corrected};
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
     const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
@@ -107,7 +106,7 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
         for (Accuracy& row : all) {
             if (pace.stopped())
                 return std::nullopt;
-            clipInto(found, row.contestant, lines, window);
+            clipInto(found, row.variant, lines, window);
             measured[std::size_t(&row - all.data())] += add(row, lines, found, truth, window);
         }
         pace.turnDone();

@@ -5,10 +5,10 @@
 
 namespace app {
 
-/// How far a contestant is from the truth, which is what the row `exact` says: no wrong decision,
+/// How far a variant is from the truth, which is what the row `exact` says: no wrong decision,
 /// and ends within one ulp of the coordinate.
 struct Accuracy {
-    Contestant contestant;
+    Variant variant;
     std::uint64_t visible = 0; ///< lines that are truly visible
     std::uint64_t lost = 0;    ///< of these, those that it drops
     std::uint64_t shown = 0;   ///< lines that are not visible and that it keeps
@@ -21,13 +21,13 @@ struct Accuracy {
     std::uint64_t wrong() const { return lost + shown; } ///< decisions
 };
 
-/// All contestants on the same lines: scene, field, lines, and seed are the options'. Nothing if it
+/// All variants on the same lines: scene, field, lines, and seed are the options'. Nothing if it
 /// was stopped.
 std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options,
-                                                std::span<const Contestant> contestants,
+                                                std::span<const Variant> variants,
                                                 const Follower& follower = {});
 
-/// One row a contestant.
+/// One row a variant.
 Table accuracyTable(std::span<const Accuracy> accuracies, const ExperimentOptions& options);
 
 } // namespace app

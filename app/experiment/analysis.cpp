@@ -11,26 +11,26 @@
 namespace app {
 namespace {
 
-using Contestants = std::span<const Contestant>;
+using Variants = std::span<const Variant>;
 
-std::optional<Table> classes(const ExperimentOptions& options, Contestants contestants,
+std::optional<Table> classes(const ExperimentOptions& options, Variants variants,
                              const Follower& follower)
 {
-    const auto profile = classProfile(options, contestants, follower);
+    const auto profile = classProfile(options, variants, follower);
     return profile ? std::optional(classTable(*profile)) : std::nullopt;
 }
 
-std::optional<Table> operations(const ExperimentOptions& options, Contestants contestants,
+std::optional<Table> operations(const ExperimentOptions& options, Variants variants,
                                 const Follower& follower)
 {
-    const auto profile = operationProfile(options, withoutOneByOne(contestants), follower);
+    const auto profile = operationProfile(options, withoutOneByOne(variants), follower);
     return profile ? std::optional(operationTable(*profile)) : std::nullopt;
 }
 
-std::optional<Table> accuracy(const ExperimentOptions& options, Contestants contestants,
+std::optional<Table> accuracy(const ExperimentOptions& options, Variants variants,
                               const Follower& follower)
 {
-    const auto all = accuracies(options, withoutOneByOne(contestants), follower);
+    const auto all = accuracies(options, withoutOneByOne(variants), follower);
     return all ? std::optional(accuracyTable(*all, options)) : std::nullopt;
 }
 

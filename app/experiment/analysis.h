@@ -5,15 +5,14 @@
 
 namespace app {
 
-/// One row of the catalogue of what can be told of contestants and a scene beside their times.
+/// One row of the catalogue of what can be told of variants and a scene beside their times.
 struct Analysis {
     QString key;     ///< "operations"
     QString name;    ///< translated, as is what follows
     QString meaning; ///< one sentence
     /// Nothing if it was stopped.
     std::optional<Table> (*table)(const ExperimentOptions& options,
-                                  std::span<const Contestant> contestants,
-                                  const Follower& follower);
+                                  std::span<const Variant> variants, const Follower& follower);
 };
 std::vector<Analysis> analyses();
 

@@ -60,16 +60,16 @@ void Block::refill(std::size_t count, const std::function<void(std::span<clippin
     std::ranges::transform(singleLines_, lines_.begin(), exactly);
 }
 
-std::size_t Block::clip(const Contestant& contestant)
+std::size_t Block::clip(const Variant& variant)
 {
-    const clipping::Algorithm& algorithm = *contestant.algorithm;
+    const clipping::Algorithm& algorithm = *variant.algorithm;
     if (how_.precision == Precision::Single) {
-        assert(contestant.form == clipping::Form::Corrected);
+        assert(variant.form == clipping::Form::Corrected);
         return clipped<float>(how_.threads, algorithm.single->clipAll, singleLines_,
                               single(how_.window), singleVisible_);
     }
-    return clipped<double>(how_.threads, clipping::usesOf(algorithm, contestant.form)->clipAll,
-                           lines_, how_.window, visible_);
+    return clipped<double>(how_.threads, clipping::usesOf(algorithm, variant.form)->clipAll, lines_,
+                           how_.window, visible_);
 }
 
 std::span<const clipping::Clipped> Block::pieces(std::size_t count)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/contestant.h"
+#include "app/experiment/variants_of.h"
 
 #include <functional>
 #include <vector>
@@ -32,9 +32,9 @@ public:
     std::span<const clipping::Segment> lines() const { return lines_; }
     const clipping::Window& window() const { return how_.window; }
 
-    /// Clips them, which is what is timed, and says how many are visible. The contestant has a
+    /// Clips them, which is what is timed, and says how many are visible. The variant has a
     /// form of this precision.
-    std::size_t clip(const Contestant& contestant);
+    std::size_t clip(const Variant& variant);
     /// So many pieces of what was clipped last.
     std::span<const clipping::Clipped> pieces(std::size_t count);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/duration.h"
 #include "app/experiment/one_by_one.h"
+#include "app/experiment/short_names.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -31,13 +31,13 @@ ExperimentOptions optionsOf(const Choice& choice)
     return options;
 }
 
-std::vector<Contestant> contestantsOf(const Choice& choice)
+std::vector<Variant> chosenVariants(const Choice& choice)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     for (const clipping::Form form : choice.forms)
-        for (const Contestant& one : choice.subject.papers.empty()
-                                         ? contestants(choice.algorithms, form)
-                                         : contestants(choice.subject.papers.front(), form))
+        for (const Variant& one : choice.subject.papers.empty()
+                                      ? variantsOf(choice.algorithms, form)
+                                      : variantsOf(choice.subject.papers.front(), form))
             all.push_back(one);
     return withOneByOne(all); // no table of the paper has `exact`
 }
@@ -46,7 +46,7 @@ std::vector<PlannedTrial> trialsOf(const Choice& choice)
 {
     const ExperimentOptions options = optionsOf(choice);
     if (choice.subject.papers.empty())
-        return {{std::nullopt, options, contestantsOf(choice)}};
+        return {{std::nullopt, options, chosenVariants(choice)}};
     return paperTrials(choice.subject.papers, choice.forms, options, choice.lines);
 }
 
@@ -62,7 +62,7 @@ std::optional<QString> missing(const Choice& choice)
 {
     if (choice.subject.papers.empty() && choice.algorithms.empty())
         return Experiments::tr("Choose at least one algorithm.");
-    if (choice.forms.empty() || contestantsOf(choice).empty())
+    if (choice.forms.empty() || chosenVariants(choice).empty())
         return Experiments::tr("None of these algorithms has a published form. Choose “Corrected”, "
                                "or others.");
     const std::uint64_t runs = choice.runs.value_or(1), lines = choice.lines.value_or(1);
@@ -122,7 +122,7 @@ QString leftOutText(const Choice& choice)
         if (std::ranges::none_of(choice.forms, [&](clipping::Form form) {
                 return clipping::usesOf(*algorithm, form);
             }))
-            names << nameOf({algorithm, clipping::Form::Corrected});
+            names << shortNameOf({algorithm, clipping::Form::Corrected});
     if (!choice.subject.papers.empty() || names.isEmpty())
         return {};
     return Experiments::tr("Without a published form, so left out: %1.").arg(briefListText(names));
@@ -134,7 +134,7 @@ Result<Plan> planOf(const Choice& choice)
         return Result<Plan>::failure(*sentence);
     Plan plan{trialsOf(choice), measuresOf(choice)};
     if (choice.explained) {
-        plan.explained = PlannedTrial{std::nullopt, optionsOf(choice), contestantsOf(choice)};
+        plan.explained = PlannedTrial{std::nullopt, optionsOf(choice), chosenVariants(choice)};
         auto& lines = plan.explained->options.lines;
         lines = std::min(lines, mostExplained);
     }
@@ -154,7 +154,7 @@ QString effortText(const Plan& plan, double pace)
 {
     std::uint64_t lines = 0;
     for (const PlannedTrial& trial : plan.trials)
-        lines += trial.options.lines * trial.options.runs * trial.contestants.size();
+        lines += trial.options.lines * trial.options.runs * trial.variants.size();
     return Experiments::tr("Run: %1 lines to clip, about %2.")
         .arg(countText(lines), durationText(pace * roughSeconds(plan)));
 }

@@ -16,7 +16,7 @@ struct Experiments {
 };
 
 std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipping::Segment> lines,
-                               std::span<const Contestant> contestants, const Follower& follower)
+                               std::span<const Variant> variants, const Follower& follower)
 {
     ExperimentOptions options = scene;
     options.lines = lines.size();
@@ -24,7 +24,7 @@ std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipp
     if (lines.empty())
         return Record{options, {}, {}, {}};
     options.scene = drawingScene(scene.scene.name, std::move(lines));
-    auto record = recorded(options, contestants, follower);
+    auto record = recorded(options, variants, follower);
     if (record)
         record->options.scene = scene.scene; // without the lines
     return record;
@@ -55,14 +55,14 @@ QStringList notesOf(const ClassProfile& profile)
                                      "scene “%2” stand in for them.")
                          .arg(words(one.of.lineClass), one.of.standIn);
     for (const ClassTimes& one : profile.classes)
-        if (const QString batches = batchText(contestantsOf(one.record)); !batches.isEmpty()) {
+        if (const QString batches = batchText(variantsOf(one.record)); !batches.isEmpty()) {
             notes << batches;
             break;
         }
     return notes;
 }
 
-QStringList rowOf(const ClassProfile& profile, std::size_t contestant, const Contestant& who,
+QStringList rowOf(const ClassProfile& profile, std::size_t variant, const Variant& who,
                   const Measure& measure)
 {
     QStringList row{QString::fromUtf8(who.algorithm->key), wordOf(who.form)};
@@ -72,7 +72,7 @@ QStringList rowOf(const ClassProfile& profile, std::size_t contestant, const Con
             row << QString();
             continue;
         }
-        const double median = summaryOf(measure.times(record.timings[contestant])).median;
+        const double median = summaryOf(measure.times(record.timings[variant])).median;
         weighted += of.share * median;
         row << QString::number(median, 'f', 2);
     }
@@ -87,13 +87,13 @@ std::size_t mostOfAClass(const ExperimentOptions& options)
 }
 
 std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
-                                         std::span<const Contestant> contestants,
+                                         std::span<const Variant> variants,
                                          const Follower& follower)
 {
     ClassProfile profile{options, {}};
     // To look for lines takes about as long as eighty turns on those of one class.
     std::vector weights(1 + lineClasses.size(),
-                        double((options.runs + options.warmUps) * contestants.size()));
+                        double((options.runs + options.warmUps) * variants.size()));
     weights.front() = 80;
     Legs legs(follower, weights);
     auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass(options),
@@ -102,7 +102,7 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
         return std::nullopt;
     for (ClassLines& one : *all) {
         auto lines = std::exchange(one.lines, {});
-        auto record = recordOf(options, std::move(lines), contestants, legs.next());
+        auto record = recordOf(options, std::move(lines), variants, legs.next());
         if (!record)
             return std::nullopt;
         profile.classes.push_back({std::move(one), std::move(*record)});
@@ -125,7 +125,7 @@ Table classTable(const ClassProfile& profile)
     std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });
     const Measure clip = measures().front();
     for (std::size_t i = 0; i < measured->record.timings.size(); ++i)
-        table.rows.push_back(rowOf(profile, i, measured->record.timings[i].contestant, clip));
+        table.rows.push_back(rowOf(profile, i, measured->record.timings[i].variant, clip));
     return table;
 }
 

@@ -26,10 +26,10 @@ std::size_t mostOfAClass(const ExperimentOptions& options);
 /// Up to mostOfAClass lines of each class of the scene; `runs`, `seed` and the field are the
 /// options'. Nothing if it was stopped. Progress goes from 0 to 1 over all classes.
 std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
-                                         std::span<const Contestant> contestants,
+                                         std::span<const Variant> variants,
                                          const Follower& follower = {});
 
-/// One row a contestant: median nanoseconds a line of each class, and what a line of the scene
+/// One row a variant: median nanoseconds a line of each class, and what a line of the scene
 /// costs if each costs what its class does.
 Table classTable(const ClassProfile& profile);
 

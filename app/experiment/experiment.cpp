@@ -30,7 +30,7 @@ constexpr std::size_t bit = 50'000;
 /// The experiment while it goes on.
 class Bench {
 public:
-    Bench(const ExperimentOptions& options, std::span<const Contestant> contestants,
+    Bench(const ExperimentOptions& options, std::span<const Variant> variants,
           const Follower& follower);
     /// Run number `r`, the warm-ups before the first that counts. False if it was stopped.
     bool run(std::size_t r);
@@ -61,16 +61,17 @@ private:
 
 std::uint64_t blocksOf(std::uint64_t lines) { return (lines + blockSize - 1) / blockSize; }
 
-Bench::Bench(const ExperimentOptions& options, std::span<const Contestant> contestants,
+Bench::Bench(const ExperimentOptions& options, std::span<const Variant> variants,
              const Follower& follower)
-    : options_(options), pace_(follower, double((options.warmUps + options.runs)
-                                                * blocksOf(options.lines) * contestants.size())),
+    : options_(options),
+      pace_(follower,
+            double((options.warmUps + options.runs) * blocksOf(options.lines) * variants.size())),
       block_({options.field.window, options.precision, options.threads}),
       easel_(options.easel ? options.easel(options.field) : nullptr),
       drawClock_(easel_ ? drawClock(options, *easel_) : options.clock)
 {
-    for (const Contestant& contestant : contestants)
-        timings_.push_back({.contestant = contestant, .generate = {}, .clip = {}, .draw = {}});
+    for (const Variant& variant : variants)
+        timings_.push_back({.variant = variant, .generate = {}, .clip = {}, .draw = {}});
 }
 
 bool Bench::run(std::size_t r)
@@ -153,7 +154,7 @@ void Bench::turn(Timing& timing)
 {
     emptyUpperHalves();
     const double start = options_.clock.nanoseconds();
-    const std::size_t visible = block_.clip(timing.contestant);
+    const std::size_t visible = block_.clip(timing.variant);
     timing.clip.back() += options_.clock.nanoseconds() - start;
     const auto pieces = block_.pieces(visible);
     if (easel_) {
@@ -220,11 +221,11 @@ std::vector<Measure> measures()
 }
 
 std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
-                                              std::span<const Contestant> contestants,
+                                              std::span<const Variant> variants,
                                               const Follower& follower)
 {
     assert(options.lines > 0 && options.runs > 0 && options.warmUps > 0);
-    Bench bench(options, contestants, follower);
+    Bench bench(options, variants, follower);
     for (std::size_t r = 0; r < options.warmUps + options.runs; ++r)
         if (!bench.run(r))
             return std::nullopt;

@@ -29,10 +29,10 @@ struct ExperimentOptions {
 /// What drawing is timed with: the options' clock, unless others draw for the thread.
 Clock drawClock(const ExperimentOptions& options, const Easel& easel);
 
-/// What one contestant needed and found. Times are nanoseconds a line, one number a run.
+/// What one variant needed and found. Times are nanoseconds a line, one number a run.
 struct Timing {
-    Contestant contestant;
-    std::vector<double> generate; ///< the same for all contestants: the lines are made once for all
+    Variant variant;
+    std::vector<double> generate; ///< the same for all variants: the lines are made once for all
     std::vector<double> clip;
     std::vector<double> draw; ///< zeros where nothing is drawn
     Findings found{};
@@ -58,19 +58,19 @@ struct Progress {
 };
 
 /// Who follows an experiment from the outside; both may be left out. `progress` is called after
-/// each contestant's turn (some hundredths of a second) by the thread that measures.
+/// each variant's turn (some hundredths of a second) by the thread that measures.
 struct Follower {
     std::stop_token stop{};
     std::function<void(const Progress&)> progress{};
 };
 
 /// The paper's experiment, made fair: the lines of a scene, all clipped at its window by every
-/// contestant in every run, and drawn if there is an easel. The lines come in blocks of a million,
-/// so that memory stays under 200 MB. The contestants take turns block by block, and who begins
+/// variant in every run, and drawn if there is an easel. The lines come in blocks of a million,
+/// so that memory stays under 200 MB. The variants take turns block by block, and who begins
 /// changes from block to block and from run to run. The first warm-up tells what they find.
 /// Nothing if it was stopped.
 std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
-                                              std::span<const Contestant> contestants,
+                                              std::span<const Variant> variants,
                                               const Follower& follower = {});
 
 } // namespace app

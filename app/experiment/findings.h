@@ -7,13 +7,13 @@
 
 namespace app {
 
-/// What a contestant says is visible, and how far that is true.
+/// What a variant says is visible, and how far that is true.
 struct Findings {
     std::uint64_t visible = 0; ///< lines
     std::uint64_t lost = 0;    ///< lines that are truly visible and that it drops
     std::uint64_t shown = 0;   ///< lines that are truly not visible and that it keeps
     /// Of the visible lines, whichever end comes first, with their ends rounded to some 2^-16 of
-    /// the window's largest |coordinate|: contestants that agree have the same (a rounding error
+    /// the window's largest |coordinate|: variants that agree have the same (a rounding error
     /// that lies across a step is not to be expected below a hundred million lines).
     std::uint64_t checksum = 0;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/one_by_one.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/paper_runs.h"
+#include "app/experiment/short_names.h"
 #include "app/latin.h"
 
 #include <QCoreApplication>
@@ -34,13 +34,13 @@ std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,
     return visible;
 }
 
-bool isExact(const Contestant& one) { return one.algorithm == &clipping::exactAlgorithm(); }
-bool isOneByOne(const Contestant& one) { return one.algorithm == &exactOneByOne(); }
+bool isExact(const Variant& one) { return one.algorithm == &clipping::exactAlgorithm(); }
+bool isOneByOne(const Variant& one) { return one.algorithm == &exactOneByOne(); }
 
 /// The median of clipping, or none.
-std::optional<double> medianOf(const Record& record, bool (*is)(const Contestant&))
+std::optional<double> medianOf(const Record& record, bool (*is)(const Variant&))
 {
-    const auto found = std::ranges::find_if(record.timings, is, &Timing::contestant);
+    const auto found = std::ranges::find_if(record.timings, is, &Timing::variant);
     return found == record.timings.end() ? std::nullopt
                                          : std::optional(summaryOf(found->clip).median);
 }
@@ -71,10 +71,10 @@ const clipping::Algorithm* timedAlgorithm(const QString& name)
     return name == latin(exactOneByOne().key) ? &exactOneByOne() : paperAlgorithm(name);
 }
 
-std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants)
+std::vector<Variant> withOneByOne(std::span<const Variant> variants)
 {
-    std::vector<Contestant> all;
-    for (const Contestant& one : contestants) {
+    std::vector<Variant> all;
+    for (const Variant& one : variants) {
         all.push_back(one);
         if (isExact(one))
             all.push_back({&exactOneByOne(), one.form});
@@ -82,21 +82,21 @@ std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants)
     return all;
 }
 
-std::vector<Contestant> withoutOneByOne(std::span<const Contestant> contestants)
+std::vector<Variant> withoutOneByOne(std::span<const Variant> variants)
 {
-    std::vector<Contestant> all(contestants.begin(), contestants.end());
+    std::vector<Variant> all(variants.begin(), variants.end());
     std::erase_if(all, isOneByOne);
     return all;
 }
 
-QString batchText(std::span<const Contestant> contestants)
+QString batchText(std::span<const Variant> variants)
 {
-    if (std::ranges::none_of(contestants, isExact))
+    if (std::ranges::none_of(variants, isExact))
         return {};
     const QString batches = Experiments::tr(
         "Exact (EX) is timed in batches: it clips many lines at once with the processor's vectors, "
         "the other algorithms one line after another.");
-    return std::ranges::none_of(contestants, isOneByOne)
+    return std::ranges::none_of(variants, isOneByOne)
                ? batches
                : batches
                      + Experiments::tr(" “EX one by one” is the same algorithm, called line "

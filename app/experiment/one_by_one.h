@@ -15,13 +15,13 @@ const clipping::Algorithm& exactOneByOne();
 const clipping::Algorithm* timedAlgorithm(const QString& name);
 
 /// These, with exactOneByOne after `exact` where it takes part.
-std::vector<Contestant> withOneByOne(std::span<const Contestant> contestants);
+std::vector<Variant> withOneByOne(std::span<const Variant> variants);
 
 /// These without exactOneByOne: for what does not depend on how lines are called.
-std::vector<Contestant> withoutOneByOne(std::span<const Contestant> contestants);
+std::vector<Variant> withoutOneByOne(std::span<const Variant> variants);
 
 /// One sentence for a table or chart with these in it; empty where `exact` takes no part.
-QString batchText(std::span<const Contestant> contestants);
+QString batchText(std::span<const Variant> variants);
 
 /// The same for a record, with both times where it has them.
 QString batchText(const Record& record);

@@ -39,23 +39,23 @@ void count(OperationProfile& profile, const LinesByClass& classes, const Pace& p
 {
     for (std::size_t c = 0; c < classes.size(); ++c) {
         profile.mix[c] += classes[c].size();
-        for (auto& [contestant, byClass] : profile.rows) {
+        for (auto& [variant, byClass] : profile.rows) {
             if (pace.stopped())
                 return;
-            const auto& uses = *clipping::usesOf(*contestant.algorithm, contestant.form);
+            const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
             byClass[c] = sum(byClass[c], uses.count(classes[c], profile.options.field.window));
         }
     }
 }
 
-QStringList rowOf(const Contestant& contestant, const QString& lineClass, std::uint64_t lines,
+QStringList rowOf(const Variant& variant, const QString& lineClass, std::uint64_t lines,
                   const OperationCounts& counts)
 {
     const auto perLine = [&](std::uint64_t count) {
         return QString::number(double(count) / double(lines), 'f', 2);
     };
-    return {QString::fromUtf8(contestant.algorithm->key),
-            wordOf(contestant.form),
+    return {QString::fromUtf8(variant.algorithm->key),
+            wordOf(variant.form),
             lineClass,
             QString::number(lines),
             perLine(counts.comparisons),
@@ -72,18 +72,18 @@ std::uint64_t promisedOf(const OperationCounts& counts)
     return counts.additions + counts.multiplications + counts.divisions + counts.comparisons;
 }
 
-OperationCounts ContestantOperations::scene() const
+OperationCounts VariantOperations::scene() const
 {
     return std::accumulate(byClass.begin(), byClass.end(), OperationCounts{}, sum);
 }
 
 std::optional<OperationProfile> operationProfile(const ExperimentOptions& options,
-                                                 std::span<const Contestant> contestants,
+                                                 std::span<const Variant> variants,
                                                  const Follower& follower)
 {
     OperationProfile profile{.options = options, .rows = {}};
-    for (const Contestant& contestant : contestants)
-        profile.rows.push_back({contestant, {}});
+    for (const Variant& variant : variants)
+        profile.rows.push_back({variant, {}});
     const LineSource source = options.scene.begin(options.field, options.seed);
     const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
     Pace pace(follower, double(blocks));
@@ -110,13 +110,13 @@ Table operationTable(const OperationProfile& profile)
                 .facts = factsOf(profile.options),
                 .notes = {Experiments::tr("Additions with subtractions; negations and operations "
                                           "on bits are not counted.")}};
-    for (const ContestantOperations& row : profile.rows) {
+    for (const VariantOperations& row : profile.rows) {
         for (std::size_t c = 0; c < profile.mix.size(); ++c)
             if (profile.mix[c] > 0)
                 table.rows.push_back(
-                    rowOf(row.contestant, words(lineClasses[c]), profile.mix[c], row.byClass[c]));
-        table.rows.push_back(rowOf(row.contestant, Experiments::tr("whole scene"),
-                                   profile.options.lines, row.scene()));
+                    rowOf(row.variant, words(lineClasses[c]), profile.mix[c], row.byClass[c]));
+        table.rows.push_back(
+            rowOf(row.variant, Experiments::tr("whole scene"), profile.options.lines, row.scene()));
     }
     return table;
 }

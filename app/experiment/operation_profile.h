@@ -6,9 +6,9 @@
 
 namespace app {
 
-/// The arithmetic of one contestant.
-struct ContestantOperations {
-    Contestant contestant;
+/// The arithmetic of one variant.
+struct VariantOperations {
+    Variant variant;
     std::array<clipping::OperationCounts, lineClasses.size()> byClass; ///< of all lines of a class
     clipping::OperationCounts scene() const;                           ///< of all lines
 };
@@ -21,16 +21,16 @@ std::uint64_t promisedOf(const clipping::OperationCounts& counts);
 struct OperationProfile {
     ExperimentOptions options;                           ///< scene, field, lines and seed
     std::array<std::uint64_t, lineClasses.size()> mix{}; ///< lines of each class
-    std::vector<ContestantOperations> rows;
+    std::vector<VariantOperations> rows;
 };
 
-/// Counts exactly, so once is enough; a million lines and 15 contestants take some seconds.
+/// Counts exactly, so once is enough; a million lines and 15 variants take some seconds.
 /// Nothing if it was stopped.
 std::optional<OperationProfile> operationProfile(const ExperimentOptions& options,
-                                                 std::span<const Contestant> contestants,
+                                                 std::span<const Variant> variants,
                                                  const Follower& follower = {});
 
-/// One row a contestant and class, and one for the scene: operations a line.
+/// One row a variant and class, and one for the scene: operations a line.
 Table operationTable(const OperationProfile& profile);
 
 } // namespace app

@@ -93,7 +93,7 @@ QString titleOf(const PaperTable& paper, const Record& record, const Measure& me
 {
     return Experiments::tr("%1, %2: seconds for %3, algorithms %4")
         .arg(numberOf(paper), measure.name, linesText(record.options),
-             wordOf(record.timings.front().contestant.form));
+             wordOf(record.timings.front().variant.form));
 }
 
 /// What a published form leaves out, if there is such a one.
@@ -140,9 +140,9 @@ QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
         .arg(countText(paper.lines), measure.name, linesText(options));
 }
 
-std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form)
+std::vector<Variant> variantsOf(const PaperTable& paper, clipping::Form form)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     for (const PaperColumn& column : paper.columns)
         all.push_back({column.algorithm, form});
     return all;
@@ -153,7 +153,7 @@ Table paperLayout(const PaperTable& paper, const Record& record, const Measure& 
     assert(record.timings.size() == paper.columns.size());
     Table table = layout(paper, secondsOf(record, measure));
     table.key = QStringLiteral("%1-%2-%3")
-                    .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form));
+                    .arg(paper.key, measure.key, wordOf(record.timings.front().variant.form));
     table.title = titleOf(paper, record, measure);
     table.facts = factsOf(record);
     table.notes = QStringList(measure.meaning) + table.notes + lossesOf(paper, record);
@@ -182,7 +182,7 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
                   "our_faster", "paper_saves", "our_saves", "paper_letters", "our_letters"},
         .title = Experiments::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
         .key = QStringLiteral("%1-%2-%3-against-paper")
-                   .arg(paper.key, measure.key, wordOf(record.timings.front().contestant.form)),
+                   .arg(paper.key, measure.key, wordOf(record.timings.front().variant.form)),
         .facts = factsOf(record),
         .late = {"paper_letters", "our_letters"}};
     for (std::size_t i = 0; i < ours.size(); ++i) {

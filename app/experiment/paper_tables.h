@@ -19,10 +19,10 @@ QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
                       const Measure& measure);
 
 /// The algorithms of a table of the paper in one form, in its order.
-std::vector<Contestant> contestants(const PaperTable& paper, clipping::Form form);
+std::vector<Variant> variantsOf(const PaperTable& paper, clipping::Form form);
 
 /// What we measured, as the paper prints it: a row a run and one of averages, in seconds for all
-/// lines, a column an algorithm, CS to Prop. The record's contestants are those of the table.
+/// lines, a column an algorithm, CS to Prop. The record's variants are those of the table.
 Table paperLayout(const PaperTable& paper, const Record& record, const Measure& measure);
 
 /// The same numbers of the paper itself.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/reasons.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/ranking_text.h"
+#include "app/experiment/short_names.h"
 #include "app/view/numbers.h"
 
 #include <QCoreApplication>
@@ -17,12 +17,12 @@ struct Experiments {
 };
 
 template <class Rows>
-std::vector<Contestant> contestantsOf(const Rows& rows)
+std::vector<Variant> variantsOf(const Rows& rows)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     all.reserve(rows.size());
     for (const auto& row : rows)
-        all.push_back(row.contestant);
+        all.push_back(row.variant);
     return all;
 }
 
@@ -30,7 +30,7 @@ QString shareText(double share) { return numberText(100 * share, share < 0.1 ? 1
 
 /// " LB and MD do not differ significantly from it by 1 % or more.", or why nothing is told;
 /// empty if one alone is the fastest.
-QString unclearText(const std::vector<Contestant>& all, const Ranking& ranking)
+QString unclearText(const std::vector<Variant>& all, const Ranking& ranking)
 {
     if (!ranking.told)
         return u' ' + tooFewRunsText(ranking);
@@ -51,7 +51,7 @@ QString classReason(const ClassProfile& profile)
                                                [](const ClassTimes& one) { return one.of.share; });
     if (most == profile.classes.end() || most->record.timings.empty())
         return {};
-    const auto all = contestantsOf(most->record.timings);
+    const auto all = variantsOf(most->record.timings);
     const auto times = summaries(most->record, measures().front());
     const Ranking ranking = rankingOf(most->record, measures().front());
     const auto of = [&](std::size_t i) {
@@ -70,8 +70,8 @@ QString classReason(const ClassProfile& profile)
 
 QString operationReason(const OperationProfile& profile)
 {
-    const auto all = contestantsOf(profile.rows);
-    const auto perLine = [&](const ContestantOperations& row) {
+    const auto all = variantsOf(profile.rows);
+    const auto perLine = [&](const VariantOperations& row) {
         return double(promisedOf(row.scene())) / double(profile.options.lines);
     };
     const auto [fewest, most] = std::ranges::minmax_element(profile.rows, {}, perLine);
@@ -97,7 +97,7 @@ QString faultText(const Accuracy& row)
                       .arg(countText(row.outside));
     return faults.isEmpty()
                ? QString()
-               : Experiments::tr("%1 %2.").arg(nameOf(row.contestant), listText(faults));
+               : Experiments::tr("%1 %2.").arg(shortNameOf(row.variant), listText(faults));
 }
 
 QString accuracyReason(const std::vector<Accuracy>& accuracies)

@@ -35,8 +35,8 @@ QString easelText(const ExperimentOptions& options, const Easel& easel)
 QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ranking,
                   std::size_t thing)
 {
-    return {QString::fromUtf8(timing.contestant.algorithm->key),
-            wordOf(timing.contestant.form),
+    return {QString::fromUtf8(timing.variant.algorithm->key),
+            wordOf(timing.variant.form),
             rankText(ranking, thing),
             lettersText(ranking, thing),
             inNanoseconds(times.median),
@@ -54,8 +54,8 @@ QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ran
 
 } // namespace
 
-std::optional<Record> recorded(const ExperimentOptions& options,
-                               std::span<const Contestant> contestants, const Follower& follower)
+std::optional<Record> recorded(const ExperimentOptions& options, std::span<const Variant> variants,
+                               const Follower& follower)
 {
     ExperimentOptions asked = options;
     QString drew; // what drew indeed, which may be another than was asked for
@@ -65,7 +65,7 @@ std::optional<Record> recorded(const ExperimentOptions& options,
             drew = easelText(options, *easel);
             return easel;
         };
-    auto timings = experiment(asked, contestants, follower);
+    auto timings = experiment(asked, variants, follower);
     if (!timings)
         return std::nullopt;
     asked.easel = nullptr; // a record draws no more
@@ -80,11 +80,11 @@ std::vector<Summary> summaries(const Record& record, const Measure& measure)
     return all;
 }
 
-std::vector<Contestant> contestantsOf(const Record& record)
+std::vector<Variant> variantsOf(const Record& record)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     for (const Timing& timing : record.timings)
-        all.push_back(timing.contestant);
+        all.push_back(timing.variant);
     return all;
 }
 
@@ -149,7 +149,7 @@ Table timesTable(const Record& record, const Measure& measure)
         table.notes << Experiments::tr("In single precision ends are some ulps apart, so that "
                                        "algorithms that agree may still have different "
                                        "checksums.");
-    if (const QString batches = batchText(contestantsOf(record)); !batches.isEmpty())
+    if (const QString batches = batchText(variantsOf(record)); !batches.isEmpty())
         table.notes << batches;
     table.notes << rankingNotes(ranking) << ratioNotes(ranking);
     return table;
@@ -167,9 +167,9 @@ Table runsTable(const Record& record, std::span<const Measure> measures)
             int run = 0;
             for (const double time : measure.times(timing))
                 table.rows.push_back(
-                    {QString::fromUtf8(timing.contestant.algorithm->key),
-                     wordOf(timing.contestant.form), measure.key, QString::number(++run),
-                     QString::number(record.options.lines), QString::number(timing.found.visible),
+                    {QString::fromUtf8(timing.variant.algorithm->key), wordOf(timing.variant.form),
+                     measure.key, QString::number(++run), QString::number(record.options.lines),
+                     QString::number(timing.found.visible),
                      QString::number(time * double(record.options.lines) * 1e-9, 'f', 9)});
         }
     return table;

@@ -16,14 +16,13 @@ struct Record {
 };
 
 /// Nothing if it was stopped.
-std::optional<Record> recorded(const ExperimentOptions& options,
-                               std::span<const Contestant> contestants,
+std::optional<Record> recorded(const ExperimentOptions& options, std::span<const Variant> variants,
                                const Follower& follower = {});
 
 /// One summary a timing, in their order.
 std::vector<Summary> summaries(const Record& record, const Measure& measure);
 
-std::vector<Contestant> contestantsOf(const Record& record);
+std::vector<Variant> variantsOf(const Record& record);
 
 /// The runs of each timing, which are paired by round, and what they say of who differs.
 std::vector<std::vector<double>> runsOf(const Record& record, const Measure& measure);
@@ -35,10 +34,10 @@ std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& option
 /// What is true of all numbers of the record: of the lines, and runs, clock, machine ...
 std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
-/// One row a contestant: what it needed, its place among the others, and what it found.
+/// One row a variant: what it needed, its place among the others, and what it found.
 Table timesTable(const Record& record, const Measure& measure);
 
-/// One row a contestant, measure and run: seconds for all lines.
+/// One row a variant, measure and run: seconds for all lines.
 Table runsTable(const Record& record, std::span<const Measure> measures);
 
 } // namespace app

@@ -18,14 +18,14 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-/// Operations a line of all contestants together, by some lines of the scene: some algorithms take
+/// Operations a line of all variants together, by some lines of the scene: some algorithms take
 /// a hundred times as many as others.
 double operationsOf(const PlannedTrial& trial)
 {
     std::vector<clipping::Segment> some(std::min<std::uint64_t>(trial.options.lines, 200));
     trial.options.scene.begin(trial.options.field, trial.options.seed)(some);
     std::uint64_t all = 0;
-    for (const Contestant& one : trial.contestants) {
+    for (const Variant& one : trial.variants) {
         all += promisedOf(
             clipping::usesOf(*one.algorithm, one.form)->count(some, trial.options.field.window));
     }
@@ -52,7 +52,7 @@ double pixelsOf(const PlannedTrial& trial)
 /// About how many nanoseconds something takes, to share progress fairly.
 double weightOf(const PlannedTrial& trial)
 {
-    const double each = double(trial.contestants.size());
+    const double each = double(trial.variants.size());
     const double make = 40, find = 20, draw = trial.options.easel ? 20 + 50 * pixelsOf(trial) : 0;
     return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
            * (make + operationsOf(trial) + each * (find + draw));
@@ -64,7 +64,7 @@ struct ExplanationWeights {
 
 ExplanationWeights explanationWeights(const PlannedTrial& trial)
 {
-    const double each = double(trial.contestants.size()), lines = double(trial.options.lines);
+    const double each = double(trial.variants.size()), lines = double(trial.options.lines);
     const double operations = operationsOf(trial), look = 100;
     const std::size_t ofAClass = mostOfAClass(trial.options);
     return {look * double(linesLookedThrough(ofAClass))
@@ -87,10 +87,10 @@ std::vector<double> weightsOf(const Plan& plan)
 
 std::optional<Explanation> explanationOf(const PlannedTrial& trial, Legs& legs)
 {
-    auto classes = classProfile(trial.options, trial.contestants, legs.next());
+    auto classes = classProfile(trial.options, trial.variants, legs.next());
     if (!classes)
         return std::nullopt;
-    const auto once = withoutOneByOne(trial.contestants);
+    const auto once = withoutOneByOne(trial.variants);
     auto operations = operationProfile(trial.options, once, legs.next());
     if (!operations)
         return std::nullopt;
@@ -110,7 +110,7 @@ bool drewNothing(const Study& study)
 
 bool tellsOfDrawingAlone(const Measure& measure)
 {
-    const Timing undrawn{.contestant = {}, .generate = {1}, .clip = {1}, .draw = {0}};
+    const Timing undrawn{.variant = {}, .generate = {1}, .clip = {1}, .draw = {0}};
     return measure.times(undrawn).front() == 0;
 }
 
@@ -136,7 +136,7 @@ std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
     std::vector<PlannedTrial> trials;
     for (const PaperTable& paper : papers)
         for (const clipping::Form form : forms) {
-            trials.push_back({paper, options, contestants(paper, form)});
+            trials.push_back({paper, options, variantsOf(paper, form)});
             trials.back().options.lines = lines.value_or(paper.lines);
         }
     return trials;
@@ -145,7 +145,7 @@ std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
 void takeUsualRuns(Plan& plan)
 {
     const auto take = [](PlannedTrial& trial) {
-        trial.options.runs = usualRounds(trial.contestants.size());
+        trial.options.runs = usualRounds(trial.variants.size());
     };
     std::ranges::for_each(plan.trials, take);
     if (plan.explained)
@@ -163,7 +163,7 @@ std::optional<Study> study(const Plan& plan, const Follower& follower)
     Legs legs(follower, weightsOf(plan));
     Study study{.measures = plan.measures, .trials = {}};
     for (const PlannedTrial& trial : plan.trials) {
-        auto record = recorded(trial.options, trial.contestants, legs.next());
+        auto record = recorded(trial.options, trial.variants, legs.next());
         if (!record)
             return std::nullopt;
         study.trials.push_back({trial.paper, std::move(*record)});
@@ -182,8 +182,7 @@ QString nameOf(const Trial& trial)
 {
     if (!trial.paper)
         return trial.record.options.scene.name;
-    const bool published =
-        trial.record.timings.front().contestant.form == clipping::Form::Published;
+    const bool published = trial.record.timings.front().variant.form == clipping::Form::Published;
     const QString name = published ? Experiments::tr("%1, as published").arg(numberOf(*trial.paper))
                                    : Experiments::tr("%1, corrected").arg(numberOf(*trial.paper)),
                   lines = otherLinesText(trial.record.options);
@@ -211,7 +210,7 @@ Table namedTimesTable(const Trial& trial, const Measure& measure)
 {
     Table table = timesTable(trial.record, measure);
     table.key = trial.paper->key + u'-' + table.key + QStringLiteral("-times-")
-                + wordOf(trial.record.timings.front().contestant.form);
+                + wordOf(trial.record.timings.front().variant.form);
     table.title.prepend(nameOf(trial) + QStringLiteral(": "));
     return table;
 }

@@ -8,12 +8,12 @@
 
 namespace app {
 
-/// One experiment that is to be made. For a table of the paper the contestants are the table's, in
+/// One experiment that is to be made. For a table of the paper the variants are the table's, in
 /// one form.
 struct PlannedTrial {
     std::optional<PaperTable> paper; ///< the table that it repeats, if it does
     ExperimentOptions options;
-    std::vector<Contestant> contestants;
+    std::vector<Variant> variants;
 };
 
 /// A trial for each of these tables and forms; without `lines`, as many as each table has.
@@ -36,7 +36,7 @@ struct Plan {
     std::optional<PlannedTrial> explained{}; ///< what is explained after them, if anything
 };
 
-/// Each trial runs as often as its contestants need (usualRounds).
+/// Each trial runs as often as its variants need (usualRounds).
 void takeUsualRuns(Plan& plan);
 
 /// One experiment that was made.
@@ -66,14 +66,14 @@ QString nameOf(const Trial& trial);
 enum class Against : std::uint8_t { Nothing, Paper };
 
 /// What a trial says by one measure: the paper's layout for a table of the paper, else a row a
-/// contestant.
+/// variant.
 std::vector<Table> tablesOf(const Trial& trial, const Measure& measure, Against against);
 
 /// Times by class, operations, accuracy.
 std::vector<Table> tablesOf(const Explanation& explanation);
 
 /// Every table of a study, as `tablesOf` has them, the paper's own numbers among them; and for a
-/// table of the paper the row a contestant, too.
+/// table of the paper the row a variant, too.
 std::vector<Table> tablesOf(const Study& study);
 
 /// On what, and with what, it was measured: names and what they stand for.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/verdict.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
 #include "app/experiment/ranking_text.h"
+#include "app/experiment/short_names.h"
 #include "app/latin.h"
 #include "app/view/numbers.h"
 
@@ -19,15 +19,12 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-QString shortName(const Record& record, std::size_t i)
-{
-    return nameAmong(contestantsOf(record), i);
-}
+QString shortName(const Record& record, std::size_t i) { return nameAmong(variantsOf(record), i); }
 
 /// "Nicholl-Lee-Nicholl (NLN)".
 QString longName(const Record& record, std::size_t i)
 {
-    const QString name = latin(record.timings[i].contestant.algorithm->name);
+    const QString name = latin(record.timings[i].variant.algorithm->name);
     const QString brief = shortName(record, i);
     return brief.startsWith(name) ? brief : Experiments::tr("%1 (%2)").arg(name, brief);
 }
@@ -198,7 +195,7 @@ QStringList paperSentences(const Trial& trial)
                       ? Experiments::tr("By the same tests, the fastest of the paper's own runs is "
                                         "%1, if they are paired row by row, which is an "
                                         "assumption.")
-                            .arg(nameOf({fastest.algorithm, clipping::Form::Corrected}))
+                            .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
                       : Experiments::tr("By the same tests, the paper's own runs do not tell which "
                                         "algorithm is its fastest, if they are paired row by row, "
                                         "which is an assumption."));
@@ -216,7 +213,7 @@ QStringList lossSentences(const Record& record)
     QStringList sentences;
     for (std::size_t i = 0; i < record.timings.size(); ++i) {
         const Findings& found = record.timings[i].found;
-        const QString name = nameOf(record.timings[i].contestant);
+        const QString name = shortNameOf(record.timings[i].variant);
         const QString visible = countText(found.visible + found.lost - found.shown);
         if (found.lost > 0)
             sentences << Experiments::tr("%1 loses %2 of the %3 lines that are visible.")

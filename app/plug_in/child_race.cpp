@@ -80,7 +80,7 @@ void tell(int out, const QByteArray& line)
 
 Contender contender(const Timing& timing, std::size_t i, const ClassProfile& profile)
 {
-    Contender one{latin(timing.contestant.algorithm->key), timing.clip, {}, timing.found};
+    Contender one{latin(timing.variant.algorithm->key), timing.clip, {}, timing.found};
     for (std::size_t c = 0; c < profile.classes.size(); ++c)
         if (const Record& record = profile.classes[c].record; !record.timings.empty())
             one.byClass[c] = summaryOf(record.timings[i].clip).median;
@@ -103,10 +103,10 @@ void race(int out, const Library& library, const QStringList& arguments)
 {
     own = library.clip;
     static const auto rows = contenders(std::make_index_sequence<mostRows>());
-    std::vector<Contestant> contestants;
-    contestants.reserve(rows.size());
+    std::vector<Variant> variants;
+    variants.reserve(rows.size());
     for (const clipping::Algorithm& row : rows)
-        contestants.push_back({&row, clipping::Form::Corrected});
+        variants.push_back({&row, clipping::Form::Corrected});
     const Follower follower{
         {}, [out](const Progress& progress) { tell(out, QByteArray::number(progress.share)); }};
     ExperimentOptions options;
@@ -117,8 +117,8 @@ void race(int out, const Library& library, const QStringList& arguments)
     check = &checking;
     options.clock = checking.clock();
     Legs legs(follower, {1, 2});
-    const auto record = recorded(options, contestants, legs.next());
-    const auto profile = classProfile(options, contestants, legs.next());
+    const auto record = recorded(options, variants, legs.next());
+    const auto profile = classProfile(options, variants, legs.next());
     if (!record || !profile)
         return;
     tell(out, jsonOf(checking.found()));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plug_in/verdict.h"
 
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/duration.h"
+#include "app/experiment/short_names.h"
 #include "app/latin.h"
 #include "app/plug_in/points.h"
 #include "app/view/numbers.h"

@@ -68,7 +68,7 @@ void addForms(Words& words, const Study& study)
     std::set<clipping::Form> forms;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)
-            forms.insert(timing.contestant.form);
+            forms.insert(timing.variant.form);
     const bool paper = study.trials.front().paper.has_value();
     const QString form = forms.size() == 2 ? QStringLiteral("both") : wordOf(*forms.begin());
     if (form != (paper ? wordOf(clipping::Form::Published) : QStringLiteral("both")))
@@ -79,8 +79,8 @@ void addAlgorithms(Words& words, const Record& record)
 {
     QStringList names;
     for (const Timing& timing : record.timings)
-        if (timing.contestant.algorithm != &exactOneByOne()) // comes with `exact`
-            names << QString::fromUtf8(timing.contestant.algorithm->key);
+        if (timing.variant.algorithm != &exactOneByOne()) // comes with `exact`
+            names << QString::fromUtf8(timing.variant.algorithm->key);
     names.removeDuplicates();
     if (std::size_t(names.size()) < clipping::algorithms().size())
         words.add("algorithms", names.join(u','));

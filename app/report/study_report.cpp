@@ -2,8 +2,8 @@
 #include "app/report/study_report.h"
 
 #include "app/charts/study_charts.h"
-#include "app/experiment/contestant_name.h"
 #include "app/experiment/one_by_one.h"
+#include "app/experiment/short_names.h"
 #include "app/experiment/verdict.h"
 #include "app/view/numbers.h"
 
@@ -44,8 +44,8 @@ QString introduction(const Study& study)
     QStringList names;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)
-            if (timing.contestant.algorithm != &exactOneByOne())
-                names << introducedName(*timing.contestant.algorithm);
+            if (timing.variant.algorithm != &exactOneByOne())
+                names << introducedName(*timing.variant.algorithm);
     names.removeDuplicates();
     return Reports::tr(
                "A line clipper keeps the part of each line that lies inside a window. These "
@@ -121,7 +121,7 @@ ReportSection explanationSection(const Explanation& explanation, const Table& ci
 QStringList batchSentences(const Study& study)
 {
     for (const Trial& trial : study.trials)
-        if (const QString text = batchText(contestantsOf(trial.record)); !text.isEmpty())
+        if (const QString text = batchText(variantsOf(trial.record)); !text.isEmpty())
             return {text};
     return {};
 }

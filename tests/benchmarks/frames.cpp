@@ -127,7 +127,7 @@ void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
     std::vector<const clipping::Algorithm*> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back(&algorithm);
-    race.setContestants(app::contestants(all));
+    race.setVariants(app::variantsOf(all));
     QObject::connect(&canvas, &ui::Canvas::frameShown, &race,
                      [&] { race.frameShown(canvas.window()); });
     const auto inFull = [&] { canvas.settle(); }; // or painting threads would run beside the race

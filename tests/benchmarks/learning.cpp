@@ -48,7 +48,7 @@ int main()
             << milliseconds([&] { app::costMap(planOf(shown, fine)); }) << " ms fine (240 x 180)\n";
         out.flush();
     };
-    for (const app::Variant& variant : app::costContestants(clipping::Form::Corrected))
+    for (const app::Variant& variant : app::costVariants(clipping::Form::Corrected))
         row(app::nameOf(variant), variant);
     row(QStringLiteral("which is cheapest"), std::nullopt);
 

@@ -34,9 +34,8 @@ void CompareCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
 void CompareCells::paintName(QPainter& painter, const QStyleOptionViewItem& option,
                              const app::RaceRow& row) const
 {
-    const auto& [algorithm, form] = row.contestant;
     paintVariantName(painter, option.rect.adjusted(space::dockMargin, 0, 0, 0), option,
-                     {algorithm, form});
+                     row.variant);
 }
 
 void CompareCells::paintSparkline(QPainter& painter, const QStyleOptionViewItem& option,
@@ -46,7 +45,7 @@ void CompareCells::paintSparkline(QPainter& painter, const QStyleOptionViewItem&
         return;
     const QRect r = option.rect.adjusted(DenseTable::gap, 3, -DenseTable::gap, -3);
     app::paint(painter, r, {row.milliseconds, app::Race::length},
-               app::algorithmColour(*row.contestant.algorithm, groundOf(option.palette)));
+               app::algorithmColour(*row.variant.algorithm, groundOf(option.palette)));
 }
 
 void CompareCells::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,

@@ -2,7 +2,7 @@
 #include "ui/docks/compare_model.h"
 
 #include "app/comparison/race_text.h"
-#include "app/experiment/contestant_name.h"
+#include "app/experiment/short_names.h"
 #include "app/latin.h"
 #include "app/view/frame_statistics.h"
 #include "app/view/numbers.h"
@@ -33,7 +33,7 @@ struct ColumnInfo {
     QVariant (*order)(const Cell& cell);
 };
 
-QString nameOf(const Cell& cell) { return app::nameOf(cell.row.contestant); }
+QString nameOf(const Cell& cell) { return app::shortNameOf(cell.row.variant); }
 
 QString onlyTimed(const Cell& cell, const QString& text)
 {
@@ -80,11 +80,10 @@ constexpr std::array columns{
 
 QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 {
-    const clipping::Algorithm& algorithm = *row.contestant.algorithm;
+    const clipping::Algorithm& algorithm = *row.variant.algorithm;
     if (column == CompareModel::Differ && row.differences.all() > 0)
-        return app::sentence({row.contestant.algorithm, row.contestant.form}, app::exactVariant(),
-                             row.differences, lines);
-    const QString name = row.contestant.form == clipping::Form::Published
+        return app::sentence(row.variant, app::exactVariant(), row.differences, lines);
+    const QString name = row.variant.form == clipping::Form::Published
                              ? Compare::tr("%1, as published").arg(app::latin(algorithm.name))
                              : app::latin(algorithm.name);
     QString tip = Compare::tr("%1 (%2)\n%3")
@@ -102,8 +101,7 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines)
 {
     const auto same = [](const app::RaceRow& one, const app::RaceRow& other) {
-        return one.contestant.algorithm == other.contestant.algorithm
-               && one.contestant.form == other.contestant.form;
+        return one.variant == other.variant;
     };
     const bool others = !std::ranges::equal(rows, rows_, same);
     if (others)
@@ -124,7 +122,7 @@ bool CompareModel::timed() const { return lines_ >= app::leastLinesToTime; }
 int CompareModel::rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const
 {
     const auto found = std::ranges::find_if(rows_, [&](const app::RaceRow& row) {
-        return row.contestant.algorithm == &algorithm && row.contestant.form == form;
+        return row.variant.algorithm == &algorithm && row.variant.form == form;
     });
     return found == rows_.end() ? -1 : int(found - rows_.begin());
 }

@@ -16,7 +16,7 @@ public:
     enum Role { OrderRole = Qt::UserRole };
 
     using QAbstractTableModel::QAbstractTableModel;
-    /// Other contestants make it begin anew.
+    /// Other variants make it begin anew.
     void show(std::span<const app::RaceRow> rows, std::size_t lines);
 
     const app::RaceRow& row(int number) const { return rows_[std::size_t(number)]; }

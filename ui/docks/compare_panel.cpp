@@ -19,13 +19,12 @@ namespace {
 constexpr int bothForms = 2;
 const char* const setting = "compareForms";
 
-std::vector<app::Contestant> contestantsOf(int forms)
+std::vector<app::Variant> variantsOf(int forms)
 {
     std::vector<const clipping::Algorithm*> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back(&algorithm);
-    return forms == bothForms ? app::contestants(all)
-                              : app::contestants(all, clipping::Form(forms));
+    return forms == bothForms ? app::variantsOf(all) : app::variantsOf(all, clipping::Form(forms));
 }
 
 QLabel* caption(const QFont& font)
@@ -77,7 +76,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
 
 void ComparePanel::setWatched(bool watched) { watched ? race_.start() : race_.stop(); }
 
-void ComparePanel::chooseForms(int index) { race_.setContestants(contestantsOf(index)); }
+void ComparePanel::chooseForms(int index) { race_.setVariants(variantsOf(index)); }
 
 void ComparePanel::showRace()
 {
@@ -89,7 +88,7 @@ void ComparePanel::showRace()
     groups_->setToolTip(timed ? app::groupsText(rows) : QString());
     fitGroups();
     field_->setText(app::fieldText(race_.lines()));
-    field_->setToolTip(app::batchText(race_.contestants()));
+    field_->setToolTip(app::batchText(race_.variants()));
     state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
 }
 
@@ -109,7 +108,7 @@ QSize ComparePanel::sizeHint() const
 {
     const QSize all = QWidget::sizeHint();
     return {all.width(), all.height() - table_->sizeHint().height()
-                             + table_->heightFor(int(race_.contestants().size()))};
+                             + table_->heightFor(int(race_.variants().size()))};
 }
 
 } // namespace ui

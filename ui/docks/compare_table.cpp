@@ -74,7 +74,7 @@ void CompareTable::choose(const QModelIndex& index)
 {
     if (!index.isValid())
         return;
-    const app::Contestant& chosen = model_.row(sorted_.mapToSource(index).row()).contestant;
+    const app::Variant& chosen = model_.row(sorted_.mapToSource(index).row()).variant;
     app::Display display = session_.display();
     display.algorithm = chosen.algorithm;
     display.form = chosen.form;

@@ -117,9 +117,9 @@ void CostMapPanel::choose()
         });
     }
     plan_.shown = algorithm_->variant();
-    plan_.contestants =
-        app::costContestants(plan_.shown ? clipping::Form::Corrected
-                                         : cheapestForms[std::size_t(algorithm_->currentIndex())]);
+    plan_.variants =
+        app::costVariants(plan_.shown ? clipping::Form::Corrected
+                                      : cheapestForms[std::size_t(algorithm_->currentIndex())]);
     plan_.end = end_->chosen() == 1 ? app::FixedEnd::End2 : app::FixedEnd::End1;
     ask();
     point(std::nullopt);

@@ -50,7 +50,7 @@ const QString& TableModel::field(const QModelIndex& index) const
 }
 
 /// Key and form of the algorithm that a cell names.
-QVariant TableModel::contestant(const QModelIndex& index) const
+QVariant TableModel::variant(const QModelIndex& index) const
 {
     const auto* algorithm = app::timedAlgorithm(field(index));
     if (table_.names[index.column()] != u"algorithm" || !algorithm)
@@ -88,14 +88,14 @@ QVariant TableModel::data(const QModelIndex& index, int role) const
         return int(Qt::AlignVCenter | (numeric ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole:
         if (const auto* algorithm =
-                contestant(index).isValid() ? app::timedAlgorithm(field(index)) : nullptr)
+                variant(index).isValid() ? app::timedAlgorithm(field(index)) : nullptr)
             return app::latin(algorithm->name);
         return {};
     case SortRole:
         return numeric && !field(index).isEmpty() ? QVariant(field(index).toDouble())
                                                   : QVariant(shown(index));
-    case ContestantRole:
-        return contestant(index);
+    case VariantRole:
+        return variant(index);
     case FaultRole:
         return isFault(index);
     default:

@@ -15,7 +15,7 @@ class TableModel : public QAbstractTableModel {
 public:
     enum Role {
         SortRole = Qt::UserRole, ///< a number where the column has numbers
-        ContestantRole,          ///< of an algorithm's cell: its key, and its form's word
+        VariantRole,             ///< of an algorithm's cell: its key, and its form's word
         FaultRole                ///< whether the cell counts what is wrong, and there is some
     };
 
@@ -31,7 +31,7 @@ public:
 
 private:
     const QString& field(const QModelIndex& index) const;
-    QVariant contestant(const QModelIndex& index) const;
+    QVariant variant(const QModelIndex& index) const;
     bool isFault(const QModelIndex& index) const;
     QString shown(const QModelIndex& index) const;
 

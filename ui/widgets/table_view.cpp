@@ -39,8 +39,7 @@ public:
         painter->setFont(sum ? semiBold(option.font) : option.font);
         painter->setPen(index.data(TableModel::FaultRole).toBool() ? look.differs : look.text);
         QRect box = option.rect.adjusted(padding, 0, -padding, 0);
-        if (const auto who = index.data(TableModel::ContestantRole).toStringList();
-            !who.isEmpty()) {
+        if (const auto who = index.data(TableModel::VariantRole).toStringList(); !who.isEmpty()) {
             paintMarker(*painter, option, who);
             box.setLeft(box.left() + marker + padding);
         }
@@ -50,7 +49,7 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
-        const bool marked = index.data(TableModel::ContestantRole).isValid();
+        const bool marked = index.data(TableModel::VariantRole).isValid();
         const QFontMetrics metrics(isSum(index) ? semiBold(option.font) : option.font);
         return {tabularWidth(metrics, index.data().toString()) + 2 * padding
                     + (marked ? marker + padding : 0),

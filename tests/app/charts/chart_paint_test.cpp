@@ -71,7 +71,7 @@ Chart barsOf(std::initializer_list<double> lengths)
 
 double lengthOf(const ChartRow& row) { return std::get<Bar>(row.figures.front()).length(); }
 
-/// All kinds of charts, and records of some and of all contestants.
+/// All kinds of charts, and records of some and of all variants.
 std::vector<Chart> allCharts()
 {
     std::vector<Chart> charts;

@@ -85,7 +85,7 @@ private slots:
         const Chart chart = chartOf(record, clip, paperTables().front());
         const double fastest = std::ranges::min(times, {}, &Summary::median).median;
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const auto row = std::ranges::find(chart.rows, record.timings[i].contestant.algorithm,
+            const auto row = std::ranges::find(chart.rows, record.timings[i].variant.algorithm,
                                                &ChartRow::algorithm);
             QVERIFY(std::abs(barOf(*row).length() - times[i].median / fastest) < 1e-12);
             QCOMPARE(row->numbers.size(), 2);
@@ -147,9 +147,9 @@ private slots:
         const Chart chart = chartOf(profile);
         QCOMPARE(chart.legend.size(), std::size_t(4));
         const auto table = operationTable(profile);
-        for (const ContestantOperations& one : profile.rows) {
+        for (const VariantOperations& one : profile.rows) {
             const auto row = std::ranges::find_if(chart.rows, [&](const ChartRow& r) {
-                return r.algorithm == one.contestant.algorithm && r.form == one.contestant.form;
+                return r.algorithm == one.variant.algorithm && r.form == one.variant.form;
             });
             const auto counts = one.scene();
             QCOMPARE(barOf(*row).parts, (std::vector{double(counts.comparisons) / 2000,
@@ -158,8 +158,8 @@ private slots:
                                                      double(counts.divisions) / 2000}));
             // The table says the same of the whole scene.
             QVERIFY(std::ranges::any_of(table.rows, [&](const QStringList& fields) {
-                return fields[0].toStdString() == one.contestant.algorithm->key
-                       && fields[1] == wordOf(one.contestant.form) && fields[2] == "whole scene"
+                return fields[0].toStdString() == one.variant.algorithm->key
+                       && fields[1] == wordOf(one.variant.form) && fields[2] == "whole scene"
                        && std::abs(fields.back().toDouble() - barOf(*row).length()) < 0.006;
             }));
         }

@@ -35,7 +35,7 @@ inline app::Record record(std::span<const Times> all, double spread)
     app::Record record;
     for (const Times& times : all)
         record.timings.push_back(
-            {.contestant = {clipping::findAlgorithm(times.key), times.form},
+            {.variant = {clipping::findAlgorithm(times.key), times.form},
              .generate = std::vector<double>(10, 5),
              .clip = runsAround(times.nanoseconds, spread, record.timings.size()),
              .draw = std::vector<double>(10, 0)});
@@ -73,7 +73,7 @@ inline app::OperationProfile operations()
         all.push_back(&algorithm);
     app::ExperimentOptions options;
     options.lines = 2000;
-    return *app::operationProfile(options, app::contestants(all));
+    return *app::operationProfile(options, app::variantsOf(all));
 }
 
 /// Of the corrected forms, with made-up times: each class takes longer than the one before it.

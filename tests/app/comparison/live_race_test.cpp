@@ -11,7 +11,7 @@ using namespace clipping;
 
 namespace {
 
-// Contestants that write down on what they were called.
+// Variants that write down on what they were called.
 struct Call {
     int who;
     std::size_t lines;
@@ -58,7 +58,7 @@ struct Track {
     explicit Track(int lines)
     {
         session.load({sheetOf(lines), {}});
-        race.setContestants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
+        race.setVariants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
         calls.clear();
     }
     std::size_t roundsOn(const Window& window) const

@@ -28,12 +28,12 @@ std::vector<Segment> scattered(std::size_t count)
     return lines;
 }
 
-std::vector<app::Contestant> everyForm()
+std::vector<app::Variant> everyForm()
 {
     std::vector<const Algorithm*> all;
     for (const Algorithm& row : algorithms())
         all.push_back(&row);
-    return app::contestants(all);
+    return app::variantsOf(all);
 }
 
 void run(app::Race& race, const app::RaceFrame& frame,
@@ -80,7 +80,7 @@ app::DifferenceCounts countedOneByOne(const app::Variant& variant, std::span<con
     return counts;
 }
 
-// Contestants whose calls are written down, and whose time is the test's.
+// Variants whose calls are written down, and whose time is the test's.
 std::vector<int> order;
 double now = 0;
 
@@ -130,10 +130,9 @@ private slots:
         app::Race race(everyForm());
         run(race, {lines, window});
         for (const app::RaceRow& row : notEmpty(race.rows())) {
-            const auto& [algorithm, form] = row.contestant;
-            const auto pieces = clipped(*usesOf(*algorithm, form), lines);
-            const app::DifferenceCounts expected =
-                countedOneByOne({algorithm, form}, lines, window);
+            const auto* algorithm = row.variant.algorithm;
+            const auto pieces = clipped(*usesOf(*algorithm, row.variant.form), lines);
+            const app::DifferenceCounts expected = countedOneByOne(row.variant, lines, window);
             QVERIFY2(row.visible == pieces.size(), algorithm->key.data());
             QVERIFY2(row.differences == expected, algorithm->key.data());
             QCOMPARE(row.milliseconds.size(), std::size_t(1));
@@ -199,7 +198,7 @@ private slots:
     /// The times of other windows do not count as soon as this one's tell something.
     void theSummaryIsOfThisFrame()
     {
-        app::RaceRow row{.contestant = {&algorithms()[0], Form::Corrected},
+        app::RaceRow row{.variant = {&algorithms()[0], Form::Corrected},
                          .milliseconds = {9, 9, 9, 9, 9, 9, 9, 1, 1, 1, 1, 1, 1}};
         row.ofThisFrame = 5;
         QCOMPARE(row.summary().median, 9.0);
@@ -232,7 +231,7 @@ private slots:
     void whatDoesNotDifferIsNamed()
     {
         const auto row = [](const char* name, Form form, double ms) {
-            return app::RaceRow{.contestant = {findAlgorithm(name), form},
+            return app::RaceRow{.variant = {findAlgorithm(name), form},
                                 .milliseconds = std::vector<double>(10, ms)};
         };
         std::vector rows{row("cb", Form::Corrected, 9), row("lb", Form::Corrected, 2),

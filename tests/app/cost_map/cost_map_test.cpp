@@ -93,15 +93,15 @@ private slots:
     void theCheapestAreAllThatCostTheLeast()
     {
         const CostPlan plan = cheapestPlan();
-        QCOMPARE(plan.contestants.size(), algorithms().size());
+        QCOMPARE(plan.variants.size(), algorithms().size());
         const CostMap map = costMap(plan);
         bool tie = false;
         for (int row = 0; row < plan.rows; ++row)
             for (int column = 0; column < plan.columns; ++column) {
                 const Segment line = plan.lineTo(plan.middleOf(column, row));
                 const std::size_t cell = map.at(column, row);
-                for (std::size_t i = 0; i < plan.contestants.size(); ++i) {
-                    const double cost = costOf(plan.contestants[i], *plan.measure, line, window);
+                for (std::size_t i = 0; i < plan.variants.size(); ++i) {
+                    const double cost = costOf(plan.variants[i], *plan.measure, line, window);
                     QCOMPARE((map.cheapest[cell] >> i & 1) != 0, cost == map.values[cell]);
                     QVERIFY(cost >= map.values[cell]);
                 }

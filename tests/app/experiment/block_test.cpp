@@ -46,8 +46,8 @@ private slots:
             QVERIFY(isSingle(block.lines()[i].a) && isSingle(block.lines()[i].b));
         }
         std::vector<clipping::BasicClipped<Single>> truth(lines.size());
-        for (const app::Contestant& one :
-             app::contestants(everyAlgorithm(), clipping::Form::Corrected)) {
+        for (const app::Variant& one :
+             app::variantsOf(everyAlgorithm(), clipping::Form::Corrected)) {
             const auto count = one.algorithm->single->clipAll(
                 rounded, {glm::vec2(window.min), glm::vec2(window.max)}, truth);
             const auto found = block.pieces(block.clip(one));
@@ -68,8 +68,8 @@ private slots:
             QSKIP("one core, or no oneTBB: nothing to share out");
         const auto lines = paperLines(300'001);
         for (const auto precision : {app::Precision::Double, app::Precision::Single})
-            for (const app::Contestant& one :
-                 app::contestants(everyAlgorithm(), clipping::Form::Corrected)) {
+            for (const app::Variant& one :
+                 app::variantsOf(everyAlgorithm(), clipping::Form::Corrected)) {
                 app::Block alone({app::paperWindow, precision}),
                     together({app::paperWindow, precision, app::mostThreads()});
                 for (app::Block* block : {&alone, &together})
@@ -90,7 +90,7 @@ private slots:
         options.lines = 20'000;
         options.runs = 1;
         options.precision = app::Precision::Single;
-        const auto all = app::contestants(everyAlgorithm(), clipping::Form::Corrected);
+        const auto all = app::variantsOf(everyAlgorithm(), clipping::Form::Corrected);
         const auto record = app::recorded(options, all);
         for (const app::Timing& timing : record->timings) {
             QVERIFY(timing.found.visible > 3000);
@@ -113,7 +113,7 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 1000;
         options.runs = 4;
-        const auto all = app::contestants({{clipping::findAlgorithm("cs")}});
+        const auto all = app::variantsOf({{clipping::findAlgorithm("cs")}});
         const auto record = *app::recorded(options, all);
         const app::Measure clip = app::measures().front();
         const app::Table table = app::runsTable(record, {&clip, 1});

@@ -56,7 +56,7 @@ private slots:
 
     void everyFormIsTimedInEveryRunAndCountsItsLines()
     {
-        const auto all = app::contestants(everyAlgorithm());
+        const auto all = app::variantsOf(everyAlgorithm());
         QVERIFY(all.size() > clipping::algorithms().size());
         app::ExperimentOptions options;
         options.lines = 1'000'345; // two blocks
@@ -67,8 +67,7 @@ private slots:
         std::vector<clipping::Clipped> visible(lines.size());
         const auto timings = app::experiment(options, all);
         for (const app::Timing& timing : *timings) {
-            const auto& uses =
-                *clipping::usesOf(*timing.contestant.algorithm, timing.contestant.form);
+            const auto& uses = *clipping::usesOf(*timing.variant.algorithm, timing.variant.form);
             QCOMPARE(timing.clip.size(), options.runs);
             QCOMPARE(timing.found.visible, uses.clipAll(lines, app::paperWindow, visible));
             QVERIFY(std::ranges::all_of(timing.clip, [](double ns) { return ns > 0.1; }));
@@ -83,12 +82,12 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 100'000;
         options.runs = 1;
-        const auto timings = app::experiment(options, app::contestants(everyAlgorithm()));
+        const auto timings = app::experiment(options, app::variantsOf(everyAlgorithm()));
         const app::Findings& first = timings->front().found;
         QVERIFY(first.visible > 16'000 && first.visible < 17'000);
         for (const app::Timing& timing : *timings) {
-            const bool loses = timing.contestant.algorithm->abbreviation == "KWC"
-                               && timing.contestant.form == clipping::Form::Published;
+            const bool loses = timing.variant.algorithm->abbreviation == "KWC"
+                               && timing.variant.form == clipping::Form::Published;
             if (!loses) {
                 QCOMPARE(timing.found, first);
                 continue;
@@ -101,7 +100,7 @@ private slots:
             QVERIFY(timing.found.checksum != first.checksum);
         }
         options.seed = 2;
-        QVERIFY(app::experiment(options, app::contestants(everyAlgorithm()))->front().found
+        QVERIFY(app::experiment(options, app::variantsOf(everyAlgorithm()))->front().found
                 != first);
     }
 
@@ -110,7 +109,7 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 50'000;
         options.runs = 1;
-        const auto all = app::contestants(everyAlgorithm());
+        const auto all = app::variantsOf(everyAlgorithm());
         const auto asTheyCome = app::experiment(options, all);
         for (const app::Order order : {app::Order::Shuffled, app::Order::ByClass}) {
             options.order = order;
@@ -129,7 +128,7 @@ private slots:
         options.lines = 2000;
         options.runs = 3;
         options.easel = app::rasterEasel;
-        const auto all = app::contestants(everyAlgorithm(), clipping::Form::Corrected);
+        const auto all = app::variantsOf(everyAlgorithm(), clipping::Form::Corrected);
         const auto timings = *app::experiment(options, all);
         for (const app::Timing& timing : timings) {
             QCOMPARE(timing.pixels, timings[0].pixels); // all see the same
@@ -164,7 +163,7 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 1'500'000;
         options.runs = 2;
-        const auto md = app::contestants({{clipping::findAlgorithm("md")}});
+        const auto md = app::variantsOf({{clipping::findAlgorithm("md")}});
         std::vector<app::Progress> all;
         QVERIFY(app::experiment(options, md,
                                 {{}, [&](const app::Progress& now) { all.push_back(now); }}));
@@ -186,7 +185,7 @@ private slots:
             if (++turns == 10)
                 source.request_stop();
         };
-        QVERIFY(!app::experiment(options, app::contestants(everyAlgorithm()),
+        QVERIFY(!app::experiment(options, app::variantsOf(everyAlgorithm()),
                                  {source.get_token(), stopAtTen}));
         QCOMPARE(turns, 10);
     }

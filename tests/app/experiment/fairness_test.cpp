@@ -18,7 +18,7 @@ namespace {
 double now = 0;        // nanoseconds
 std::mt19937_64 noise; // NOLINT: the seed is set by each test
 int calls = 0;         // of all functions
-int perRound = 1;      // contestants
+int perRound = 1;      // variants
 
 double slowness()
 {
@@ -52,10 +52,10 @@ app::Ranking race(const std::vector<clipping::Algorithm>& rows, std::uint64_t se
     app::ExperimentOptions options;
     options.lines = 100;
     options.clock = {"the test's", [] { return now; }};
-    std::vector<app::Contestant> contestants;
+    std::vector<app::Variant> variants;
     for (const auto& row : rows)
-        contestants.push_back({&row, clipping::Form::Corrected});
-    const auto timings = *app::experiment(options, contestants);
+        variants.push_back({&row, clipping::Form::Corrected});
+    const auto timings = *app::experiment(options, variants);
     std::vector<std::vector<double>> runs;
     for (const app::Timing& timing : timings)
         runs.push_back(timing.clip);
@@ -137,7 +137,7 @@ private slots:
         options.lines = 1000;
         options.runs = 5;
         options.easel = app::rasterEasel;
-        const app::Contestant one{&row, clipping::Form::Corrected};
+        const app::Variant one{&row, clipping::Form::Corrected};
         QVERIFY(app::experiment(options, {&one, 1}));
         QCOMPARE(turns, 6);
         QCOMPARE(slowed, 0);
@@ -185,7 +185,7 @@ private slots:
         options.lines = 10;
         options.warmUps = 2;
         options.clock = {"the test's", [] { return now; }};
-        const std::vector<app::Contestant> one{{&row, clipping::Form::Corrected}};
+        const std::vector<app::Variant> one{{&row, clipping::Form::Corrected}};
         QCOMPARE(app::experiment(options, one)->front().clip, std::vector<double>(10, 7));
     }
 
@@ -194,7 +194,7 @@ private slots:
     {
         clipping::Algorithm copy = *clipping::findAlgorithm("md");
         copy.key = "copy";
-        const std::vector<app::Contestant> two{
+        const std::vector<app::Variant> two{
             {clipping::findAlgorithm("md"), clipping::Form::Corrected},
             {&copy, clipping::Form::Corrected}};
         app::ExperimentOptions options;

@@ -91,7 +91,7 @@ private slots:
         std::vector<const clipping::Algorithm*> some;
         for (const char* name : {"cs", "md", "exact"})
             some.push_back(clipping::findAlgorithm(name));
-        const auto all = app::contestants(some, clipping::Form::Corrected);
+        const auto all = app::variantsOf(some, clipping::Form::Corrected);
         const auto pixelsOf = [&](const app::ExperimentOptions& wanted) {
             std::vector<std::uint64_t> pixels;
             const std::unique_ptr<QThread> thread(QThread::create([&] {

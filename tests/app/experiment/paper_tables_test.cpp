@@ -26,7 +26,7 @@ app::Record quickRecord(const app::PaperTable& paper, clipping::Form form)
     options.lines = 20'000;
     options.runs = 4;
     options.easel = app::rasterEasel;
-    return *app::recorded(options, app::contestants(paper, form));
+    return *app::recorded(options, app::variantsOf(paper, form));
 }
 
 } // namespace

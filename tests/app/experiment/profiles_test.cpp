@@ -9,18 +9,18 @@
 
 #include "tests/clipping/oracle.h"
 
-using app::Contestant;
+using app::Variant;
 using clipping::Form;
 using clipping::Segment;
 
 namespace {
 
-std::vector<Contestant> all()
+std::vector<Variant> all()
 {
     std::vector<const clipping::Algorithm*> algorithms;
     for (const auto& algorithm : clipping::algorithms())
         algorithms.push_back(&algorithm);
-    return app::contestants(algorithms);
+    return app::variantsOf(algorithms);
 }
 
 app::ExperimentOptions thePapers(std::uint64_t lines)
@@ -31,18 +31,18 @@ app::ExperimentOptions thePapers(std::uint64_t lines)
     return options;
 }
 
-bool is(const Contestant& contestant, std::string_view abbreviation, Form form)
+bool is(const Variant& variant, std::string_view abbreviation, Form form)
 {
-    return contestant.algorithm->abbreviation == abbreviation && contestant.form == form;
+    return variant.algorithm->abbreviation == abbreviation && variant.form == form;
 }
 
 template <class Row>
 const Row& find(const std::vector<Row>& rows, std::string_view abbreviation, Form form)
 {
     for (const Row& row : rows)
-        if (is(row.contestant, abbreviation, form))
+        if (is(row.variant, abbreviation, form))
             return row;
-    qFatal("no such contestant");
+    qFatal("no such variant");
 }
 
 oracle::Line lineOf(const Segment& s) { return {{s.a.x, s.a.y}, {s.b.x, s.b.y}}; }
@@ -58,12 +58,12 @@ double apart(const glm::dvec2& p, const oracle::Point& q)
     return std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
 }
 
-/// What the oracle says of a contestant, line by line.
-app::Accuracy byOracle(const Contestant& contestant, std::span<const Segment> lines)
+/// What the oracle says of a variant, line by line.
+app::Accuracy byOracle(const Variant& variant, std::span<const Segment> lines)
 {
     const auto& w = app::paperWindow;
-    const auto& uses = *clipping::usesOf(*contestant.algorithm, contestant.form);
-    app::Accuracy sum{.contestant = contestant};
+    const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
+    app::Accuracy sum{.variant = variant};
     for (const Segment& line : lines) {
         const auto truth = truthOf(line, w);
         const auto found = uses.clip(line, w);
@@ -217,16 +217,16 @@ private slots:
             options.scene.begin({}, options.seed)(lines);
             const auto rows = *app::accuracies(options, all());
             for (const app::Accuracy& row : rows) {
-                const auto truth = byOracle(row.contestant, lines);
+                const auto truth = byOracle(row.variant, lines);
                 QCOMPARE(row.visible, truth.visible);
                 QCOMPARE(row.lost, truth.lost);
                 QCOMPARE(row.shown, truth.shown);
                 QCOMPARE(row.outside, truth.outside);
                 QVERIFY(std::abs(row.mostUlps - truth.mostUlps) <= 1);
                 QVERIFY(row.meanUlps <= row.mostUlps);
-                if (row.contestant.form == Form::Corrected) {
+                if (row.variant.form == Form::Corrected) {
                     QCOMPARE(row.outside, 0u);
-                    QVERIFY(row.mostUlps <= row.contestant.algorithm->ulps);
+                    QVERIFY(row.mostUlps <= row.variant.algorithm->ulps);
                 }
             }
         }
@@ -245,7 +245,7 @@ private slots:
         auto options = thePapers(3);
         options.scene =
             app::drawingScene("three", {{{0, 0}, {1, 1}}, {{0, 0}, {2, 2}}, {{0, 0}, {3, 3}}});
-        const Contestant who{&odd, Form::Corrected};
+        const Variant who{&odd, Form::Corrected};
         const auto row = app::accuracies(options, {{who}})->front();
         QCOMPARE(row.mostUlps, 2 * 0x1p46);       // one ulp of 100 is 2^-46
         QCOMPARE(row.meanUlps, row.mostUlps / 2); // of two: the third has none

@@ -49,7 +49,7 @@ app::Trial invented(const app::PaperTable& paper, const std::vector<double>& cli
     app::Trial trial{paper, {}};
     trial.record.options.lines = paper.lines;
     for (std::size_t i = 0; i < clip.size(); ++i) {
-        app::Timing timing{.contestant = {paper.columns[i].algorithm, Form::Published},
+        app::Timing timing{.variant = {paper.columns[i].algorithm, Form::Published},
                            .generate = {},
                            .clip = {},
                            .draw = {}};
@@ -109,9 +109,9 @@ private slots:
         QCOMPARE(plan.value->trials[1].options.lines, 10'000'000u);
         for (const auto& trial : plan.value->trials) {
             QCOMPARE(trial.options.runs, 10u);
-            QCOMPARE(trial.contestants.size(), 7u);
+            QCOMPARE(trial.variants.size(), 7u);
             QVERIFY(std::ranges::all_of(
-                trial.contestants, [](const auto& one) { return one.form == Form::Published; }));
+                trial.variants, [](const auto& one) { return one.form == Form::Published; }));
         }
         QCOMPARE(plan.value->measures.size(), 3u);
         QVERIFY(plan.value->explained);
@@ -142,7 +142,7 @@ private slots:
             return app::rasterEasel(field);
         };
         const auto record =
-            app::recorded(options, app::contestants({{clipping::findAlgorithm("md")}}));
+            app::recorded(options, app::variantsOf({{clipping::findAlgorithm("md")}}));
         QVERIFY(record->easel.startsWith("raster"));
         QCOMPARE(made, 1);
     }
@@ -178,7 +178,7 @@ private slots:
         const auto plan = app::planOf(app::quick({.subject = app::subjects().front()}));
         for (const auto& trial : plan.value->trials) {
             QCOMPARE(trial.options.lines, 30'000u);
-            QCOMPARE(trial.options.runs, app::usualRounds(trial.contestants.size()));
+            QCOMPARE(trial.options.runs, app::usualRounds(trial.variants.size()));
         }
         QVERIFY(app::roughSeconds(*plan.value) < 10);
         QVERIFY(app::effortText(*plan.value).contains("4,200,000"));
@@ -311,7 +311,7 @@ private slots:
             QTest::addRow("%s after 3 turns", qPrintable(key)) << key << 0 << 3;
         }
     }
-    // A turn of one contestant is some hundredths of a second; each is reported.
+    // A turn of one variant is some hundredths of a second; each is reported.
     void itStopsAfterTheTurnInHand()
     {
         QFETCH(QString, subject);
@@ -443,12 +443,11 @@ private slots:
         choice.forms = {Form::Corrected, Form::Published};
         choice.runs.reset();
         const auto plan = app::planOf(choice);
-        QCOMPARE(plan.value->trials[0].contestants.size(), 3u + 1u); // MD has two forms
+        QCOMPARE(plan.value->trials[0].variants.size(), 3u + 1u); // MD has two forms
         const auto study = app::study(*plan.value);
         const auto& timings = study->trials[0].record.timings;
         const auto is = [](const char* key) {
-            return
-                [=](const app::Timing& timing) { return timing.contestant.algorithm->key == key; };
+            return [=](const app::Timing& timing) { return timing.variant.algorithm->key == key; };
         };
         const auto batch = std::ranges::find_if(timings, is("exact")),
                    each = std::ranges::find_if(timings, is("exact-one-by-one"));

@@ -116,9 +116,9 @@ private slots:
         for (std::size_t i = 0; i < plan.trials.size(); ++i) {
             const app::Record& record = study.trials[i].record;
             QCOMPARE(factsText(plan.trials[i].options), factsText(record.options));
-            QCOMPARE(plan.trials[i].contestants.size(), record.timings.size());
+            QCOMPARE(plan.trials[i].variants.size(), record.timings.size());
             for (std::size_t c = 0; c < record.timings.size(); ++c)
-                QVERIFY(plan.trials[i].contestants[c] == record.timings[c].contestant);
+                QVERIFY(plan.trials[i].variants[c] == record.timings[c].variant);
         }
         for (std::size_t m = 0; m < plan.measures.size(); ++m)
             QCOMPARE(plan.measures[m].key, study.measures[m].key);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/contestant_name.h"
+#include "app/experiment/short_names.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/compare_table.h"
 #include "ui/docks/dock.h"
@@ -67,7 +67,7 @@ struct CompareWindow : TestWindow {
     QString chosen() const
     {
         const app::Display& display = window->session().display();
-        return app::nameOf(app::Contestant{display.algorithm, display.usedForm()});
+        return app::shortNameOf(app::Variant{display.algorithm, display.usedForm()});
     }
 };
 
@@ -195,9 +195,9 @@ private slots:
         const auto rowsWith = [](double first, double second) {
             std::vector<app::RaceRow> rows;
             for (const double ms : {first, second})
-                rows.push_back({.contestant = {&clipping::algorithms()[rows.size()],
-                                               clipping::Form::Corrected},
-                                .milliseconds = {ms}});
+                rows.push_back(
+                    {.variant = {&clipping::algorithms()[rows.size()], clipping::Form::Corrected},
+                     .milliseconds = {ms}});
             return rows;
         };
         const auto top = [&] { return table.model()->index(0, CompareModel::Name).data(); };

@@ -188,7 +188,7 @@ private slots:
         QStringList names;
         for (int row = 0; row < model->rowCount(); ++row) {
             names << model->index(row, 0).data().toString();
-            QVERIFY2(model->index(row, 0).data(TableModel::ContestantRole).isValid(),
+            QVERIFY2(model->index(row, 0).data(TableModel::VariantRole).isValid(),
                      qPrintable(names.back()));
         }
         QVERIFY2(names.contains("EX") && names.contains("EX one by one"),
@@ -208,7 +208,7 @@ private slots:
         QVERIFY(stage.window->study());
         const auto& timings = stage.window->study()->trials[0].record.timings;
         QCOMPARE(timings.size(), 2u);
-        QCOMPARE(timings[0].contestant.algorithm, clipping::findAlgorithm("CS"));
+        QCOMPARE(timings[0].variant.algorithm, clipping::findAlgorithm("CS"));
         // The paper brings its seven, and does not forget what was ticked.
         stage.choose("table1");
         QVERIFY(stage.named<QCheckBox>(clipping::findAlgorithm("MD")->name.data())->isChecked());

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/contestant.h"
+#include "app/experiment/variants_of.h"
 
 namespace app {
 
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms,
-                                    clipping::Form form)
+std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms,
+                                clipping::Form form)
 {
-    std::vector<Contestant> all;
+    std::vector<Variant> all;
     for (const auto* algorithm : algorithms)
         if (clipping::usesOf(*algorithm, form))
             all.push_back({algorithm, form});
     return all;
 }
 
-std::vector<Contestant> contestants(std::span<const clipping::Algorithm* const> algorithms)
+std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms)
 {
-    auto all = contestants(algorithms, clipping::Form::Corrected);
-    const auto published = contestants(algorithms, clipping::Form::Published);
+    auto all = variantsOf(algorithms, clipping::Form::Corrected);
+    const auto published = variantsOf(algorithms, clipping::Form::Published);
     all.insert(all.end(), published.begin(), published.end());
     return all;
 }

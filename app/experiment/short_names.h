@@ -8,10 +8,10 @@
 namespace app {
 
 /// "KWC as published"; of a corrected form "KWC".
-QString nameOf(const Contestant& contestant);
+QString shortNameOf(const Variant& variant);
 
 /// The name among others: without its form if all have the same.
-QString nameAmong(std::span<const Contestant> all, std::size_t i);
+QString nameAmong(std::span<const Variant> all, std::size_t i);
 
 /// "Cohen-Sutherland (CS)"; "Skala", whose name is as short as it gets.
 QString introducedName(const clipping::Algorithm& algorithm);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/contestant_name.h"
+#include "app/experiment/short_names.h"
 
 #include "app/latin.h"
 #include "app/view/numbers.h"
@@ -15,26 +15,26 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-QString abbreviation(const Contestant& contestant)
+QString abbreviation(const Variant& variant)
 {
-    const auto text = contestant.algorithm->abbreviation;
+    const auto text = variant.algorithm->abbreviation;
     return latin(text);
 }
 
 } // namespace
 
-QString nameOf(const Contestant& contestant)
+QString shortNameOf(const Variant& variant)
 {
-    return contestant.form == clipping::Form::Published
-               ? Experiments::tr("%1 as published").arg(abbreviation(contestant))
-               : abbreviation(contestant);
+    return variant.form == clipping::Form::Published
+               ? Experiments::tr("%1 as published").arg(abbreviation(variant))
+               : abbreviation(variant);
 }
 
-QString nameAmong(std::span<const Contestant> all, std::size_t i)
+QString nameAmong(std::span<const Variant> all, std::size_t i)
 {
-    const bool mixed = std::ranges::any_of(
-        all, [&](const Contestant& other) { return other.form != all[i].form; });
-    return mixed ? nameOf(all[i]) : abbreviation(all[i]);
+    const bool mixed =
+        std::ranges::any_of(all, [&](const Variant& other) { return other.form != all[i].form; });
+    return mixed ? shortNameOf(all[i]) : abbreviation(all[i]);
 }
 
 QString introducedName(const clipping::Algorithm& algorithm)
