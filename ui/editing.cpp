@@ -6,6 +6,7 @@
 #include "app/commands/remove_shapes.h"
 #include "app/document/clipboard.h"
 #include "app/document/copy_place.h"
+#include "app/document/editable.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -33,11 +34,11 @@ void add(app::Session& session, std::vector<app::Shape> shapes, const QString& t
         layer.push_back(app::moved(std::move(shape), offset));
     }
     session.history.beginMacro(text);
-    std::set<std::size_t> added;
+    app::ObjectRanges added;
     for (auto& [layer, some] : byLayer) { // from the lowest: later ones do not move earlier ones
         auto* command = new app::AddShapes(session.drawing, std::move(some), text);
         session.history.push(command);
-        added.merge(command->shapes());
+        added = united(added, command->shapes());
     }
     session.history.endMacro();
     session.select(std::move(added));
@@ -46,6 +47,7 @@ void add(app::Session& session, std::vector<app::Shape> shapes, const QString& t
 std::vector<app::Shape> selected(const app::Session& session)
 {
     std::vector<app::Shape> shapes;
+    shapes.reserve(session.selection().size());
     for (const std::size_t shape : session.selection())
         shapes.push_back(session.sheet().shapes[shape]);
     return shapes;
@@ -96,14 +98,6 @@ void deleteSelection(app::Session& session)
     session.select({});
 }
 
-void selectAll(app::Session& session)
-{
-    const app::Sheet& sheet = session.sheet();
-    std::set<std::size_t> all;
-    for (std::size_t i = 0; i < sheet.shapes.size(); ++i)
-        if (sheet.shown(sheet.shapes[i]) && !sheet.layers[sheet.shapes[i].layer].locked)
-            all.insert(all.end(), i);
-    session.select(std::move(all));
-}
+void selectAll(app::Session& session) { session.select(app::editableObjects(session.sheet())); }
 
 } // namespace ui

@@ -10,12 +10,10 @@ AddShapes::AddShapes(Drawing& drawing, std::vector<Shape> shapes, const QString&
     patches_.push_back({top, 0, std::move(shapes)});
 }
 
-std::set<std::size_t> AddShapes::shapes() const
+ObjectRanges AddShapes::shapes() const
 {
-    std::set<std::size_t> all;
-    for (std::size_t i = 0; i < count_; ++i)
-        all.insert(all.end(), patches_.front().first + i);
-    return all;
+    const std::size_t first = patches_.front().first;
+    return ObjectRanges(ObjectRange{first, first + count_});
 }
 
 } // namespace app

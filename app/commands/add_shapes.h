@@ -14,7 +14,7 @@ public:
     AddShapes(Drawing& drawing, std::vector<Shape> shapes, const QString& text);
 
     /// Where they are while this command is in force.
-    std::set<std::size_t> shapes() const;
+    ObjectRanges shapes() const;
 
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }

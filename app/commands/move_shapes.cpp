@@ -14,8 +14,7 @@ Shape moved(Shape shape, const Point& by)
     return shape;
 }
 
-MoveShapes::MoveShapes(Drawing& drawing, std::set<std::size_t> shapes, const Point& by,
-                       Merging merging)
+MoveShapes::MoveShapes(Drawing& drawing, ObjectRanges shapes, const Point& by, Merging merging)
     : QUndoCommand(QCoreApplication::translate("Commands", "Move selection")), drawing_(drawing),
       shapes_(std::move(shapes)), merging_(merging),
       patches_(patchesOf(drawing.sheet(), shapes_, [&](Shape& shape) {

@@ -10,7 +10,7 @@ namespace app {
 /// Moves shapes.
 class MoveShapes : public QUndoCommand {
 public:
-    MoveShapes(Drawing& drawing, std::set<std::size_t> shapes, const Point& by,
+    MoveShapes(Drawing& drawing, ObjectRanges shapes, const Point& by,
                Merging merging = Merging::Never);
 
     void redo() override { apply(drawing_, patches_); }
@@ -20,7 +20,7 @@ public:
 
 private:
     Drawing& drawing_;
-    std::set<std::size_t> shapes_;
+    ObjectRanges shapes_;
     Merging merging_;
     Patches patches_; ///< in force: the shapes as they were
 };

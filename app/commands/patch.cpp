@@ -5,7 +5,7 @@
 
 namespace app {
 
-constexpr std::size_t mostRuns = 16;
+constexpr std::size_t mostRanges = 16;
 
 static void exchange(Drawing& drawing, Patch& patch)
 {
@@ -24,25 +24,23 @@ void revert(Drawing& drawing, Patches& patches)
     std::ranges::for_each(patches, [&](Patch& p) { exchange(drawing, p); });
 }
 
-Patches patchesOf(const Sheet& sheet, const std::set<std::size_t>& shapes,
+Patches patchesOf(const Sheet& sheet, const ObjectRanges& shapes,
                   const std::function<bool(Shape&)>& change)
 {
-    std::size_t runs = 0;
-    for (auto i = shapes.begin(); i != shapes.end(); ++i)
-        runs += i == shapes.begin() || *std::prev(i) + 1 != *i;
+    const bool asOne = shapes.ranges().size() > mostRanges;
     Patches patches;
-    for (const std::size_t index : shapes) {
-        const bool next = !patches.empty() && patches.back().first + patches.back().count == index;
-        if (patches.empty() || (!next && runs <= mostRuns))
-            patches.push_back({index, 0, {}});
+    for (const ObjectRange& range : shapes.ranges()) {
+        if (patches.empty() || !asOne)
+            patches.push_back({range.first, 0, {}});
         Patch& patch = patches.back();
-        for (std::size_t between = patch.first + patch.count; between < index;
-             ++between, ++patch.count)
+        for (std::size_t between = patch.first + patch.count; between < range.first; ++between)
             patch.shapes.push_back(sheet.shapes[between]);
-        Shape shape = sheet.shapes[index];
-        if (change(shape))
-            patch.shapes.push_back(std::move(shape));
-        ++patch.count;
+        for (std::size_t index = range.first; index < range.end; ++index) {
+            Shape shape = sheet.shapes[index];
+            if (change(shape))
+                patch.shapes.push_back(std::move(shape));
+        }
+        patch.count = range.end - patch.first;
     }
     return patches;
 }

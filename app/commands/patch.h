@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/document/drawing.h"
+#include "app/document/object_ranges.h"
 
 #include <functional>
-#include <set>
 
 namespace app {
 
@@ -24,10 +24,10 @@ using Patches = std::vector<Patch>;
 void apply(Drawing& drawing, Patches& patches);
 void revert(Drawing& drawing, Patches& patches);
 
-/// One patch for each run of neighbours among `shapes`, with a copy of each after `change`; a shape
-/// for which it says false is left out. Many short runs become one, with what is between them as
+/// One patch for each range of `shapes`, with a copy of each after `change`; a shape
+/// for which it says false is left out. Many short ranges become one, with what is between them as
 /// it is, because each patch moves all the shapes above it.
-Patches patchesOf(const Sheet& sheet, const std::set<std::size_t>& shapes,
+Patches patchesOf(const Sheet& sheet, const ObjectRanges& shapes,
                   const std::function<bool(Shape&)>& change);
 
 } // namespace app

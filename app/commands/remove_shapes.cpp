@@ -5,14 +5,13 @@
 
 namespace app {
 
-RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes,
-                           const QString& text)
+RemoveShapes::RemoveShapes(Drawing& drawing, const ObjectRanges& shapes, const QString& text)
     : QUndoCommand(text), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [](Shape&) { return false; }))
 {
 }
 
-RemoveShapes::RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes)
+RemoveShapes::RemoveShapes(Drawing& drawing, const ObjectRanges& shapes)
     : RemoveShapes(drawing, shapes, QCoreApplication::translate("Commands", "Delete selection"))
 {
 }

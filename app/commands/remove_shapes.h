@@ -10,8 +10,8 @@ namespace app {
 /// Removes shapes. Undone, they are where they were.
 class RemoveShapes : public QUndoCommand {
 public:
-    RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes, const QString& text);
-    RemoveShapes(Drawing& drawing, const std::set<std::size_t>& shapes);
+    RemoveShapes(Drawing& drawing, const ObjectRanges& shapes, const QString& text);
+    RemoveShapes(Drawing& drawing, const ObjectRanges& shapes);
 
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }

@@ -14,7 +14,7 @@ Point fitted(const Point& point, const clipping::Window& from, const clipping::W
     return to.min + (point - from.min) * scale;
 }
 
-ResizeShapes::ResizeShapes(Drawing& drawing, const std::set<std::size_t>& shapes,
+ResizeShapes::ResizeShapes(Drawing& drawing, const ObjectRanges& shapes,
                            const clipping::Window& from, const clipping::Window& to)
     : QUndoCommand(QCoreApplication::translate("Commands", "Resize selection")), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {

@@ -11,8 +11,8 @@ namespace app {
 /// Along an axis where `from` has no extent, shapes are only moved.
 class ResizeShapes : public QUndoCommand {
 public:
-    ResizeShapes(Drawing& drawing, const std::set<std::size_t>& shapes,
-                 const clipping::Window& from, const clipping::Window& to);
+    ResizeShapes(Drawing& drawing, const ObjectRanges& shapes, const clipping::Window& from,
+                 const clipping::Window& to);
 
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }

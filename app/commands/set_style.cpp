@@ -3,7 +3,7 @@
 
 namespace app {
 
-SetStyle::SetStyle(Drawing& drawing, const std::set<std::size_t>& shapes,
+SetStyle::SetStyle(Drawing& drawing, const ObjectRanges& shapes,
                    const std::function<void(Style&)>& change, const QString& text)
     : QUndoCommand(text), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {

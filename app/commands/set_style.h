@@ -11,7 +11,7 @@ namespace app {
 class SetStyle : public QUndoCommand {
 public:
     /// `change` is called once for each shape's style.
-    SetStyle(Drawing& drawing, const std::set<std::size_t>& shapes,
+    SetStyle(Drawing& drawing, const ObjectRanges& shapes,
              const std::function<void(Style&)>& change, const QString& text);
 
     void redo() override { apply(drawing_, patches_); }

@@ -25,7 +25,7 @@ Shape scaled(Shape shape, double factor)
 
 } // namespace
 
-std::unique_ptr<QMimeData> copied(const Sheet& sheet, const std::set<std::size_t>& shapes)
+std::unique_ptr<QMimeData> copied(const Sheet& sheet, const ObjectRanges& shapes)
 {
     Sheet some = sheet;
     some.shapes.clear();

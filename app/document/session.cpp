@@ -31,11 +31,11 @@ const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
     return *clipping::usesOf(*display_.algorithm, display_.usedForm());
 }
 
-void Session::select(std::set<std::size_t> shapes)
+void Session::select(ObjectRanges objects)
 {
-    if (shapes == selection_)
+    if (objects == selection_)
         return;
-    selection_ = std::move(shapes);
+    selection_ = std::move(objects);
     emit selectionChanged();
 }
 
@@ -85,15 +85,8 @@ void Session::follow(const Change& change)
 {
     if (change.kind == Change::Kind::Everything)
         select({});
-    if (change.kind == Change::Kind::Shapes && change.removed != change.added) {
-        std::set<std::size_t> moved;
-        for (const std::size_t shape : selection_)
-            if (shape < change.first)
-                moved.insert(shape);
-            else if (shape >= change.first + change.removed)
-                moved.insert(shape - change.removed + change.added);
-        select(std::move(moved));
-    }
+    if (change.kind == Change::Kind::Shapes && change.removed != change.added)
+        select(selection_.shifted(change.first, change.removed, change.added));
     if (change.kind != Change::Kind::Window)
         inspect(std::nullopt);
     pen.layer = std::min(pen.layer, std::uint32_t(sheet().layers.size() - 1));

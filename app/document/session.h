@@ -3,6 +3,7 @@
 
 #include "app/comparison/live_differences.h"
 #include "app/document/cut.h"
+#include "app/document/object_ranges.h"
 #include "app/document/scene.h"
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
@@ -10,7 +11,7 @@
 
 #include <QUndoStack>
 
-#include <set>
+#include <optional>
 
 namespace app {
 
@@ -65,8 +66,8 @@ public:
     const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
 
     /// Indices into Sheet::shapes; follows insertions and removals.
-    const std::set<std::size_t>& selection() const { return selection_; }
-    void select(std::set<std::size_t> shapes);
+    const ObjectRanges& selection() const { return selection_; }
+    void select(ObjectRanges objects);
 
     /// The line in the inspector: an index into scene.segments(); dropped when the scene changes.
     std::optional<std::size_t> inspected() const { return inspected_; }
@@ -91,7 +92,7 @@ private:
     void follow(const Change& change);
 
     Display display_;
-    std::set<std::size_t> selection_;
+    ObjectRanges selection_;
     std::optional<std::size_t> inspected_;
     QString path_;
     std::vector<Loss> losses_;

@@ -20,16 +20,17 @@ double distance(const Point& point, const clipping::Segment& s)
     return glm::distance(point, s.a + along * t);
 }
 
-std::optional<clipping::Window> boundsOf(const Scene& scene, const std::set<std::size_t>& shapes)
+std::optional<clipping::Window> boundsOf(const Scene& scene, const ObjectRanges& objects)
 {
     std::optional<clipping::Window> all;
-    for (const std::size_t shape : shapes)
-        for (auto i = scene.firstSegmentOf(shape); i < scene.firstSegmentOf(shape + 1); ++i) {
-            const auto& s = scene.segments()[i];
+    for (const ObjectRange& range : objects.ranges()) {
+        const auto first = scene.firstSegmentOf(range.first), end = scene.firstSegmentOf(range.end);
+        for (const auto& s : scene.segments().subspan(first, end - first)) {
             const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
             all = all ? clipping::Window{glm::min(all->min, min), glm::max(all->max, max)}
                       : clipping::Window{min, max};
         }
+    }
     return all;
 }
 
@@ -105,10 +106,10 @@ std::optional<std::size_t> Picking::areaAt(const Point& point) const
     return std::nullopt;
 }
 
-std::set<std::size_t> Picking::shapesIn(const clipping::Window& rectangle, Box box) const
+ObjectRanges Picking::shapesIn(const clipping::Window& rectangle, Box box) const
 {
     static const auto clip = clipping::algorithms().front().corrected.clip;
-    std::set<std::size_t> found;
+    ObjectRanges found;
     for (std::size_t shape = 0; shape < drawing_.sheet().shapes.size(); ++shape) {
         const auto first = scene_.firstSegmentOf(shape), end = scene_.firstSegmentOf(shape + 1);
         const auto lines = scene_.segments().subspan(first, end - first);
@@ -124,7 +125,7 @@ std::set<std::size_t> Picking::shapesIn(const clipping::Window& rectangle, Box b
                         && (box == Box::Contains ? std::ranges::all_of(lines, contained)
                                                  : std::ranges::any_of(lines, touched));
         if (in)
-            found.insert(found.end(), shape);
+            found.insert(shape);
     }
     return found;
 }

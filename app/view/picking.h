@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_ranges.h"
 #include "app/document/scene.h"
 
 #include <optional>
-#include <set>
 
 namespace app {
 
@@ -27,7 +27,7 @@ public:
 
     enum class Box : std::uint8_t { Contains, Touches };
     /// The shapes that a rectangle contains wholly or touches, of those that may be picked.
-    std::set<std::size_t> shapesIn(const clipping::Window& rectangle, Box box) const;
+    ObjectRanges shapesIn(const clipping::Window& rectangle, Box box) const;
 
     /// Shown, and not on a locked layer.
     bool pickable(std::size_t shape) const;
@@ -50,8 +50,8 @@ private:
     mutable std::vector<std::uint32_t> start_, segments_; // of cell i: [start_[i], start_[i + 1])
 };
 
-/// What shapes cover; nothing if they have no segments.
-std::optional<clipping::Window> boundsOf(const Scene& scene, const std::set<std::size_t>& shapes);
+/// What objects cover; nothing if they have no segments.
+std::optional<clipping::Window> boundsOf(const Scene& scene, const ObjectRanges& objects);
 
 /// The distance from a point to a segment.
 double distance(const Point& point, const clipping::Segment& segment);

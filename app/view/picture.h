@@ -78,7 +78,7 @@ struct PictureOptions {
     /// For projectors: ghosts are opaque inks that can be told from this page (ink.h, ghostInk)
     /// instead of a layer that is painted with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
-    std::set<std::size_t> selection{}; ///< shapes to draw once more, over all, in `light`
+    ObjectRanges selection{}; ///< shapes to draw once more, over all, in `light`
     Colour light{};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
     Colour marked{};

@@ -5,6 +5,8 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/algorithm_marker.h"
 
+#include <set>
+
 #include "tests/ui/test_window.h"
 
 using namespace ui;

@@ -324,7 +324,7 @@ private slots:
         t.action("copy")->trigger();
         t.action("paste")->trigger();
         QCOMPARE(session.sheet().shapes.size(), std::size_t(2));
-        QCOMPARE(session.selection(), (std::set<std::size_t>{1}));
+        QCOMPARE(session.selection(), (app::ObjectRanges{1}));
         t.action("duplicate")->trigger();
         QCOMPARE(session.sheet().shapes.size(), std::size_t(3));
         t.action("delete")->trigger();

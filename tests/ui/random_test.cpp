@@ -79,7 +79,7 @@ public:
         if (!std::ranges::is_sorted(sheet.shapes, {}, &app::Shape::layer)
             || (!sheet.shapes.empty() && sheet.shapes.back().layer >= sheet.layers.size()))
             return "a shape is on no layer";
-        if (!selection.empty() && *selection.rbegin() >= sheet.shapes.size())
+        if (!selection.empty() && selection.last() >= sheet.shapes.size())
             return "what is selected is not there";
         const auto segments = session().scene.segments();
         if (session().inspected() && *session().inspected() >= segments.size())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
+#include "app/document/editable.h"
 #include "app/view/looking.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
@@ -22,15 +23,15 @@ void selectDiffering(MainWindow& window)
     AlgorithmPanel& panel = window.algorithmPanel();
     panel.compare();
     const app::Session& session = window.session();
-    std::set<std::size_t> shapes;
-    for (const app::Dissent& dissent : panel.dissents())
+    app::ObjectRanges shapes;
+    for (const app::Dissent& dissent : panel.dissents()) {
+        app::ObjectRanges treated; // ascending, hence each is added at the end
         for (const std::uint32_t segment : dissent.segments)
-            shapes.insert(session.scene.shapeOf(segment));
+            treated.insert(session.scene.shapeOf(segment));
+        shapes = united(shapes, treated);
+    }
     window.tell({shapes.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
-    std::erase_if(shapes, [&](std::size_t shape) {
-        return session.sheet().layers[session.sheet().shapes[shape].layer].locked;
-    });
-    window.session().select(std::move(shapes));
+    window.session().select(common(shapes, app::editableObjects(session.sheet())));
 }
 
 /// The next line, or the one before, in the inspector; from the first or last one on.

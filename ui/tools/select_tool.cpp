@@ -185,9 +185,9 @@ void SelectTool::click(const Pointer& pointer, Workbench& bench)
     const auto shape = segment ? std::optional(session.scene.shapeOf(*segment))
                                : bench.picking.areaAt(pointer.raw);
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
-    auto selection = adds ? session.selection() : std::set<std::size_t>{};
+    auto selection = adds ? session.selection() : app::ObjectRanges{};
     bool chosen = segment.has_value();
-    if (shape && !selection.insert(*shape).second) {
+    if (shape && !selection.insert(*shape)) {
         selection.erase(*shape);
         chosen = false;
     }
@@ -202,7 +202,7 @@ void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
                                                         : app::Picking::Box::Touches;
     auto found = bench.picking.shapesIn(app::between(from_.raw, pointer.raw), how);
     if (pointer.modifiers & Qt::ShiftModifier)
-        found.insert(bench.session.selection().begin(), bench.session.selection().end());
+        found = united(found, bench.session.selection());
     bench.session.select(std::move(found));
     bench.session.inspect(std::nullopt);
 }

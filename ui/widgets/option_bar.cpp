@@ -246,13 +246,13 @@ const app::Style& OptionBar::style() const
 {
     const auto& selection = session_.selection();
     return selection.empty() ? session_.pen.style
-                             : session_.sheet().shapes[*selection.begin()].style;
+                             : session_.sheet().shapes[selection.first()].style;
 }
 
 void OptionBar::followStyle()
 {
     const auto& selection = session_.selection();
-    if (!selection.empty() && *selection.rbegin() >= session_.sheet().shapes.size())
+    if (!selection.empty() && selection.last() >= session_.sheet().shapes.size())
         return; // the selection is about to follow the drawing
     const app::Style& now = style();
     ink_->setIcon(inkIcon(now.stroke, lookOf(palette())));

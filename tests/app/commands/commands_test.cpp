@@ -82,9 +82,9 @@ public:
 
 private:
     double number() { return double(random_() % 1000) / 16; }
-    std::set<std::size_t> some()
+    app::ObjectRanges some()
     {
-        std::set<std::size_t> chosen;
+        app::ObjectRanges chosen;
         for (std::size_t i = 0; i < drawing_.sheet().shapes.size(); ++i)
             if (random_() % 3 == 0)
                 chosen.insert(i);
@@ -187,7 +187,7 @@ private slots:
         session.drawing.load(sheet(4));
         session.select({1, 6, 9});
         session.history.push(new app::RemoveShapes(session.drawing, {0, 6}));
-        QCOMPARE(session.selection(), (std::set<std::size_t>{0, 7}));
+        QCOMPARE(session.selection(), (app::ObjectRanges{0, 7}));
         session.history.undo();
         QVERIFY(session.selection().contains(1) && session.selection().contains(9));
     }
@@ -197,7 +197,7 @@ private slots:
         QUndoStack history;
         auto* add = new app::AddShapes(drawing, {line({0, 0}, {9, 9}, 1)}, "Add");
         history.push(add);
-        QCOMPARE(add->shapes(), std::set<std::size_t>{4});
+        QCOMPARE(add->shapes(), app::ObjectRanges{4});
         QCOMPARE(drawing.sheet().shapes[4].layer, 1U);
     }
 };

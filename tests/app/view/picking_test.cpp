@@ -110,7 +110,7 @@ private slots:
         app::Drawing drawing(sheet);
         const app::Scene scene(drawing);
         const app::Picking picking(drawing, scene);
-        using Set = std::set<std::size_t>;
+        using Set = app::ObjectRanges;
         QCOMPARE(picking.shapesIn({{0, 0}, {10, 10}}, app::Picking::Box::Contains), Set{0});
         QCOMPARE(picking.shapesIn({{0, 0}, {10, 10}}, app::Picking::Box::Touches), (Set{0, 1, 3}));
     }

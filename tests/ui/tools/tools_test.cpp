@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <set>
+
 #include "tests/ui/canvas/stage.h"
 
 // Every tool with real events, and what a person sees of it in the drawing and in the undo list.
@@ -308,7 +310,7 @@ private slots:
     }
 
 private:
-    using Set = std::set<std::size_t>;
+    using Set = app::ObjectRanges;
     static constexpr ui::Backend raster = ui::Backend::Raster;
 
     static const std::vector<app::Shape>& shapes(const Stage& stage)

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/editable.h"
+
+#include <QTest>
+
+#include <random>
+
+namespace {
+
+app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
+{
+    app::Shape shape;
+    shape.paths.push_back({a, {{b}}, false});
+    shape.layer = layer;
+    return shape;
+}
+
+app::Sheet sheet(std::size_t perLayer)
+{
+    app::Sheet result;
+    result.layers = {{"a"}, {"b"}, {"c"}};
+    for (std::uint32_t layer = 0; layer < 3; ++layer)
+        for (std::size_t i = 0; i < perLayer; ++i)
+            result.shapes.push_back(line({i, layer}, {i + 5, layer + 1}, layer));
+    return result;
+}
+
+} // namespace
+
+class EditableTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void allThatMayBeEditedIsARangeALayer()
+    {
+        app::Sheet drawing = sheet(100'000);
+        QCOMPARE(app::editableObjects(drawing), app::ObjectRanges(app::ObjectRange{0, 300'000}));
+        drawing.layers[1].locked = true;
+        QCOMPARE(app::editableObjects(drawing).ranges().size(), std::size_t(2));
+        drawing.layers[0].visible = false;
+        QCOMPARE(app::editableObjects(drawing),
+                 app::ObjectRanges(app::ObjectRange{200'000, 300'000}));
+        QCOMPARE(app::editableObjects(app::Sheet{}), app::ObjectRanges{});
+    }
+    void whatIsHiddenIsNotEditable()
+    {
+        std::mt19937_64 random(4);
+        for (int round = 0; round < 200; ++round) {
+            app::Sheet drawing = sheet(10);
+            drawing.layers.insert(drawing.layers.begin() + 1, {"empty"});
+            app::ObjectRanges expected;
+            for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+                drawing.shapes[i].layer += drawing.shapes[i].layer > 0 ? 1 : 0;
+                drawing.shapes[i].hidden = random() % 2 == 0;
+                if (!drawing.shapes[i].hidden)
+                    expected.insert(i);
+            }
+            QCOMPARE(app::editableObjects(drawing), expected);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(EditableTest)
+#include "editable_test.moc"
