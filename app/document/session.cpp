@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/session.h"
 
+#include "app/document/bounds.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/unfinished.h"
 
@@ -36,7 +37,15 @@ void Session::select(ObjectRanges objects)
     if (objects == selection_)
         return;
     selection_ = std::move(objects);
+    selectionBounds_.reset();
     emit selectionChanged();
+}
+
+const std::optional<clipping::Window>& Session::selectionBounds() const
+{
+    if (!selectionBounds_)
+        selectionBounds_.emplace(boundsOf(scene, selection_));
+    return *selectionBounds_;
 }
 
 void Session::inspect(std::optional<std::size_t> segment)
@@ -83,6 +92,8 @@ std::optional<QString> Session::save(const QString& path)
 
 void Session::follow(const Change& change)
 {
+    if (change.kind != Change::Kind::Window)
+        selectionBounds_.reset();
     if (change.kind == Change::Kind::Everything)
         select({});
     if (change.kind == Change::Kind::Shapes && change.removed != change.added)

@@ -68,6 +68,10 @@ public:
     /// Indices into Sheet::shapes; follows insertions and removals.
     const ObjectRanges& selection() const { return selection_; }
     void select(ObjectRanges objects);
+    /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
+    /// and kept until the selection or the drawing changes. Not for slots of Drawing::changed and
+    /// Scene::outdated: there the selection may not have followed the drawing yet.
+    const std::optional<clipping::Window>& selectionBounds() const;
 
     /// The line in the inspector: an index into scene.segments(); dropped when the scene changes.
     std::optional<std::size_t> inspected() const { return inspected_; }
@@ -93,6 +97,7 @@ private:
 
     Display display_;
     ObjectRanges selection_;
+    mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     QString path_;
     std::vector<Loss> losses_;

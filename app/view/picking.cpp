@@ -20,20 +20,6 @@ double distance(const Point& point, const clipping::Segment& s)
     return glm::distance(point, s.a + along * t);
 }
 
-std::optional<clipping::Window> boundsOf(const Scene& scene, const ObjectRanges& objects)
-{
-    std::optional<clipping::Window> all;
-    for (const ObjectRange& range : objects.ranges()) {
-        const auto first = scene.firstSegmentOf(range.first), end = scene.firstSegmentOf(range.end);
-        for (const auto& s : scene.segments().subspan(first, end - first)) {
-            const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
-            all = all ? clipping::Window{glm::min(all->min, min), glm::max(all->max, max)}
-                      : clipping::Window{min, max};
-        }
-    }
-    return all;
-}
-
 Picking::Picking(const Drawing& drawing, const Scene& scene, QObject* parent)
     : QObject(parent), drawing_(drawing), scene_(scene)
 {

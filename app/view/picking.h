@@ -50,9 +50,6 @@ private:
     mutable std::vector<std::uint32_t> start_, segments_; // of cell i: [start_[i], start_[i + 1])
 };
 
-/// What objects cover; nothing if they have no segments.
-std::optional<clipping::Window> boundsOf(const Scene& scene, const ObjectRanges& objects);
-
 /// The distance from a point to a segment.
 double distance(const Point& point, const clipping::Segment& segment);
 

@@ -210,7 +210,7 @@ void Controller::fitDrawing()
 
 void Controller::fitSelection()
 {
-    const auto bounds = app::boundsOf(session_.scene, session_.selection());
+    const auto& bounds = session_.selectionBounds();
     bounds ? navigation_.show(*bounds) : fitDrawing();
 }
 

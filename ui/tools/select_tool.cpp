@@ -83,7 +83,7 @@ private:
 std::optional<clipping::Window> boxAround(const app::Session& session)
 {
     const bool single = session.selection().size() == 1 && session.inspected();
-    return single ? std::nullopt : app::boundsOf(session.scene, session.selection());
+    return single ? std::nullopt : session.selectionBounds();
 }
 
 void SelectTool::light(const Pointer& pointer, Workbench& bench)
@@ -130,7 +130,7 @@ void SelectTool::startDrag(Workbench& bench)
     drag_ = litSegment_ || boxGrip_ || inSelection ? Drag::Selection : Drag::Box;
     if (litSegment_ && !session.selection().contains(session.scene.shapeOf(*litSegment_)))
         click(from_, bench);
-    bounds_ = app::boundsOf(session.scene, session.selection()).value_or(clipping::Window{});
+    bounds_ = session.selectionBounds().value_or(clipping::Window{});
 }
 
 clipping::Window SelectTool::target() const
@@ -286,6 +286,8 @@ void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
     };
     std::vector<QLineF> lines;
     for (const std::size_t shape : bench.session.selection()) {
+        if (lines.size() >= mostPreviewed)
+            break;
         const auto end = scene.firstSegmentOf(shape + 1);
         for (auto i = scene.firstSegmentOf(shape); i < end && lines.size() < mostPreviewed; ++i)
             lines.emplace_back(at(scene.segments()[i].a), at(scene.segments()[i].b));

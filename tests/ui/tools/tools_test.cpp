@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/picking.h"
+#include "app/document/bounds.h"
 #include "ui/tools/tool.h"
 
 #include <QDir>
@@ -218,6 +218,29 @@ private slots:
         QCOMPARE(stage.session.history.undoText(), QString("Resize selection"));
         stage.session.history.undo();
         QCOMPARE(bounds(stage, 0), (clipping::Window{{70, 40}, {90, 40}}));
+    }
+
+    // Hovering and painting take the box that is known, however many objects are selected. A box of
+    // no selection, put in its place, stays until something changes.
+    void theSelectionsBoxIsCalculatedOnce()
+    {
+        Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
+        stage.session.select({0, 1});
+        stage.move({150, 95});
+        const QColor page = stage.colourAt({35, 10});
+        using Bounds = std::optional<clipping::Window>;
+        auto& known = const_cast<Bounds&>(stage.session.selectionBounds());
+        known = clipping::Window{{20, 10}, {180, 90}};
+        stage.move({20, 10});
+        QCOMPARE(stage.surface().cursor().shape(), Qt::SizeFDiagCursor);
+        QVERIFY(stage.colourAt({35, 10}) != page);
+        stage.move({100, 51});
+        QVERIFY(stage.colourAt({35, 10}) != page);
+        QCOMPARE(stage.session.selectionBounds(), Bounds({{20, 10}, {180, 90}}));
+        stage.key(Qt::Key_Down);
+        QCOMPARE(stage.session.selectionBounds(),
+                 app::boundsOf(stage.session.scene, stage.session.selection()));
+        QCOMPARE(stage.colourAt({35, 10}), page);
     }
 
     void lockedLayersAreNotTouched()

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_shapes.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/commands/set_layers.h"
+#include "app/commands/set_window.h"
+#include "app/document/bounds.h"
+#include "app/document/session.h"
+
+#include <QTest>
+
+#include <functional>
+#include <random>
+
+namespace {
+
+using Bounds = std::optional<clipping::Window>;
+
+app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
+{
+    app::Shape shape;
+    shape.paths.push_back({a, {{b}}, false});
+    shape.layer = layer;
+    return shape;
+}
+
+app::Sheet sheet(std::size_t perLayer)
+{
+    app::Sheet result;
+    result.layers = {{"a"}, {"b"}, {"c"}};
+    for (std::uint32_t layer = 0; layer < 3; ++layer)
+        for (std::size_t i = 0; i < perLayer; ++i)
+            result.shapes.push_back(line({i, layer}, {i + 5, layer + 1}, layer));
+    return result;
+}
+
+/// Puts bounds of no selection where the session keeps them: they stay until it calculates anew.
+const Bounds mark = clipping::Window{{-1000, -1000}, {-999, -999}};
+void setMark(const app::Session& session) { const_cast<Bounds&>(session.selectionBounds()) = mark; }
+
+} // namespace
+
+class SelectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void boundsAreKeptWhileNothingChanges()
+    {
+        app::Session session;
+        session.load({sheet(4), {}});
+        session.select({1, 6, 9});
+        QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
+        setMark(session);
+        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {2, 5}}));
+        session.select({9, 6, 1}); // the same
+        session.inspect(3);
+        app::Display display = session.display();
+        display.keep = app::Keep::Outside;
+        session.setDisplay(display);
+        QCOMPARE(session.selectionBounds(), mark);
+    }
+    void eachChangeCalculatesThemAnew()
+    {
+        app::Session session;
+        session.load({sheet(4), {}});
+        session.select({1, 6, 9});
+        const auto changed = [&](const std::function<void()>& change) {
+            setMark(session);
+            change();
+            const Bounds bounds = session.selectionBounds();
+            return bounds != mark && bounds == app::boundsOf(session.scene, session.selection());
+        };
+        QVERIFY(changed([&] { session.select({1, 6}); }));
+        QVERIFY(changed([&] { session.drawing.setLayers({{"a"}, {"b", false}, {"c"}}); }));
+        QVERIFY(changed([&] { session.drawing.setPage({}); }));
+        QVERIFY(changed([&] {
+            session.history.push(new app::MoveShapes(session.drawing, {1}, {9, 9}));
+        }));
+        QVERIFY(changed([&] { session.history.undo(); }));
+        QVERIFY(changed([&] {
+            session.history.push(new app::RemoveShapes(session.drawing, {0, 1}));
+        }));
+        QVERIFY(changed([&] { session.select({}); }));
+        QCOMPARE(session.selectionBounds(), std::nullopt);
+        session.select({1});
+        QVERIFY(changed([&] { session.load({sheet(2), {}}); }));
+    }
+    void boundsAreThoseOfTheSelectionAfterAnyEdits()
+    {
+        std::mt19937_64 random(3);
+        app::Session session;
+        session.load({sheet(8), {}});
+        for (int round = 0; round < 500; ++round) {
+            const std::size_t count = session.sheet().shapes.size();
+            app::ObjectRanges some;
+            for (std::size_t i = 0; i < count; ++i)
+                if (random() % 3 == 0)
+                    some.insert(i);
+            switch (random() % 6) {
+            case 0:
+                session.select(some);
+                break;
+            case 1:
+                session.history.push(new app::MoveShapes(session.drawing, some, {1, 2}));
+                break;
+            case 2:
+                session.history.push(new app::AddShapes(
+                    session.drawing, {line({0, 0}, {9, 9}, 1), line({3, 0}, {9, 9}, 1)}, "Add"));
+                break;
+            case 3:
+                if (count > 12)
+                    session.history.push(new app::RemoveShapes(session.drawing, some));
+                break;
+            case 4:
+                session.history.undo();
+                break;
+            default:
+                session.history.redo();
+                break;
+            }
+            QVERIFY(session.selection().empty()
+                    || session.selection().last() < session.sheet().shapes.size());
+            QCOMPARE(session.selectionBounds(), app::boundsOf(session.scene, session.selection()));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(SelectionTest)
+#include "selection_test.moc"
