@@ -58,8 +58,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.drawing, &app::Drawing::changed, this, &MainWindow::refreshActions);
-    connect(&session_.history, &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
-    connect(&session_.history, &QUndoStack::indexChanged, strip_, &MessageStrip::takeBackDone);
+    connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
+    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
     rememberPanes();
     restoreLayout();
     refreshActions();

@@ -102,7 +102,7 @@ void MainWindow::connectStart(StartPanel& start)
     follow();
     // Choosing or drawing leads on from Start to what can be done there.
     connect(&session_, &app::Session::loaded, this, &MainWindow::leaveStart);
-    connect(&session_.history, &QUndoStack::indexChanged, this, [this](int index) {
+    connect(&session_.history, &app::History::indexChanged, this, [this](int index) {
         if (index > 0)
             leaveStart();
     });

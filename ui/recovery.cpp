@@ -24,7 +24,7 @@ Recovery::Recovery(MainWindow& window, QString folder)
     const app::Session& session = window.session();
     connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
     connect(&session, &app::Session::fileChanged, this, &Recovery::tell);
-    connect(&session.history, &QUndoStack::cleanChanged, this, &Recovery::tell);
+    connect(&session.history, &app::History::cleanChanged, this, &Recovery::tell);
     connect(&window.files(), &Files::nameChanged, this, &Recovery::tell);
     connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
     tell();

@@ -4,7 +4,7 @@
 namespace app {
 
 AddShapes::AddShapes(Drawing& drawing, std::vector<Shape> shapes, const QString& text)
-    : QUndoCommand(text), drawing_(drawing), count_(shapes.size())
+    : UndoCommand(row, text), drawing_(drawing), count_(shapes.size())
 {
     const std::size_t top = drawing.endOfLayer(shapes.front().layer);
     patches_.push_back({top, 0, std::move(shapes)});

@@ -3,13 +3,13 @@
 
 #include "app/commands/patch.h"
 
-#include <QUndoCommand>
-
 namespace app {
 
 /// Adds shapes, all of one layer, on top of that layer.
-class AddShapes : public QUndoCommand {
+class AddShapes : public UndoCommand {
 public:
+    static constexpr CommandKind row{"add-shapes", "Adds shapes on top of a layer"};
+
     /// `text` names the step: "Draw line", "Paste". Not empty; `shapes` neither.
     AddShapes(Drawing& drawing, std::vector<Shape> shapes, const QString& text);
 
@@ -18,6 +18,7 @@ public:
 
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }
+    std::size_t bytes() const override { return heapBlock(sizeof *this) + heapBytes(patches_); }
 
 private:
     Drawing& drawing_;

@@ -6,7 +6,7 @@
 namespace app {
 
 CropToWindow::CropToWindow(Drawing& drawing, const CutOptions& options)
-    : QUndoCommand(QCoreApplication::translate("Commands", "Crop to window")), drawing_(drawing)
+    : UndoCommand(row, QCoreApplication::translate("Commands", "Crop to window")), drawing_(drawing)
 {
     Cut result = cut(drawing.sheet(), options);
     counts_ = result.counts;

@@ -14,22 +14,19 @@ Shape moved(Shape shape, const Point& by)
     return shape;
 }
 
-MoveShapes::MoveShapes(Drawing& drawing, ObjectRanges shapes, const Point& by, Merging merging)
-    : QUndoCommand(QCoreApplication::translate("Commands", "Move selection")), drawing_(drawing),
-      shapes_(std::move(shapes)), merging_(merging),
-      patches_(patchesOf(drawing.sheet(), shapes_, [&](Shape& shape) {
+MoveShapes::MoveShapes(Drawing& drawing, const ObjectRanges& shapes, const Point& by,
+                       Merging merging)
+    : UndoCommand(row, QCoreApplication::translate("Commands", "Move selection"), merging),
+      drawing_(drawing), patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
           shape = moved(std::move(shape), by);
           return true;
       }))
 {
 }
 
-// Both are in force: what the first keeps is how the shapes were before either.
-bool MoveShapes::mergeWith(const QUndoCommand* next)
+bool MoveShapes::mergeWith(const UndoCommand& next)
 {
-    const auto& other = *static_cast<const MoveShapes*>(next);
-    return other.merging_ == Merging::WithLast && merging_ == Merging::WithLast
-           && other.shapes_ == shapes_;
+    return samePlaces(patches_, static_cast<const MoveShapes&>(next).patches_);
 }
 
 } // namespace app

@@ -3,25 +3,23 @@
 
 #include "app/commands/patch.h"
 
-#include <QUndoCommand>
-
 namespace app {
 
 /// Moves shapes.
-class MoveShapes : public QUndoCommand {
+class MoveShapes : public UndoCommand {
 public:
-    MoveShapes(Drawing& drawing, ObjectRanges shapes, const Point& by,
+    static constexpr CommandKind row{"move-shapes", "Moves shapes"};
+
+    MoveShapes(Drawing& drawing, const ObjectRanges& shapes, const Point& by,
                Merging merging = Merging::Never);
 
     void redo() override { apply(drawing_, patches_); }
     void undo() override { revert(drawing_, patches_); }
-    int id() const override { return 2; }
-    bool mergeWith(const QUndoCommand* next) override;
+    std::size_t bytes() const override { return heapBlock(sizeof *this) + heapBytes(patches_); }
+    bool mergeWith(const UndoCommand& next) override;
 
 private:
     Drawing& drawing_;
-    ObjectRanges shapes_;
-    Merging merging_;
     Patches patches_; ///< in force: the shapes as they were
 };
 

@@ -24,6 +24,14 @@ void revert(Drawing& drawing, Patches& patches)
     std::ranges::for_each(patches, [&](Patch& p) { exchange(drawing, p); });
 }
 
+bool samePlaces(const Patches& first, const Patches& second)
+{
+    return std::ranges::equal(first, second, [](const Patch& a, const Patch& b) {
+        return a.first == b.first && a.count == b.count && a.count == a.shapes.size()
+               && b.count == b.shapes.size();
+    });
+}
+
 Patches patchesOf(const Sheet& sheet, const ObjectRanges& shapes,
                   const std::function<bool(Shape&)>& change)
 {

@@ -5,8 +5,9 @@
 
 namespace app {
 
-RemoveShapes::RemoveShapes(Drawing& drawing, const ObjectRanges& shapes, const QString& text)
-    : QUndoCommand(text), drawing_(drawing),
+RemoveShapes::RemoveShapes(Drawing& drawing, const ObjectRanges& shapes,
+                           const QString& text)
+    : UndoCommand(row, text), drawing_(drawing),
       patches_(patchesOf(drawing.sheet(), shapes, [](Shape&) { return false; }))
 {
 }

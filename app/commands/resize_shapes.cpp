@@ -16,8 +16,8 @@ Point fitted(const Point& point, const clipping::Window& from, const clipping::W
 
 ResizeShapes::ResizeShapes(Drawing& drawing, const ObjectRanges& shapes,
                            const clipping::Window& from, const clipping::Window& to)
-    : QUndoCommand(QCoreApplication::translate("Commands", "Resize selection")), drawing_(drawing),
-      patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
+    : UndoCommand(row, QCoreApplication::translate("Commands", "Resize selection")),
+      drawing_(drawing), patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
           for (Subpath& path : shape.paths)
               forEachPoint(path, [&](Point& point) { point = fitted(point, from, to); });
           return true;

@@ -9,7 +9,7 @@
 namespace app {
 
 SetLayers::SetLayers(Drawing& drawing, std::vector<Layer> layers, const QString& text)
-    : QUndoCommand(text), drawing_(drawing), other_(std::move(layers))
+    : UndoCommand(row, text), drawing_(drawing), other_(std::move(layers))
 {
     assert(other_.size() >= drawing.sheet().layers.size());
 }
@@ -21,8 +21,8 @@ void SetLayers::exchange()
 }
 
 RemoveLayer::RemoveLayer(Drawing& drawing, std::uint32_t layer)
-    : QUndoCommand(QCoreApplication::translate("Commands", "Remove layer %1")
-                       .arg(drawing.sheet().layers[layer].name)),
+    : UndoCommand(row, QCoreApplication::translate("Commands", "Remove layer %1")
+                           .arg(drawing.sheet().layers[layer].name)),
       drawing_(drawing), layer_(layer), removed_(drawing.sheet().layers[layer]),
       first_(layer == 0 ? 0 : drawing.endOfLayer(layer - 1))
 {

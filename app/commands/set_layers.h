@@ -3,19 +3,20 @@
 
 #include "app/commands/patch.h"
 
-#include <QUndoCommand>
-
 namespace app {
 
 /// Shows, hides, locks, renames layers, or adds one on top: the shapes stay on the layers they are
 /// on.
-class SetLayers : public QUndoCommand {
+class SetLayers : public UndoCommand {
 public:
+    static constexpr CommandKind row{"set-layers", "Changes or adds layers"};
+
     /// At least as many layers as there are.
     SetLayers(Drawing& drawing, std::vector<Layer> layers, const QString& text);
 
     void redo() override { exchange(); }
     void undo() override { exchange(); }
+    std::size_t bytes() const override { return heapBlock(sizeof *this) + heapBytes(other_); }
 
 private:
     void exchange();
@@ -25,12 +26,18 @@ private:
 };
 
 /// Removes a layer with what is on it. There must be another one.
-class RemoveLayer : public QUndoCommand {
+class RemoveLayer : public UndoCommand {
 public:
+    static constexpr CommandKind row{"remove-layer", "Removes a layer with its shapes"};
+
     RemoveLayer(Drawing& drawing, std::uint32_t layer);
 
     void redo() override;
     void undo() override;
+    std::size_t bytes() const override
+    {
+        return heapBlock(sizeof *this) + heapBytes(removed_) + heapBytes(shapes_);
+    }
 
 private:
     Drawing& drawing_;

@@ -17,18 +17,14 @@ static QString nameOf(const clipping::Window& before, const clipping::Window& af
 }
 
 SetWindow::SetWindow(Drawing& drawing, const clipping::Window& window, Merging merging)
-    : QUndoCommand(nameOf(drawing.sheet().window, window)), drawing_(drawing),
-      before_(drawing.sheet().window), after_(window), merging_(merging)
+    : UndoCommand(row, nameOf(drawing.sheet().window, window), merging), drawing_(drawing),
+      before_(drawing.sheet().window), after_(window)
 {
 }
 
-bool SetWindow::mergeWith(const QUndoCommand* next)
+bool SetWindow::mergeWith(const UndoCommand& next)
 {
-    const auto& other = *static_cast<const SetWindow*>(next);
-    if (other.merging_ != Merging::WithLast || merging_ != Merging::WithLast
-        || other.text() != text())
-        return false;
-    after_ = other.after_;
+    after_ = static_cast<const SetWindow&>(next).after_;
     return true;
 }
 

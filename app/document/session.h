@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/history.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/cut.h"
 #include "app/document/object_ranges.h"
@@ -8,8 +9,6 @@
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
 #include "app/truth/live_truth.h"
-
-#include <QUndoStack>
 
 #include <optional>
 
@@ -50,7 +49,7 @@ public:
     explicit Session(QObject* parent = nullptr);
 
     Drawing drawing;
-    QUndoStack history;
+    History history;
     Scene scene{drawing};
     LiveDifferences differences{drawing, scene}; ///< of two algorithms, while they are shown
     LiveTruth truth{drawing, scene};             ///< how exact an algorithm is, while that is shown

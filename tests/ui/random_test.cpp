@@ -103,7 +103,7 @@ public:
     {
         QTest::keyClick(test_.drawingArea(), Qt::Key_Escape); // ends a gesture
         const app::Sheet now = session().sheet();
-        QUndoStack& history = session().history;
+        app::History& history = session().history;
         const int index = history.index();
         history.setIndex(0);
         const bool back = session().sheet() == start_;
@@ -170,7 +170,7 @@ private:
     }
     QString undo()
     {
-        QUndoStack& history = session().history;
+        app::History& history = session().history;
         const int index = below(history.count() + 1);
         if (below(4) == 0)
             history.setIndex(index);

@@ -39,7 +39,7 @@ Controller::Controller(app::Session& session, QObject* parent)
         emit stepsChanged();
         fitDrawing();
     });
-    connect(&session.history, &QUndoStack::indexChanged, this, &Controller::stepsChanged);
+    connect(&session.history, &app::History::indexChanged, this, &Controller::stepsChanged);
     connect(&navigation_, &Navigation::moved, this, [this] {
         toolView_ = view();
         emit viewChanged();

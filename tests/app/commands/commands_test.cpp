@@ -39,7 +39,7 @@ class Steps {
 public:
     explicit Steps(app::Drawing& drawing) : drawing_(drawing) {}
 
-    QUndoCommand* next()
+    app::UndoCommand* next()
     {
         const app::Sheet& sheet = drawing_.sheet();
         const std::uint32_t layer = std::uint32_t(random_() % sheet.layers.size());
@@ -68,7 +68,7 @@ public:
                                          {{number(), 1}, {9, number()}});
         case 7:
             return sheet.layers.size() > 1
-                       ? static_cast<QUndoCommand*>(new app::RemoveLayer(drawing_, layer))
+                       ? static_cast<app::UndoCommand*>(new app::RemoveLayer(drawing_, layer))
                        : next();
         default: {
             app::CutOptions options;
@@ -105,7 +105,7 @@ private slots:
     {
         for (int round = 0; round < 20; ++round) {
             app::Drawing drawing(sheet(20));
-            QUndoStack history;
+            app::History history;
             Steps steps(drawing);
             std::vector<app::Sheet> states{drawing.sheet()};
             for (int i = 0; i < 30; ++i) {
@@ -158,28 +158,78 @@ private slots:
         for (const app::Shape& shape : all.sheet.shapes)
             QVERIFY(shape.paths[0].start.x >= 1 && shape.paths[0].segments[0].to.x <= 2);
     }
-    void nudgesAreOneStepAndDragsAreNot()
+    void quickNudgesAreOneStepAndDragsAreNot()
     {
+        using namespace std::chrono_literals;
         app::Session session;
+        app::History& history = session.history;
+        std::chrono::steady_clock::time_point now{};
+        history.setClock([&] { return now; });
         session.drawing.load(sheet(2));
+        const auto move = [&](const std::set<std::size_t>& shapes, app::Merging merging) {
+            history.push(new app::MoveShapes(session.drawing, shapes, {1, 0}, merging));
+        };
         const auto before = session.sheet();
-        for (int i = 0; i < 5; ++i)
-            session.history.push(
-                new app::MoveShapes(session.drawing, {0, 2}, {1, 0}, app::Merging::WithLast));
-        QCOMPARE(session.history.count(), 1);
+        for (int i = 0; i < 5; ++i, now += 999ms)
+            move({0, 2}, app::Merging::WithLast);
+        QCOMPARE(history.count(), 1);
         QCOMPARE(session.sheet().shapes[2].paths[0].start,
                  (before.shapes[2].paths[0].start + app::Point(5, 0)));
-        session.history.undo();
+        const auto after = session.sheet();
+        history.undo();
         QVERIFY(session.sheet() == before);
-        session.history.redo();
-        session.history.push(new app::MoveShapes(session.drawing, {0, 2}, {1, 0}));
-        session.history.push(
-            new app::MoveShapes(session.drawing, {0}, {1, 0}, app::Merging::WithLast));
-        QCOMPARE(session.history.count(), 3);
+        history.redo();
+        QVERIFY(session.sheet() == after);
+        move({0, 2}, app::Merging::Never); // a drag
+        move({0}, app::Merging::WithLast);
+        move({0, 2}, app::Merging::WithLast); // other objects
+        QCOMPARE(history.count(), 4);
+        now += 1000ms;
+        move({0, 2}, app::Merging::WithLast);
+        QCOMPARE(history.count(), 5);
+        history.setIndex(0);
+        QVERIFY(session.sheet() == before);
+    }
+    void quickStepsOfTheWindowAreOne()
+    {
+        app::Session session;
+        app::History& history = session.history;
+        history.setClock([] { return std::chrono::steady_clock::time_point(); });
+        const auto before = session.sheet();
         for (int i = 0; i < 3; ++i)
-            session.history.push(new app::SetWindow(session.drawing, {{i * 1.0, 0}, {i + 9.0, 9}},
-                                                    app::Merging::WithLast));
-        QCOMPARE(session.history.count(), 5); // the first changed its size, too
+            history.push(new app::SetWindow(session.drawing, {{i * 1.0, 0}, {i + 9.0, 9}},
+                                            app::Merging::WithLast));
+        QCOMPARE(history.count(), 2); // the first changed its size, too
+        history.undo();
+        QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {9, 9}}));
+        history.undo();
+        QVERIFY(session.sheet() == before);
+    }
+    void quickStepsOfAStyleAreOne()
+    {
+        app::Session session;
+        app::History& history = session.history;
+        history.setClock([] { return std::chrono::steady_clock::time_point(); });
+        session.drawing.load(sheet(30));
+        const auto before = session.sheet();
+        std::set<std::size_t> scattered;
+        for (std::size_t i = 0; i < before.shapes.size(); i += 3)
+            scattered.insert(i);
+        const auto restyle = [&](const std::set<std::size_t>& shapes, const QString& text) {
+            history.push(new app::SetStyle(
+                session.drawing, shapes, [](app::Style& style) { style.width *= 2; }, text,
+                app::Merging::WithLast));
+        };
+        restyle(scattered, "Width");
+        restyle(scattered, "Width");
+        QCOMPARE(history.count(), 1);
+        QCOMPARE(session.sheet().shapes[3].style.width, 4.0);
+        QCOMPARE(session.sheet().shapes[4].style.width, 1.0);
+        restyle(scattered, "Dashes");
+        restyle({0}, "Dashes");
+        QCOMPARE(history.count(), 3);
+        history.setIndex(0);
+        QVERIFY(session.sheet() == before);
     }
     void theSelectionFollows()
     {
@@ -194,7 +244,7 @@ private slots:
     void shapesArriveOnTopOfTheirLayer()
     {
         app::Drawing drawing(sheet(2));
-        QUndoStack history;
+        app::History history;
         auto* add = new app::AddShapes(drawing, {line({0, 0}, {9, 9}, 1)}, "Add");
         history.push(add);
         QCOMPARE(add->shapes(), app::ObjectRanges{4});

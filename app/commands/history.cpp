@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/history.h"
+
+#include "app/commands/memory.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace app {
+
+void History::push(UndoCommand* command)
+{
+    std::unique_ptr<UndoCommand> done(command);
+    done->redo();
+    if (macros_ > 0)
+        return macro_.commands.push_back(std::move(done));
+    const auto now = clock_();
+    if (lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done)) {
+        measure(steps_.back());
+        tell(false, forgetOldest());
+    } else {
+        Step step{done->text()};
+        step.commands.push_back(std::move(done));
+        append(std::move(step));
+    }
+    lastPush_ = now;
+}
+
+// lastPush_ says that the last command pushed is the last of all steps, and in force.
+bool History::joinsLast(const UndoCommand& command) const
+{
+    UndoCommand& last = *steps_.back().commands.back();
+    const QString key = last.mergeKey();
+    return !key.isEmpty() && key == command.mergeKey() && last.mergeWith(command);
+}
+
+void History::append(Step step)
+{
+    const bool wasClean = isClean();
+    while (count() > index_) {
+        bytes_ -= steps_.back().bytes;
+        steps_.pop_back();
+    }
+    if (clean_ > index_)
+        clean_.reset(); // that state was undone, and can no longer be redone
+    steps_.push_back(std::move(step));
+    ++index_;
+    measure(steps_.back());
+    tell(wasClean, forgetOldest());
+}
+
+// Commands keep other things in force than undone, so this follows every change.
+void History::measure(Step& step)
+{
+    bytes_ -= step.bytes;
+    step.bytes = sizeof(Step) + heapBytes(step.text)
+                 + heapBlock(step.commands.capacity() * sizeof(step.commands.front()));
+    for (const auto& command : step.commands)
+        step.bytes += command->bytes();
+    bytes_ += step.bytes;
+}
+
+int History::forgetOldest()
+{
+    int gone = 0;
+    for (; bytes_ > limit_ && index_ > 1; --index_, ++gone) {
+        bytes_ -= steps_.front().bytes;
+        steps_.pop_front();
+    }
+    if (clean_)
+        clean_ = *clean_ >= gone ? std::optional(*clean_ - gone) : std::nullopt;
+    forgotten_ += gone;
+    return gone;
+}
+
+void History::tell(bool wasClean, int gone)
+{
+    emit indexChanged(index_);
+    if (wasClean != isClean())
+        emit cleanChanged(!wasClean);
+    if (gone > 0)
+        emit forgot(gone);
+}
+
+void History::undo() { setIndex(index_ - 1); }
+
+void History::redo() { setIndex(index_ + 1); }
+
+void History::setIndex(int index)
+{
+    index = std::clamp(index, 0, count());
+    if (macros_ > 0 || index == index_)
+        return;
+    const bool wasClean = isClean();
+    lastPush_.reset();
+    while (index_ > index)
+        undoOne();
+    while (index_ < index)
+        redoOne();
+    tell(wasClean);
+}
+
+void History::undoOne()
+{
+    Step& step = steps_[std::size_t(--index_)];
+    std::for_each(step.commands.rbegin(), step.commands.rend(),
+                  [](const auto& command) { command->undo(); });
+    measure(step);
+}
+
+void History::redoOne()
+{
+    Step& step = steps_[std::size_t(index_++)];
+    for (const auto& command : step.commands)
+        command->redo();
+    measure(step);
+}
+
+QString History::text(int step) const
+{
+    return step >= 0 && step < count() ? steps_[std::size_t(step)].text : QString();
+}
+
+void History::beginMacro(const QString& text)
+{
+    if (macros_++ == 0)
+        macro_ = {text};
+}
+
+void History::endMacro()
+{
+    assert(macros_ > 0);
+    if (--macros_ > 0)
+        return;
+    lastPush_.reset();
+    if (!macro_.commands.empty())
+        append(std::exchange(macro_, {}));
+}
+
+void History::setClean()
+{
+    assert(macros_ == 0);
+    const bool wasClean = isClean();
+    clean_ = index_;
+    lastPush_.reset(); // a step that joins the last one would take the saved state away
+    if (!wasClean)
+        emit cleanChanged(true);
+}
+
+void History::resetClean()
+{
+    const bool wasClean = isClean();
+    clean_.reset();
+    lastPush_.reset();
+    if (wasClean)
+        emit cleanChanged(false);
+}
+
+void History::clear()
+{
+    const bool wasClean = isClean();
+    steps_.clear();
+    macro_ = {};
+    lastPush_.reset();
+    index_ = macros_ = forgotten_ = 0;
+    bytes_ = 0;
+    clean_ = 0;
+    tell(wasClean);
+}
+
+void History::setLimit(std::size_t bytes)
+{
+    const bool wasClean = isClean();
+    limit_ = bytes;
+    if (const int gone = forgetOldest(); gone > 0)
+        tell(wasClean, gone);
+}
+
+} // namespace app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/history.h"
+#include "app/commands/memory.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/commands/set_style.h"
+
+#include <QTest>
+
+#include <malloc.h>
+
+#include "tests/sanitizer.h"
+
+namespace {
+
+/// What the allocator has given, with what it adds.
+std::size_t taken()
+{
+    const auto all = mallinfo2();
+    return all.uordblks + all.hblkhd;
+}
+
+app::Shape line(app::Point a, app::Point b)
+{
+    app::Shape shape;
+    shape.paths.push_back({a, {{b}}, false});
+    return shape;
+}
+
+/// Dashed polylines.
+app::Sheet polylines(int count)
+{
+    app::Sheet sheet;
+    for (int i = 0; i < count; ++i) {
+        app::Shape shape = line({0, double(i)}, {1, double(i)});
+        for (int j = 2; j < 40; ++j)
+            shape.paths[0].segments.push_back({{double(j), double(i % j)}});
+        shape.style.dashes = {4, 2};
+        sheet.shapes.push_back(std::move(shape));
+    }
+    return sheet;
+}
+
+std::set<std::size_t> all(const app::Drawing& drawing)
+{
+    std::set<std::size_t> shapes;
+    for (std::size_t i = 0; i < drawing.sheet().shapes.size(); ++i)
+        shapes.insert(i);
+    return shapes;
+}
+
+} // namespace
+
+class MemoryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theHeapIsCounted()
+    {
+        QCOMPARE(app::heapBlock(0), std::size_t(0));
+        QCOMPARE(app::heapBlock(1), std::size_t(32));
+        QCOMPARE(app::heapBlock(56), std::size_t(64));
+        QCOMPARE(app::heapBlock(57), std::size_t(80));
+        QCOMPARE(app::heapBytes(QStringLiteral("of the program")), std::size_t(0));
+        const app::Shape loose = line({0, 0}, {1, 1});
+        QCOMPARE(app::heapBytes(loose),
+                 app::heapBlock(sizeof(app::Subpath)) + app::heapBlock(sizeof(app::PathSegment)));
+    }
+
+    // What a step says is what the allocator gets back when it is forgotten, to 1 %.
+    void aStepKeepsWhatItSays_data()
+    {
+        using Make = std::function<app::UndoCommand*(app::Drawing&)>;
+        QTest::addColumn<Make>("make");
+        QTest::newRow("move") << Make([](app::Drawing& drawing) {
+            return new app::MoveShapes(drawing, all(drawing), {1, 1});
+        });
+        QTest::newRow("style") << Make([](app::Drawing& drawing) {
+            return new app::SetStyle(
+                drawing, all(drawing), [](app::Style& style) { style.dashes = {1}; }, "Dashes");
+        });
+        QTest::newRow("remove") << Make(
+            [](app::Drawing& drawing) { return new app::RemoveShapes(drawing, all(drawing)); });
+    }
+    void aStepKeepsWhatItSays()
+    {
+        if (!memoryCanBeLimited)
+            QSKIP("a sanitizer has an allocator of its own");
+        QFETCH(std::function<app::UndoCommand*(app::Drawing&)>, make);
+        app::Drawing drawing(polylines(5000));
+        app::History history;
+        history.push(make(drawing));
+        const std::size_t said = history.bytes(), before = taken();
+        history.clear();
+        const std::size_t freed = before - taken();
+        QVERIFY2(freed > 5'000'000 && std::abs(double(said) / double(freed) - 1) < 0.01,
+                 qPrintable(QStringLiteral("%1 bytes, in truth %2").arg(said).arg(freed)));
+    }
+
+    // Shapes that go are kept by the step, and by the drawing again when it is undone.
+    void aStepIsMeasuredAnewWhenItIsUndone()
+    {
+        app::Drawing drawing(polylines(1000));
+        app::History history;
+        history.push(new app::RemoveShapes(drawing, all(drawing)));
+        const std::size_t inForce = history.bytes();
+        QVERIFY(inForce > 1000 * 40 * sizeof(app::PathSegment));
+        history.undo();
+        QVERIFY(history.bytes() < 1000);
+        history.redo();
+        QCOMPARE(history.bytes(), inForce);
+    }
+};
+
+QTEST_APPLESS_MAIN(MemoryTest)
+#include "memory_test.moc"
