@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// A kind of undoable change: for programs and for people.
+/// A kind of undoable change: a row of the catalogue (app/commands/catalogue.h).
 struct CommandKind {
     std::string_view key;     ///< for programs: "move-shapes"
     std::string_view summary; ///< what it does, for those who read a log: "Moves shapes"

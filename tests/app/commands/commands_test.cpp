@@ -1,29 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_shapes.h"
-#include "app/commands/crop_to_window.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/resize_shapes.h"
-#include "app/commands/set_layers.h"
-#include "app/commands/set_style.h"
-#include "app/commands/set_window.h"
 #include "app/comparison/cut_text.h"
 #include "app/document/session.h"
 
 #include <QTest>
 
-#include <random>
+#include "tests/app/commands/random_commands.h"
 
 namespace {
-
-app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
-{
-    app::Shape shape;
-    shape.paths.push_back({a, {{b}}, false});
-    shape.style.stroke = app::Colour{};
-    shape.layer = layer;
-    return shape;
-}
 
 app::Sheet sheet(int perLayer)
 {
@@ -35,66 +18,6 @@ app::Sheet sheet(int perLayer)
     return result;
 }
 
-class Steps {
-public:
-    explicit Steps(app::Drawing& drawing) : drawing_(drawing) {}
-
-    app::UndoCommand* next()
-    {
-        const app::Sheet& sheet = drawing_.sheet();
-        const std::uint32_t layer = std::uint32_t(random_() % sheet.layers.size());
-        switch (random_() % 9) {
-        case 0:
-            return new app::AddShapes(
-                drawing_, {line({1, 1}, {number(), 2}, layer), line({3, number()}, {4, 4}, layer)},
-                "Add");
-        case 1:
-            return new app::RemoveShapes(drawing_, some());
-        case 2:
-            return new app::MoveShapes(drawing_, some(), {number(), number()});
-        case 3:
-            return new app::SetStyle(
-                drawing_, some(), [&](app::Style& s) { s.width = number(); }, "Width");
-        case 4:
-            return new app::SetWindow(drawing_, {{0, 0}, {number(), 5}});
-        case 5: {
-            auto layers = sheet.layers;
-            layers.push_back({"new"});
-            layers.front().locked = !layers.front().locked;
-            return new app::SetLayers(drawing_, layers, "Layers");
-        }
-        case 6:
-            return new app::ResizeShapes(drawing_, some(), {{0, 0}, {1, 0}},
-                                         {{number(), 1}, {9, number()}});
-        case 7:
-            return sheet.layers.size() > 1
-                       ? static_cast<app::UndoCommand*>(new app::RemoveLayer(drawing_, layer))
-                       : next();
-        default: {
-            app::CutOptions options;
-            options.algorithm = &clipping::algorithms().front().corrected;
-            options.window = sheet.window;
-            options.reach = app::Reach::Editable;
-            return random_() % 4 ? next() : new app::CropToWindow(drawing_, options);
-        }
-        }
-    }
-
-private:
-    double number() { return double(random_() % 1000) / 16; }
-    app::ObjectRanges some()
-    {
-        app::ObjectRanges chosen;
-        for (std::size_t i = 0; i < drawing_.sheet().shapes.size(); ++i)
-            if (random_() % 3 == 0)
-                chosen.insert(i);
-        return chosen;
-    }
-
-    app::Drawing& drawing_;
-    std::mt19937_64 random_{7};
-};
-
 } // namespace
 
 class CommandsTest : public QObject {
@@ -103,28 +26,31 @@ class CommandsTest : public QObject {
 private slots:
     void whateverIsDoneCanBeUndoneAndRedone()
     {
-        for (int round = 0; round < 20; ++round) {
+        constexpr int count = 200;
+        for (std::uint64_t round = 0; round < 5; ++round) {
             app::Drawing drawing(sheet(20));
             app::History history;
-            Steps steps(drawing);
+            RandomCommands steps(drawing, round);
             std::vector<app::Sheet> states{drawing.sheet()};
-            for (int i = 0; i < 30; ++i) {
+            for (int i = 0; i < count; ++i) {
                 history.push(steps.next());
                 states.push_back(drawing.sheet());
                 QVERIFY(std::ranges::is_sorted(drawing.sheet().shapes, {}, &app::Shape::layer));
             }
-            for (int i = 30; i > 0; --i) {
+            QVERIFY2(steps.neverDrawn().empty(), steps.neverDrawn().data());
+            for (int i = count; i > 0; --i) {
                 QVERIFY(drawing.sheet() == states[std::size_t(i)]);
                 history.undo();
             }
-            for (int i = 0; i < 30; ++i) {
+            for (int i = 0; i < count; ++i) {
                 QVERIFY(drawing.sheet() == states[std::size_t(i)]);
                 history.redo();
             }
             QVERIFY(drawing.sheet() == states.back());
         }
     }
-    // The lock protects against editing, and what is hidden is not seen to change.
+    // The lock protects against editing, and what is hidden is not seen to
+    // change.
     void croppingLeavesLockedAndHiddenAlone()
     {
         app::Sheet before = sheet(1);
@@ -166,7 +92,7 @@ private slots:
         std::chrono::steady_clock::time_point now{};
         history.setClock([&] { return now; });
         session.drawing.load(sheet(2));
-        const auto move = [&](const std::set<std::size_t>& shapes, app::Merging merging) {
+        const auto move = [&](const app::ObjectRanges& shapes, app::Merging merging) {
             history.push(new app::MoveShapes(session.drawing, shapes, {1, 0}, merging));
         };
         const auto before = session.sheet();
@@ -212,10 +138,10 @@ private slots:
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
         session.drawing.load(sheet(30));
         const auto before = session.sheet();
-        std::set<std::size_t> scattered;
+        app::ObjectRanges scattered;
         for (std::size_t i = 0; i < before.shapes.size(); i += 3)
             scattered.insert(i);
-        const auto restyle = [&](const std::set<std::size_t>& shapes, const QString& text) {
+        const auto restyle = [&](const app::ObjectRanges& shapes, const QString& text) {
             history.push(new app::SetStyle(
                 session.drawing, shapes, [](app::Style& style) { style.width *= 2; }, text,
                 app::Merging::WithLast));

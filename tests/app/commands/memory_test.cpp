@@ -41,9 +41,9 @@ app::Sheet polylines(int count)
     return sheet;
 }
 
-std::set<std::size_t> all(const app::Drawing& drawing)
+app::ObjectRanges all(const app::Drawing& drawing)
 {
-    std::set<std::size_t> shapes;
+    app::ObjectRanges shapes;
     for (std::size_t i = 0; i < drawing.sheet().shapes.size(); ++i)
         shapes.insert(i);
     return shapes;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/add_shapes.h"
+#include "app/commands/catalogue.h"
+#include "app/commands/crop_to_window.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/commands/resize_shapes.h"
+#include "app/commands/set_layers.h"
+#include "app/commands/set_style.h"
+#include "app/commands/set_window.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+
+// Commands at random, drawn from the catalogue by their keys. What a new command needs here is a
+// maker; tests fail without one (neverDrawn).
+
+inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
+{
+    app::Shape shape;
+    shape.paths.push_back({a, {{b}}, false});
+    shape.style.stroke = app::Colour{};
+    shape.layer = layer;
+    return shape;
+}
+
+class RandomCommands {
+public:
+    explicit RandomCommands(app::Drawing& drawing, std::uint64_t seed = 7)
+        : drawing_(drawing), random_(seed)
+    {
+    }
+
+    /// One that can be done now; whoever pushes it owns it.
+    app::UndoCommand* next()
+    {
+        const auto kinds = app::commandKinds();
+        for (;;) {
+            const auto& key = kinds[random_() % kinds.size()].key;
+            const auto maker = std::ranges::find(makers, key, &Maker::key);
+            if (app::UndoCommand* made = maker == makers.end() ? nullptr : maker->make(*this)) {
+                ++drawn_[made->kind().key];
+                return made;
+            }
+        }
+    }
+    /// The first command of the catalogue that next() has not given yet; empty: it has given all.
+    std::string_view neverDrawn() const
+    {
+        for (const app::CommandKind& kind : app::commandKinds())
+            if (!drawn_.contains(kind.key))
+                return kind.key;
+        return {};
+    }
+
+private:
+    struct Maker {
+        std::string_view key;
+        app::UndoCommand* (*make)(RandomCommands&); ///< null: not now
+    };
+    static const std::array<Maker, 9> makers;
+
+    double number() { return double(random_() % 1000) / 16; }
+    std::uint32_t layer() { return std::uint32_t(random_() % drawing_.sheet().layers.size()); }
+    app::ObjectRanges some()
+    {
+        app::ObjectRanges chosen;
+        for (std::size_t i = 0; i < drawing_.sheet().shapes.size(); ++i)
+            if (random_() % 3 == 0)
+                chosen.insert(i);
+        return chosen;
+    }
+    app::UndoCommand* crop()
+    {
+        if (random_() % 4 != 0) // there would soon be nothing left
+            return nullptr;
+        app::CutOptions options;
+        options.algorithm = &clipping::algorithms().front().corrected;
+        options.window = drawing_.sheet().window;
+        options.reach = app::Reach::Editable;
+        return new app::CropToWindow(drawing_, options);
+    }
+    app::UndoCommand* addLayer()
+    {
+        auto layers = drawing_.sheet().layers;
+        layers.push_back({"new"});
+        layers.front().locked = !layers.front().locked;
+        return new app::SetLayers(drawing_, layers, "Layers");
+    }
+    app::UndoCommand* addTwo()
+    {
+        const std::uint32_t to = layer();
+        return new app::AddShapes(
+            drawing_, {line({1, 1}, {number(), 2}, to), line({3, number()}, {4, 4}, to)}, "Add");
+    }
+
+    app::Drawing& drawing_;
+    std::mt19937_64 random_;
+    std::map<std::string_view, int> drawn_;
+};
+
+inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
+    {"add-shapes", [](RandomCommands& r) { return r.addTwo(); }},
+    {"remove-shapes",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::RemoveShapes(r.drawing_, r.some());
+     }},
+    {"move-shapes",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::MoveShapes(r.drawing_, r.some(), {r.number(), r.number()});
+     }},
+    {"resize-shapes",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::ResizeShapes(r.drawing_, r.some(), {{0, 0}, {1, 0}},
+                                      {{r.number(), 1}, {9, r.number()}});
+     }},
+    {"set-style",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         const double width = r.number();
+         return new app::SetStyle(
+             r.drawing_, r.some(), [&](app::Style& style) { style.width = width; }, "Width");
+     }},
+    {"set-window",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::SetWindow(r.drawing_, {{0, 0}, {r.number(), 5}});
+     }},
+    {"set-layers", [](RandomCommands& r) { return r.addLayer(); }},
+    {"remove-layer",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return r.drawing_.sheet().layers.size() > 1 ? new app::RemoveLayer(r.drawing_, r.layer())
+                                                     : nullptr;
+     }},
+    {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},
+}};
