@@ -57,7 +57,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
         grid->addWidget(label, int(i % 2), i < 2 ? 0 : 2);
         grid->addWidget(fields_[i], int(i % 2), i < 2 ? 1 : 3);
         connect(fields_[i], &LengthField::edited, this,
-                [this, i](double length) { edit(i, length); });
+                [this, i](double length, app::Merging merging) { edit(i, length, merging); });
         connect(fields_[i], &LengthField::entered, this, &WindowPanel::entered);
         connect(fields_[i], &LengthField::refused, this, &WindowPanel::refused);
     }
@@ -93,14 +93,14 @@ void WindowPanel::follow()
         fields_[i]->show(values[i], session_.display().unit, size);
 }
 
-void WindowPanel::edit(std::size_t field, double length)
+void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
 {
     const clipping::Window& before = session_.sheet().window;
     const app::Point origin = app::originOf(session_.sheet().page, session_.display().unit);
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)
-        session_.history.push(new app::SetWindow(session_.drawing, after));
+        session_.history.push(new app::SetWindow(session_.drawing, after, merging));
 }
 
 } // namespace ui

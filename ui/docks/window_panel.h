@@ -25,7 +25,7 @@ signals:
 
 private:
     void follow();
-    void edit(std::size_t field, double length);
+    void edit(std::size_t field, double length, app::Merging merging);
 
     app::Session& session_;
     std::array<LengthField*, 4> fields_; ///< X Y W H

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -62,6 +63,7 @@ bool LengthField::takesTyped()
 void LengthField::stepBy(int steps)
 {
     takesTyped();
+    const QScopedValueRollback stepping(merging_, app::Merging::WithLast);
     QDoubleSpinBox::stepBy(steps);
 }
 
@@ -86,7 +88,7 @@ void LengthField::finish()
         return;
     }
     shown_ = value();
-    emit edited(app::fromUnit(shown_, unit_, millimetresPerUnit_));
+    emit edited(app::fromUnit(shown_, unit_, millimetresPerUnit_), merging_);
 }
 
 QValidator::State LengthField::validate(QString& text, int&) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/undo_command.h"
 #include "app/document/length.h"
 #include "app/result.h"
 
@@ -26,7 +27,9 @@ public:
     void stepBy(int steps) override;
 
 signals:
-    void edited(double length);            ///< in user units
+    /// In user units. What is typed is a step of its own; arrows and the wheel may join the last
+    /// one.
+    void edited(double length, app::Merging merging);
     void entered();                        ///< with Enter, and it fits: typing is over
     void refused(const QString& sentence); ///< what was typed is no length, or out of range
 
@@ -47,6 +50,7 @@ private:
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;
+    app::Merging merging_ = app::Merging::Never; ///< what a change is just now
 };
 
 } // namespace ui

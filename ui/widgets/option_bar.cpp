@@ -102,13 +102,13 @@ void OptionBar::addStroke()
 
     connect(ink_, &QToolButton::clicked, this, &OptionBar::chooseInk);
     connect(width_, &LengthField::refused, this, &OptionBar::refused);
-    connect(width_, &LengthField::edited, this, [this](double width) {
-        restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"));
+    connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
+        restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"), merging);
     });
     connect(dashes_, &QComboBox::activated, this, [this](int index) {
         const auto& pattern = dashPatterns()[std::size_t(index)];
         restyle([&](app::Style& style) { style.dashes = scaled(pattern, style.width); },
-                tr("Dashes"));
+                tr("Dashes"), app::Merging::WithLast);
     });
 }
 
@@ -260,12 +260,13 @@ void OptionBar::followStyle()
     dashes_->setCurrentIndex(patternOf(now));
 }
 
-void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QString& text)
+void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QString& text,
+                        app::Merging merging)
 {
     change(session_.pen.style);
     if (!session_.selection().empty())
         session_.history.push(
-            new app::SetStyle(session_.drawing, session_.selection(), change, text));
+            new app::SetStyle(session_.drawing, session_.selection(), change, text, merging));
     followStyle();
 }
 
@@ -279,7 +280,8 @@ void OptionBar::chooseInk()
         return;
     const app::Colour ink{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
                           std::uint8_t(chosen.blue()), std::uint8_t(chosen.alpha())};
-    restyle([ink](app::Style& style) { style.stroke = ink; }, tr("Stroke colour"));
+    restyle([ink](app::Style& style) { style.stroke = ink; }, tr("Stroke colour"),
+            app::Merging::Never);
 }
 
 } // namespace ui

@@ -42,7 +42,8 @@ private:
     void paintIcons();
     void followDisplay();
     void followStyle();
-    void restyle(const std::function<void(app::Style&)>& change, const QString& text);
+    void restyle(const std::function<void(app::Style&)>& change, const QString& text,
+                 app::Merging merging);
     const app::Style& style() const;
     void chooseInk();
 

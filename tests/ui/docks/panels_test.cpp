@@ -9,6 +9,7 @@
 #include "ui/status_bar.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/option_bar.h"
+#include "ui/widgets/tool_list.h"
 
 #include <QLineEdit>
 #include <QRadioButton>
@@ -51,6 +52,65 @@ private slots:
         session.history.undo();
         QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
+    }
+    void quickStepsOfAFieldAreOne()
+    {
+        using namespace std::chrono_literals;
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        std::chrono::steady_clock::time_point now{};
+        session.history.setClock([&] { return now; });
+        const auto before = session.sheet().window;
+        for (LengthField* field : t.window->findChild<WindowPanel*>()->findChildren<LengthField*>())
+            for (const auto wait : {999ms, 1000ms}) {
+                const double start = field->value();
+                for (int i = 0; i < 3; ++i, now += wait)
+                    i < 2 ? QTest::keyClick(field, Qt::Key_Up) : field->stepUp();
+                QCOMPARE(field->value(), start + 3);
+                QCOMPARE(session.history.count(), wait < 1000ms ? 1 : 3);
+                session.history.setIndex(0);
+                QVERIFY(session.sheet().window == before);
+                session.history.clear();
+            }
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        type(fields[0], "25"); // what is typed is a step of its own
+        type(fields[0], "26");
+        QCOMPARE(session.history.count(), 2);
+    }
+    void quickStepsOfAStyleAreOne()
+    {
+        TestWindow t;
+        t.window->files().open(t.file("styles.svg",
+                                      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' "
+                                      "stroke='black'><path d='M1 1H8'/><path d='M1 2H8'/></svg>"));
+        t.show();
+        app::Session& session = t.window->session();
+        std::chrono::steady_clock::time_point now{};
+        session.history.setClock([&] { return now; });
+        const auto before = session.sheet();
+        session.select({0, 1});
+        auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
+        auto* dashes = t.window->findChild<OptionBar*>()->findChild<ToolList*>();
+        QCOMPARE(dashes->accessibleName(), QString("Dashes"));
+        for (int i = 0; i < 3; ++i)
+            width->stepUp();
+        QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.history.undoText(), QString("Stroke width"));
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(dashes, Qt::Key_Down);
+        QCOMPARE(dashes->currentIndex(), 3);
+        QCOMPARE(session.history.count(), 2);
+        QCOMPARE(session.history.undoText(), QString("Dashes"));
+        now += std::chrono::seconds(1);
+        QTest::keyClick(dashes, Qt::Key_Up);
+        QCOMPARE(session.history.count(), 3);
+        session.select({1}); // other objects
+        QTest::keyClick(dashes, Qt::Key_Up);
+        QCOMPARE(session.history.count(), 4);
+        session.history.setIndex(0);
+        QVERIFY(session.sheet() == before);
     }
     /// One rule for panels, status bar, ruler and `clip -w`: lengths with a unit count from the
     /// paper's corner, numbers without one from the drawing's origin.
