@@ -49,13 +49,12 @@ public:
     {
         takenBack_.push_back(corners_.back());
         corners_.pop_back();
-        stepsBefore_ = bench.session.history.index();
+        stepsBefore_ = stepsDone(bench);
     }
     // Once all corners are taken back, Undo reaches earlier steps: these are redone first.
     bool canPutBack(const Workbench& bench) const override
     {
-        return !takenBack_.empty()
-               && (!corners_.empty() || bench.session.history.index() == stepsBefore_);
+        return !takenBack_.empty() && (!corners_.empty() || stepsDone(bench) == stepsBefore_);
     }
     void putBack(Workbench&) override
     {
@@ -86,6 +85,10 @@ public:
     }
 
 private:
+    static int stepsDone(const Workbench& bench)
+    {
+        return bench.session.history.forgotten() + bench.session.history.index();
+    }
     void add(const app::Point& corner)
     {
         corners_.push_back(corner);

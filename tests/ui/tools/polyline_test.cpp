@@ -55,6 +55,24 @@ private slots:
         hand.key(Qt::Key_Return);
         QCOMPARE(hand.corners(1), hand.placed(2));
     }
+    void cornersDoNotComeBackAfterALaterStep()
+    {
+        for (const std::size_t limit : {app::History::usualLimit, std::size_t(0)}) {
+            Hand hand;
+            app::Session& session = hand.window.session();
+            session.history.setLimit(limit); // 0: as many steps as before, but not the same
+            const auto step = [&session] {
+                session.history.push(
+                    new app::AddShapes(session.drawing, {line({0, 0}, {5, 5})}, "line"));
+            };
+            step();
+            hand.click(1);
+            hand.undo();
+            QVERIFY(hand.t.action("redo")->isEnabled());
+            step();
+            QVERIFY(!hand.t.action("redo")->isEnabled());
+        }
+    }
     void aNewCornerForgetsWhatWasTakenBack()
     {
         Hand hand;
