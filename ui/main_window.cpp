@@ -2,6 +2,8 @@
 #include "ui/main_window.h"
 
 #include "app/latin.h"
+#include "app/settings/remembered.h"
+#include "app/view/numbers.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"
@@ -61,6 +63,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
     rememberPanes();
+    limitHistory();
     restoreLayout();
     refreshActions();
     showTitle();
@@ -76,6 +79,25 @@ void MainWindow::rememberPanes()
     connect(canvas_, &Canvas::panesChanged, this, [this] {
         QSettings().setValue("panes", canvas_->panes().text());
         refreshActions();
+    });
+}
+
+// Said once a drawing. It comes after what the command itself says, which would replace it.
+void MainWindow::limitHistory()
+{
+    constexpr int least = 1, most = 1'000'000, megabyte = 1'000'000;
+    const int usual = int(app::History::usualLimit / megabyte);
+    const int megabytes =
+        app::rememberedNumber(QStringLiteral("undoMegabytes"), least, most, usual);
+    session_.history.setLimit(std::size_t(megabytes) * megabyte);
+    const auto sayWhy = [this, megabytes] {
+        tell({Message::Kind::Warning,
+              tr("The oldest steps can no longer be undone: Undo may use at most %1 MB of memory.")
+                  .arg(app::countText(std::size_t(megabytes)))});
+    };
+    connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {
+        if (steps == session_.history.forgotten())
+            QMetaObject::invokeMethod(this, sayWhy, Qt::QueuedConnection);
     });
 }
 

@@ -115,6 +115,7 @@ private:
     void connectFiles();
     void showTitle();
     void rememberPanes();
+    void limitHistory();
     void arrange();
     enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
     void arrangeAs(Arrangement arrangement);

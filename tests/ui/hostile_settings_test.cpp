@@ -42,6 +42,7 @@ class HostileSettingsTest : public QObject {
                 "zooGeometry",
                 "plugInLibrary",
                 "plugInsTrusted",
+                "undoMegabytes",
                 "lessons/done"};
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/lessons/lesson.h"
 #include "ui/actions.h"
@@ -253,6 +254,38 @@ private slots:
         QCOMPARE(t.window->session().history.count(), before);
         QCOMPARE(t.window->message(),
                  "Nothing was cropped. Left alone on locked layers: 1.");
+    }
+    void saysOnceThatTheOldestStepsAreForgotten()
+    {
+        TestWindow t;
+        QSettings().setValue("undoMegabytes", 2);
+        t.window = std::make_unique<MainWindow>(Backend::Raster);
+        app::Session& session = t.window->session();
+        QCOMPARE(session.history.limit(), std::size_t(2'000'000));
+        app::Sheet sheet;
+        sheet.shapes.resize(10'000);
+        session.load({std::move(sheet), {}});
+        const auto restyle = [&session] {
+            const app::ObjectRanges all(app::ObjectRange{0, session.sheet().shapes.size()});
+            session.history.push(new app::SetStyle(
+                session.drawing, all, [](app::Style& style) { style.width += 1; }, "Width"));
+        };
+        restyle();
+        QCoreApplication::processEvents();
+        QVERIFY(t.window->message().isEmpty());
+        restyle();
+        QTRY_COMPARE(t.window->message(), "The oldest steps can no longer be undone: Undo may use "
+                                          "at most 2 MB of memory.");
+        QCOMPARE(session.history.count(), 1);
+        t.window->tell({});
+        restyle();
+        QCOMPARE(session.history.forgotten(), 2);
+        QCoreApplication::processEvents();
+        QVERIFY(t.window->message().isEmpty());
+        session.load({app::Sheet(session.sheet()), {}}); // another drawing: said again
+        restyle();
+        restyle();
+        QTRY_VERIFY(!t.window->message().isEmpty());
     }
     void croppingWhatIsInsideIsNoStep()
     {
