@@ -21,7 +21,7 @@ static app::Colour colourOf(const QColor& c)
 
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.drawing, session.scene),
-      shown_(session.display()),
+      letters_(session.scene), shown_(session.display()),
       look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
     setTool(tools().front().key);

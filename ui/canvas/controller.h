@@ -5,6 +5,7 @@
 #include "app/view/picture.h"
 #include "app/view/snap.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/letters.h"
 #include "ui/canvas/navigation.h"
 #include "ui/tools/tool.h"
 
@@ -82,6 +83,8 @@ public:
 
     /// The clip window as it is now, in the middle of a gesture too.
     clipping::Window window() const;
+    /// Boxes that labels should not hide, in logical pixels.
+    const std::vector<QRectF>& letters() const { return letters_.in(view()); }
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the layer of ghosts
     FrameKey key(const Pane& pane) const
@@ -135,6 +138,7 @@ private:
     app::Session& session_;
     Navigation navigation_;
     app::Picking picking_;
+    mutable Letters letters_; ///< found when they are asked for
     app::Display shown_; ///< but for the algorithm, which is each pane's own
     Look look_;
     app::View toolView_; ///< what tools move; compared with the view after each call

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/seen_overlay.h"
 
-#include "app/overlays/label_places.h"
 #include "ui/canvas/algorithm_overlay.h"
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/window_overlay.h"
@@ -32,20 +31,6 @@ app::OverlaySubject subjectOf(const Controller& controller, const Pane& pane)
     return subject;
 }
 
-/// What of the drawing may be letters, which labels should not hide.
-std::vector<QRectF> lettersOf(const Controller& controller, const QRectF& room)
-{
-    const auto segments = controller.session().scene.segments();
-    constexpr std::size_t most = 20'000; // more take longer than the labels are worth
-    if (segments.size() > most)
-        return {};
-    std::vector<QLineF> lines;
-    for (const clipping::Segment& segment : segments)
-        lines.emplace_back(controller.bench().onScreen(segment.a),
-                           controller.bench().onScreen(segment.b));
-    return app::boxesOfShortLines(lines, room);
-}
-
 } // namespace
 
 void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane& pane)
@@ -59,7 +44,7 @@ void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane
          .look = controller.look(),
          .page = controller.pageColour(),
          .taken = windowFurniture(controller, pane, painter.font()),
-         .avoided = lettersOf(controller, room)});
+         .avoided = controller.letters()});
 }
 
 } // namespace ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/letters.h"
+
+#include "app/overlays/label_places.h"
+
+namespace ui {
+
+constexpr std::size_t mostLines = 20'000; // more take longer than the labels are worth
+
+Letters::Letters(const app::Scene& scene, QObject* parent) : QObject(parent), scene_(scene)
+{
+    connect(&scene, &app::Scene::outdated, this, [this] { view_.reset(); });
+}
+
+const std::vector<QRectF>& Letters::in(const app::View& view)
+{
+    if (view == view_)
+        return boxes_;
+    view_ = view;
+    boxes_.clear();
+    const auto segments = scene_.segments();
+    if (segments.size() > mostLines)
+        return boxes_;
+    std::vector<QLineF> lines;
+    lines.reserve(segments.size());
+    for (const clipping::Segment& segment : segments) {
+        const app::Point a = view.toScreen(segment.a), b = view.toScreen(segment.b);
+        lines.emplace_back(a.x, a.y, b.x, b.y);
+    }
+    boxes_ = app::boxesOfShortLines(lines, QRectF(0, 0, view.size.x, view.size.y));
+    return boxes_;
+}
+
+} // namespace ui
