@@ -22,21 +22,17 @@ void MainWindow::addWide()
     auto* compare = new ComparePanel(session_);
     auto* dock = new Dock("compare", tr("Compare"), compare);
     differencePanel_ = new DifferencePanel(session_);
-    costMapPanel_ = new CostMapPanel(session_.sheet().window);
+    costMapPanel_ = new CostMapPanel(session_);
     exactnessPanel_ = new ExactnessPanel(session_);
     wide_ = {dock, new Dock("difference", tr("Differences"), differencePanel_),
              new Dock("cost-map", tr("Cost map"), costMapPanel_),
              new Dock("exactness", tr("Exactness"), exactnessPanel_)};
     const auto look = [this](const clipping::Window& place) {
-        canvas_->go(app::lookingAt(canvas_->view(), place, canvas_->window()));
+        canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));
     };
     connect(differencePanel_, &DifferencePanel::placeWanted, this, look);
     connect(exactnessPanel_, &ExactnessPanel::placeWanted, this, look);
     connect(dock, &QDockWidget::visibilityChanged, compare, &ComparePanel::setWatched);
-    connect(canvas_, &Canvas::frameShown, compare,
-            [this, compare] { compare->frameShown(canvas_->window()); });
-    connect(canvas_, &Canvas::frameShown, costMapPanel_,
-            [this] { costMapPanel_->setWindow(canvas_->window()); });
     connect(costMapPanel_, &CostMapPanel::told, this, [this](const QString& sentence) {
         tell({Message::Kind::Done, sentence});
     });

@@ -24,6 +24,7 @@ LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), s
     connect(&work_, &QTimer::timeout, this, &LiveRace::work); // whenever nothing else is to be done
     connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
     connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
+    connect(&session, &Session::previewChanged, this, &LiveRace::followWindow);
     connect(&session.drawing, &Drawing::changed, this, &LiveRace::follow);
 }
 
@@ -52,11 +53,11 @@ void LiveRace::stop()
         timer->stop();
 }
 
-void LiveRace::frameShown(const clipping::Window& window)
+// Requests to paint are posted, and a timer waits for all that is posted: the frame comes first.
+void LiveRace::followWindow()
 {
-    window_ = window;
     if (running() && !race_->running() && !now().sameAs(race_->frame()))
-        begin();
+        next_.start(0);
 }
 
 std::span<const RaceRow> LiveRace::rows() const
@@ -76,21 +77,19 @@ bool LiveRace::upToDate() const
 // The scene hears of it first: its lines are the new ones already.
 void LiveRace::follow(const Change& change)
 {
-    if (change.kind == Change::Kind::Window) {
-        window_.reset(); // a gesture is over, or undone
+    if (change.kind == Change::Kind::Window)
         return;
-    }
     ++revision_;
     if (!running())
         return;
     race_->drop();
     work_.stop();
-    next_.start();
+    next_.start(tenthOfASecond);
 }
 
 RaceFrame LiveRace::now() const
 {
-    return {session_.scene.segments(), window_.value_or(session_.sheet().window), revision_};
+    return {session_.scene.segments(), session_.window(), revision_};
 }
 
 void LiveRace::begin()

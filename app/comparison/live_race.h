@@ -9,11 +9,11 @@
 
 namespace app {
 
-/// A race on what an editor shows, while a panel shows it: after each frame that differs from
-/// the last one (at most one round a frame), and then ten rounds a second until the numbers have
-/// settled. What they find is looked at ten times a second at most. It works between events, some
-/// milliseconds at a time, so that nothing has to wait for it; the window moves on meanwhile, and
-/// the next round is on the newest frame.
+/// A race on what an editor shows, while a panel shows it: whenever the clip window lies elsewhere
+/// or the lines change (at most one round a frame), and then ten rounds a second until the numbers
+/// have settled. What they find is looked at ten times a second at most. It works between events,
+/// some milliseconds at a time and never before the frame that is due, so that nothing has to wait
+/// for it; the window moves on meanwhile, and the next round is on the newest one.
 class LiveRace : public QObject {
     Q_OBJECT
 
@@ -27,9 +27,6 @@ public:
     void stop();  ///< what was measured is forgotten
     bool running() const { return race_.has_value(); }
 
-    /// A frame was shown, with this clip window.
-    void frameShown(const clipping::Window& window);
-
     /// After the last finished round; none before the first one.
     std::span<const RaceRow> rows() const;
     std::size_t lines() const; ///< of that round
@@ -42,6 +39,7 @@ signals:
     void advanced(); ///< rounds were finished, or it has settled; at most ten times a second
 
 private:
+    void followWindow();
     void follow(const Change& change);
     RaceFrame now() const; ///< what is shown
     void begin();
@@ -52,8 +50,7 @@ private:
     const Session& session_;
     std::vector<Variant> variants_;
     std::optional<Race> race_;
-    std::optional<clipping::Window> window_; ///< of the last frame
-    std::uint64_t revision_ = 0;             ///< of the lines
+    std::uint64_t revision_ = 0; ///< of the lines
     bool settled_ = false;
     QElapsedTimer sinceNew_, sinceBegin_, sinceFindings_;
     QTimer work_, next_, show_;

@@ -56,6 +56,14 @@ void Session::inspect(std::optional<std::size_t> segment)
     emit inspectedChanged();
 }
 
+void Session::setPreview(const Preview& preview)
+{
+    if (preview == preview_)
+        return;
+    preview_ = preview;
+    emit previewChanged();
+}
+
 void Session::load(Imported imported, const QString& path)
 {
     losses_ = std::move(imported.report);
@@ -95,12 +103,14 @@ void Session::follow(const Change& change)
     if (change.kind != Change::Kind::Window)
         selectionBounds_.reset();
     if (change.kind == Change::Kind::Everything)
-        select({});
+        select({}), preview_ = {};
     if (change.kind == Change::Kind::Shapes && change.removed != change.added)
         select(selection_.shifted(change.first, change.removed, change.added));
     if (change.kind != Change::Kind::Window)
         inspect(std::nullopt);
     pen.layer = std::min(pen.layer, std::uint32_t(sheet().layers.size() - 1));
+    if (change.kind == Change::Kind::Window || change.kind == Change::Kind::Everything)
+        emit previewChanged();
 }
 
 } // namespace app

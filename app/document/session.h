@@ -5,6 +5,7 @@
 #include "app/comparison/live_differences.h"
 #include "app/document/cut.h"
 #include "app/document/object_ranges.h"
+#include "app/document/preview.h"
 #include "app/document/scene.h"
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
@@ -59,6 +60,16 @@ public:
 
     const Sheet& sheet() const { return drawing.sheet(); }
 
+    /// What is being dragged or drawn. Tools alone set it, and set an empty one when the gesture
+    /// is over, after the command that it became.
+    const Preview& preview() const { return preview_; }
+    void setPreview(const Preview& preview);
+    /// The clip window as it is now: the preview's, else the document's.
+    const clipping::Window& window() const
+    {
+        return preview_.window ? *preview_.window : sheet().window;
+    }
+
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
     /// The chosen form of the chosen algorithm.
@@ -88,6 +99,7 @@ signals:
     void displayChanged();
     void selectionChanged();
     void inspectedChanged();
+    void previewChanged(); ///< preview() or window(): by a gesture, a command, undo or load
     void fileChanged();
     void loaded(); ///< a different drawing: fit the view
 
@@ -98,6 +110,7 @@ private:
     ObjectRanges selection_;
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
+    Preview preview_;
     QString path_;
     std::vector<Loss> losses_;
 };

@@ -26,6 +26,7 @@ DrawnLine::DrawnLine(Session& session, QObject* parent) : QObject(parent), sessi
     connect(&session.microscope, &Microscope::specimenChanged, this, &DrawnLine::notice);
     connect(&session.microscope, &Microscope::openChanged, this, &DrawnLine::adopt);
     connect(&session, &Session::displayChanged, this, &DrawnLine::followDisplay);
+    connect(&session, &Session::previewChanged, this, &DrawnLine::followDrawing);
     connect(&session.scene, &Scene::outdated, this, &DrawnLine::followDrawing);
     connect(&session, &Session::inspectedChanged, this, &DrawnLine::followInspected);
 }
@@ -145,7 +146,7 @@ void DrawnLine::followDrawing()
     if (!attached_ || !session_.microscope.isOpen())
         return;
     Specimen specimen = session_.microscope.specimen();
-    specimen.window = session_.sheet().window;
+    specimen.window = session_.window();
     if (const auto line = drawn()) {
         specimen.origin = specimenOf(session_, *line_).origin;
         if (!own_)

@@ -189,7 +189,7 @@ Variant explaining(const Session& session, std::size_t segment)
 
 Inspection inspect(const Session& session, std::size_t segment)
 {
-    const clipping::Window& window = session.sheet().window;
+    const clipping::Window& window = session.window();
     Inspection line{.variant = explaining(session, segment),
                     .number = segment,
                     .shape = session.scene.shapeOf(segment),

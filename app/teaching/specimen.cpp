@@ -43,7 +43,7 @@ Ranked rankOf(const Session& session, std::size_t segment)
     const Sheet& sheet = session.sheet();
     const auto layer = sheet.shapes[session.scene.shapeOf(segment)].layer;
     Ranked ranked{.unlocked = !sheet.layers[layer].locked, .line = segment};
-    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, sheet.window))
+    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, session.window()))
         ranked.cutEnds = (piece->a != line.a) + (piece->b != line.b);
     if (ranked.cutEnds == 1)
         ranked.length = glm::distance(line.a, line.b);
@@ -57,7 +57,7 @@ Specimen specimenOf(const Session& session, std::size_t segment)
     const auto lines = session.scene.segments();
     return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = lines[segment],
-            .window = session.sheet().window,
+            .window = session.window(),
             .y = YAxis::Down,
             .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()))};
 }
@@ -82,7 +82,7 @@ Specimen firstSpecimen(const Session& session)
 {
     if (const auto line = firstLine(session))
         return specimenOf(session, *line);
-    const clipping::Window& window = session.sheet().window;
+    const clipping::Window& window = session.window();
     return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = across(window),
             .window = window,

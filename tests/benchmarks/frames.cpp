@@ -94,17 +94,20 @@ void hover(QWidget& surface, const QPointF& at)
     QCoreApplication::sendEvent(&surface, &event);
 }
 
-// The frames of a moving window; each is over when `finish` says so.
+// The frames of a window that is dragged; each is over when `finish` says so.
 Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<void()>& finish)
 {
     const clipping::Window start = session.sheet().window;
     Figures figures;
     for (int i = 0; i < 30; ++i) {
         const app::Point by(i, 0);
-        const auto move = [&] { session.drawing.setWindow({start.min + by, start.max + by}); };
+        const auto move = [&] {
+            session.setPreview({.window = clipping::Window{start.min + by, start.max + by},
+                                .drag = app::Preview::Drag::Moving});
+        };
         figures.times.push_back(frame(canvas, move, finish));
     }
-    session.drawing.setWindow(start);
+    session.setPreview({});
     return figures;
 }
 
@@ -128,8 +131,6 @@ void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back(&algorithm);
     race.setVariants(app::variantsOf(all));
-    QObject::connect(&canvas, &ui::Canvas::frameShown, &race,
-                     [&] { race.frameShown(canvas.window()); });
     const auto inFull = [&] { canvas.settle(); }; // or painting threads would run beside the race
     const auto raced = [&] {
         canvas.settle();

@@ -53,7 +53,6 @@ Canvas::~Canvas()
 Backend Canvas::backend() const { return parts_->choice.backend; }
 QString Canvas::backendReason() const { return parts_->choice.reason; }
 const app::View& Canvas::view() const { return parts_->controller.view(); }
-clipping::Window Canvas::window() const { return parts_->controller.window(); }
 double Canvas::zoom() const { return parts_->controller.zoom(); }
 void Canvas::setTool(std::string_view key) { parts_->controller.setTool(key); }
 std::string_view Canvas::tool() const { return parts_->controller.toolInfo().key; }

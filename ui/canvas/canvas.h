@@ -48,8 +48,6 @@ public:
     QString backendReason() const; ///< a sentence: which one, and why
 
     const app::View& view() const;
-    clipping::Window
-    window() const;      ///< the clip window as it is now, in the middle of a gesture too
     double zoom() const; ///< 1: 100 %, a millimetre on paper is one on the screen's logical scale
 
     void setTool(std::string_view key); ///< one of ui::tools()
@@ -89,7 +87,7 @@ public:
     void settle();
 
 signals:
-    void frameShown(const ui::FrameTimes& times);          ///< in the active pane
+    void frameShown(const ui::FrameTimes& times);          ///< its times, in the active pane
     void pointerMoved(std::optional<app::Point> position); ///< in the drawing; nothing: left
     void hint(const QString& text); ///< what the tool says now; empty: its usual hint
     void toolChanged();

@@ -32,6 +32,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
+    connect(&session, &app::Session::previewChanged, this, &Controller::changed);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::outdate);
     connect(&session.truth, &app::LiveTruth::changed, this, &Controller::outdate);
     connect(&session, &app::Session::loaded, this, [this] {
@@ -114,11 +115,6 @@ QCursor Controller::cursor() const
     if (space_)
         return Qt::OpenHandCursor;
     return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
-}
-
-clipping::Window Controller::window() const
-{
-    return tool_->window().value_or(session_.sheet().window);
 }
 
 QColor Controller::pageColour() const

@@ -82,7 +82,7 @@ public:
     QString redoText() const;
 
     /// The clip window as it is now, in the middle of a gesture too.
-    clipping::Window window() const;
+    const clipping::Window& window() const { return session_.window(); }
     /// Boxes that labels should not hide, in logical pixels.
     const std::vector<QRectF>& letters() const { return letters_.in(view()); }
     QColor pageColour() const;

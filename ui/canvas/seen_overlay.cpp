@@ -10,7 +10,7 @@ namespace {
 
 std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
 {
-    if (const auto drawn = controller.tool().lineInHand())
+    if (const auto& drawn = controller.session().preview().line)
         return drawn;
     const auto segments = controller.session().scene.segments();
     for (const auto& index : {controller.session().inspected(), controller.tool().litSegment()})

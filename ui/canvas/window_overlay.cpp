@@ -41,7 +41,7 @@ QString labelText(const Controller& controller)
     const app::Page& page = controller.session().sheet().page;
     const app::Unit unit = controller.session().display().unit;
     const clipping::Window window = controller.window();
-    if (controller.tool().windowGesture() != Tool::WindowGesture::Moving)
+    if (controller.session().preview().drag != app::Preview::Drag::Moving)
         return app::sizeText(window.max - window.min, unit, page.millimetresPerUnit());
     const app::Point place = window.min - app::originOf(page, unit);
     return QStringLiteral("%1, %2").arg(

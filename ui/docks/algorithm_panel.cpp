@@ -65,6 +65,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });
     connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
     connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
+    connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::outdate);
     connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
     idle_.setSingleShot(true);
     idle_.setInterval(idleMilliseconds);
@@ -76,8 +77,8 @@ void AlgorithmPanel::compare()
 {
     idle_.stop();
     const auto& display = session_.display();
-    dissents_ = app::dissents(session_.scene.segments(), session_.sheet().window,
-                              *display.algorithm, display.usedForm());
+    dissents_ = app::dissents(session_.scene.segments(), session_.window(), *display.algorithm,
+                              display.usedForm());
     verdict_->setText(app::sentence(dissents_));
     verdict_->show();
     tick_->show();

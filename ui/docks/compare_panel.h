@@ -25,8 +25,6 @@ public:
     QString field() const { return field_->text(); }
 
     void setWatched(bool watched);
-    /// A frame was shown, with this clip window.
-    void frameShown(const clipping::Window& window) { race_.frameShown(window); }
 
     QSize sizeHint() const override;
 

@@ -26,8 +26,8 @@ constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Pu
 
 } // namespace
 
-CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
-    : QWidget(parent), plan_(app::usualCostPlan(window)),
+CostMapPanel::CostMapPanel(const app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), plan_(app::usualCostPlan(session.window())),
       algorithm_(new VariantBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
                                                   tr("Which is cheapest, as published")})),
       measure_(new ToolList), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
@@ -40,6 +40,9 @@ CostMapPanel::CostMapPanel(const clipping::Window& window, QWidget* parent)
     addChoosers();
     addMap();
     connect(&live_, &app::LiveCostMap::changed, this, &CostMapPanel::follow);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &CostMapPanel::followWindow);
+    connect(&session, &app::Session::previewChanged, &soon_, qOverload<>(&QTimer::start));
     choose();
 }
 
@@ -125,8 +128,11 @@ void CostMapPanel::choose()
     point(std::nullopt);
 }
 
-void CostMapPanel::setWindow(const clipping::Window& window)
+// The fixed end stays beside the window.
+void CostMapPanel::followWindow()
 {
+    soon_.stop();
+    const clipping::Window& window = session_.window();
     if (window == plan_.window)
         return;
     const app::Point share = (plan_.fixed - plan_.area.min) / (plan_.area.max - plan_.area.min);
@@ -163,6 +169,7 @@ void CostMapPanel::point(const std::optional<app::Point>& at)
 
 std::optional<QString> CostMapPanel::exportTo(const QString& path)
 {
+    followWindow();
     live_.finish();
     const app::CostMap map =
         live_.map() && live_.upToDate() && live_.asked() ? *live_.map() : app::costMap(plan_);
@@ -188,6 +195,7 @@ void CostMapPanel::exportAs(const QString& key)
 void CostMapPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    followWindow();
     ask();
     point(std::nullopt);
 }

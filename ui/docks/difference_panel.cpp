@@ -233,8 +233,7 @@ void DifferencePanel::showRow(int row)
     if (!line)
         return;
     session_.inspect(*line);
-    emit placeWanted(
-        app::placeOf(wanted(), session_.scene.segments()[*line], session_.sheet().window));
+    emit placeWanted(app::placeOf(wanted(), session_.scene.segments()[*line], session_.window()));
 }
 
 void DifferencePanel::choose(int row)

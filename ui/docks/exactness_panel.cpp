@@ -199,7 +199,7 @@ void ExactnessPanel::showRow(int row)
     const std::size_t line = truth->source;
     session_.inspect(line);
     emit placeWanted(
-        app::placeOf({wanted().variant}, session_.scene.segments()[line], session_.sheet().window));
+        app::placeOf({wanted().variant}, session_.scene.segments()[line], session_.window()));
 }
 
 void ExactnessPanel::magnifyRow(int row)
@@ -222,8 +222,8 @@ void ExactnessPanel::magnify(std::size_t line, int end)
 void ExactnessPanel::showEnd()
 {
     const app::Variant variant = wanted().variant;
-    const auto seen = app::magnified(variant, session_.scene.segments()[line_],
-                                     session_.sheet().window, end_->chosen());
+    const auto seen = app::magnified(variant, session_.scene.segments()[line_], session_.window(),
+                                     end_->chosen());
     magnifier_->setVisible(seen.has_value());
     if (!seen)
         return magnified_->setText(

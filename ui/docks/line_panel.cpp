@@ -78,6 +78,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     };
     connect(&session, &app::Session::inspectedChanged, this, later);
     connect(&session, &app::Session::displayChanged, this, later);
+    connect(&session, &app::Session::previewChanged, this, later);
     connect(&session.scene, &app::Scene::outdated, this, later);
     connect(&session.differences, &app::LiveDifferences::changed, this, later);
     show();

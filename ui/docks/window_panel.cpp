@@ -76,14 +76,15 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     for (LengthField* field : fields_)
         field->setMinimumWidth(72);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    connect(&session.drawing, &app::Drawing::changed, this, &WindowPanel::follow);
+    connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
+    connect(&session.drawing, &app::Drawing::changed, this, &WindowPanel::follow); // the page
     connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
     follow();
 }
 
 void WindowPanel::follow()
 {
-    const clipping::Window& window = session_.sheet().window;
+    const clipping::Window& window = session_.window();
     const double size = session_.sheet().page.millimetresPerUnit();
     const app::Point place =
         window.min - app::originOf(session_.sheet().page, session_.display().unit);

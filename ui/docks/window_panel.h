@@ -12,7 +12,7 @@ namespace ui {
 
 class LengthField;
 
-/// The clip window in numbers. Each edit is one step to undo.
+/// The clip window in numbers, in the middle of a gesture too. Each edit is one step to undo.
 class WindowPanel : public QWidget {
     Q_OBJECT
 

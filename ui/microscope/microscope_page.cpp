@@ -93,6 +93,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
         overview_->update();
     });
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopePage::showPlace);
+    connect(&session, &app::Session::previewChanged, overview_, &Overview::forget);
     connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
     connect(bar_, &MicroscopeBar::lineDone, view_, [this] { view_->setFocus(); });
     connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);

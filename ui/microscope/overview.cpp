@@ -43,12 +43,12 @@ void Overview::forget()
 app::View Overview::view() const
 {
     const app::Sheet& sheet = session_.sheet();
+    const clipping::Window& window = session_.window();
     app::View view;
     view.size = {width(), height()};
     const app::Point corner = sheet.page.min + sheet.page.size;
-    view.fit({{std::min(sheet.page.min.x, sheet.window.min.x),
-               std::min(sheet.page.min.y, sheet.window.min.y)},
-              {std::max(corner.x, sheet.window.max.x), std::max(corner.y, sheet.window.max.y)}},
+    view.fit({{std::min(sheet.page.min.x, window.min.x), std::min(sheet.page.min.y, window.min.y)},
+              {std::max(corner.x, window.max.x), std::max(corner.y, window.max.y)}},
              margin);
     return view;
 }

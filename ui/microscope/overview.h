@@ -20,7 +20,7 @@ class Overview : public QWidget {
 public:
     explicit Overview(const app::Session& session, QWidget* parent = nullptr);
 
-    void forget(); ///< the drawing has changed
+    void forget(); ///< the drawing or the clip window has changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -9,30 +9,30 @@ namespace {
 /// A line from press to release.
 class LineTool final : public Tool {
 public:
-    void press(const Pointer& pointer, Workbench&) override
+    void press(const Pointer& pointer, Workbench& bench) override
     {
         from_ = pointer;
-        to_ = pointer.position;
+        show(pointer.position, bench);
     }
-    void move(const Pointer& pointer, Workbench&) override
+    void move(const Pointer& pointer, Workbench& bench) override
     {
         if (from_)
-            to_ = endAt(pointer);
+            show(endAt(pointer), bench);
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
         if (from_ && dragged(from_->screen, pointer))
             draw(bench, {path(endAt(pointer))},
                  QCoreApplication::translate("Commands", "Draw line"));
-        from_.reset();
+        cancel(bench);
     }
-    void cancel(Workbench&) override { from_.reset(); }
+    void cancel(Workbench& bench) override
+    {
+        from_.reset();
+        bench.session.setPreview({});
+    }
     bool busy() const override { return from_.has_value(); }
     bool draws() const override { return true; }
-    std::optional<clipping::Segment> lineInHand() const override
-    {
-        return from_ ? std::optional(clipping::Segment{from_->position, to_}) : std::nullopt;
-    }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (from_)
@@ -40,6 +40,11 @@ public:
     }
 
 private:
+    void show(const app::Point& to, Workbench& bench)
+    {
+        to_ = to;
+        bench.session.setPreview({.line = clipping::Segment{from_->position, to}});
+    }
     app::Point endAt(const Pointer& pointer) const
     {
         return pointer.modifiers & Qt::ShiftModifier ? turned(from_->position, pointer.position)

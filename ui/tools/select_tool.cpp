@@ -32,9 +32,9 @@ public:
             forgetHovered();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
-    void cancel(Workbench&) override
+    void cancel(Workbench& bench) override
     {
-        gesture_.cancel();
+        gesture_.cancel(bench);
         drag_ = Drag::None;
     }
     bool busy() const override { return gesture_.going() || drag_ != Drag::None; }
@@ -42,8 +42,6 @@ public:
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     bool showsGrips() const override { return true; }
-    std::optional<clipping::Window> window() const override { return gesture_.window(); }
-    Tool::WindowGesture windowGesture() const override { return gesture_.kind(); }
     std::optional<app::Grip> litGrip() const override { return litGrip_; }
     std::optional<std::size_t> litSegment() const override { return litSegment_; }
     QString hint(const Workbench& bench) const override;
@@ -70,7 +68,7 @@ private:
                      const clipping::Window& bounds) const;
     void paintMoved(QPainter& painter, const Workbench& bench) const;
 
-    ui::WindowGesture gesture_;
+    WindowGesture gesture_;
     std::optional<app::Grip> litGrip_;
     std::optional<app::Grip> boxGrip_;      ///< of the selection's bounding box
     std::optional<std::size_t> litSegment_; ///< of the scene
@@ -109,7 +107,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
 void SelectTool::move(const Pointer& pointer, Workbench& bench)
 {
     if (gesture_.going()) {
-        gesture_.proceed(pointer);
+        gesture_.proceed(pointer, bench);
         return;
     }
     if (drag_ == Drag::None) {

@@ -51,8 +51,9 @@ constexpr double reach = 6, dragDistance = 3;
 /// How far an arrow key moves things: a millimetre on paper, with Shift ten.
 double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
 
-/// Turns what the pointer and keys do into commands: one gesture, one command. The canvas calls it;
-/// it never calls the canvas, which repaints after every call.
+/// Turns what the pointer and keys do into commands: one gesture, one command. In the middle of it
+/// the session's preview says what it would be. The canvas calls it; it never calls the canvas,
+/// which repaints after every call.
 class Tool {
 public:
     virtual ~Tool() = default;
@@ -80,19 +81,12 @@ public:
     virtual std::size_t pointsInHand() const { return 0; } ///< of the path that is being drawn
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
-    /// The window to clip with while a gesture changes it; nothing: the drawing's own.
-    virtual std::optional<clipping::Window> window() const { return std::nullopt; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
     virtual bool showsGrips() const { return false; } ///< of the clip window
-    /// What a gesture does to the clip window, for the label beside it.
-    enum class WindowGesture : std::uint8_t { None, Sizing, Moving };
-    virtual WindowGesture windowGesture() const { return WindowGesture::None; }
     /// The grip of the clip window that a press would drag: it is lit.
     virtual std::optional<app::Grip> litGrip() const { return std::nullopt; }
     /// The segment that a press would take: it is lit.
     virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
-    /// A line that is being drawn.
-    virtual std::optional<clipping::Segment> lineInHand() const { return std::nullopt; }
     /// What to say in the status bar just now; empty: the tool's usual hint.
     virtual QString hint(const Workbench&) const { return {}; }
     virtual bool draws() const { return false; } ///< new shapes, in the session's pen

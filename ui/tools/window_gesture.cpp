@@ -18,7 +18,7 @@ void WindowGesture::startNew(const Pointer& pointer)
     state_ = State{{1, 1}, pointer, pointer, std::nullopt};
 }
 
-void WindowGesture::proceed(const Pointer& pointer)
+void WindowGesture::follow(const Pointer& pointer)
 {
     if (!state_)
         return;
@@ -26,13 +26,27 @@ void WindowGesture::proceed(const Pointer& pointer)
     state_->drags |= dragged(state_->from.screen, pointer);
 }
 
+void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
+{
+    follow(pointer);
+    bench.session.setPreview(preview());
+}
+
+void WindowGesture::cancel(Workbench& bench)
+{
+    state_.reset();
+    bench.session.setPreview({});
+}
+
+// The preview ends after the command: the window does not jump back in between.
 void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
-    proceed(pointer);
+    follow(pointer);
     const auto result = window();
     state_.reset();
     if (result && *result != bench.session.sheet().window)
         bench.session.history.push(new app::SetWindow(bench.session.drawing, *result));
+    bench.session.setPreview({});
 }
 
 std::optional<clipping::Window> WindowGesture::window() const
@@ -61,17 +75,14 @@ std::optional<clipping::Window> WindowGesture::window() const
     return app::dragged(*state_->start, state_->grip, by, proportion, anchorOf(modifiers));
 }
 
-std::optional<app::Grip> WindowGesture::grip() const
+app::Preview WindowGesture::preview() const
 {
-    return state_ && state_->start ? std::optional(state_->grip) : std::nullopt;
-}
-
-Tool::WindowGesture WindowGesture::kind() const
-{
-    if (!window())
-        return Tool::WindowGesture::None;
+    const auto now = window();
+    if (!now)
+        return {};
     const bool moving = state_->start && state_->grip == app::Grip{};
-    return moving ? Tool::WindowGesture::Moving : Tool::WindowGesture::Sizing;
+    return {.window = now,
+            .drag = moving ? app::Preview::Drag::Moving : app::Preview::Drag::Sizing};
 }
 
 Qt::CursorShape cursorOf(app::Grip grip)

@@ -20,7 +20,7 @@ public:
     void move(const Pointer& pointer, Workbench& bench) override
     {
         if (gesture_.going())
-            gesture_.proceed(pointer);
+            gesture_.proceed(pointer, bench);
         else
             lit_ = gripUnder(pointer, bench);
     }
@@ -34,7 +34,7 @@ public:
             lit_.reset();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
-    void cancel(Workbench&) override { gesture_.cancel(); }
+    void cancel(Workbench& bench) override { gesture_.cancel(bench); }
     bool busy() const override { return gesture_.going(); }
 
     QCursor cursor(const Workbench&) const override
@@ -46,8 +46,6 @@ public:
         return app::SnapTo(std::uint8_t(app::SnapTo::Ends) | std::uint8_t(app::SnapTo::Middles));
     }
     bool showsGrips() const override { return true; }
-    std::optional<clipping::Window> window() const override { return gesture_.window(); }
-    Tool::WindowGesture windowGesture() const override { return gesture_.kind(); }
     std::optional<app::Grip> litGrip() const override { return lit_; }
 
 private:
@@ -63,7 +61,7 @@ private:
         return inside && !unset ? std::optional(app::Grip{}) : std::nullopt;
     }
 
-    ui::WindowGesture gesture_;
+    WindowGesture gesture_;
     std::optional<app::Grip> lit_;
 };
 

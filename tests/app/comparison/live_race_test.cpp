@@ -61,6 +61,11 @@ struct Track {
         race.setVariants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
         calls.clear();
     }
+    /// As a gesture does.
+    void show(const Window& window)
+    {
+        session.setPreview({.window = window, .drag = app::Preview::Drag::Moving});
+    }
     std::size_t roundsOn(const Window& window) const
     {
         return std::size_t(std::ranges::count_if(
@@ -80,7 +85,7 @@ private slots:
     void nobodyRunsUnlessSomebodyLooks()
     {
         Track t(2000);
-        t.race.frameShown(moved(1));
+        t.show(moved(1));
         QTest::qWait(250);
         QVERIFY(calls.empty());
         QVERIFY(t.race.rows().empty());
@@ -88,23 +93,45 @@ private slots:
         QTRY_VERIFY(t.race.rows().size() == 2);
         t.race.stop();
         const std::size_t before = calls.size();
-        t.race.frameShown(moved(2));
+        t.show(moved(2));
         QTest::qWait(250);
         QCOMPARE(calls.size(), before);
         QVERIFY(t.race.rows().empty());
     }
-    void nothingRunsInsideTheFrame()
+    /// A canvas asks for a frame by an event that is posted when the window moves.
+    void theFrameComesFirst()
     {
+        struct Canvas : QObject {
+            std::size_t callsBefore = 99;
+            bool event(QEvent* event) override
+            {
+                if (event->type() == QEvent::UpdateRequest)
+                    callsBefore = calls.size();
+                return QObject::event(event);
+            }
+        } canvas;
         Track t(2000);
+        connect(&t.session, &app::Session::previewChanged, &canvas, [&] {
+            QCoreApplication::postEvent(&canvas, new QEvent(QEvent::UpdateRequest),
+                                        Qt::LowEventPriority);
+        });
         t.race.start();
-        t.race.frameShown(moved(1));
+        t.show(moved(1));
         QVERIFY(calls.empty());
+        QTRY_VERIFY(t.race.upToDate());
+        QCOMPARE(canvas.callsBefore, std::size_t(0));
+        calls.clear();
+        canvas.callsBefore = 99;
+        t.show(moved(2)); // between two rounds
+        QVERIFY(calls.empty());
+        QTRY_VERIFY(t.roundsOn(moved(2)) >= 1);
+        QCOMPARE(canvas.callsBefore, std::size_t(0));
     }
     /// Also in the middle of a gesture, which has not reached the drawing yet.
-    void itIsTheWindowThatWasShown()
+    void itIsTheWindowThatIsShown()
     {
         Track t(2000);
-        t.race.frameShown(moved(3));
+        t.show(moved(3));
         t.race.start();
         QTRY_VERIFY(!t.race.rows().empty());
         QVERIFY(
@@ -116,7 +143,7 @@ private slots:
         Track t(2000);
         t.race.start();
         for (int i = 1; i <= 10; ++i) {
-            t.race.frameShown(moved(i));
+            t.show(moved(i));
             QTRY_VERIFY(t.roundsOn(moved(i)) >= 1);
         }
     }
@@ -125,7 +152,7 @@ private slots:
         Track t(2000);
         t.race.start();
         for (int i = 1; i <= 10; ++i)
-            t.race.frameShown(moved(i));
+            t.show(moved(i));
         QTRY_VERIFY(t.roundsOn(moved(10)) >= 1);
         for (int i = 1; i < 10; ++i)
             QCOMPARE(t.roundsOn(moved(i)), std::size_t(0));
@@ -143,10 +170,10 @@ private slots:
         QCOMPARE(t.race.rows().front().milliseconds.size(), app::Race::length);
         const std::size_t before = calls.size();
         QVERIFY(!shown.empty() && std::size_t(shown.size()) <= app::Race::length);
-        t.race.frameShown(moved(0)); // nothing new
+        t.show(moved(0)); // nothing new
         QTest::qWait(300);
         QCOMPARE(calls.size(), before);
-        t.race.frameShown(moved(1));
+        t.show(moved(1));
         QTRY_VERIFY(calls.size() > before);
         QVERIFY(!t.race.settled());
     }
@@ -182,12 +209,27 @@ private slots:
     void undoneWindowsAreRacedOn()
     {
         Track t(2000);
-        t.race.frameShown(moved(5));
+        t.race.start();
+        t.show(moved(5));
         t.session.history.push(new app::SetWindow(t.session.drawing, moved(5)));
+        t.session.setPreview({});
+        QTRY_VERIFY(t.race.upToDate());
+        QVERIFY(t.roundsOn(moved(5)) >= 1);
+        calls.clear();
         t.session.history.undo();
+        QVERIFY(!t.race.upToDate());
+        QTRY_VERIFY(t.race.upToDate());
+        QVERIFY(t.roundsOn(moved(0)) >= 1);
+    }
+    /// Of a gesture that is dropped nothing is left.
+    void droppedGesturesAreForgotten()
+    {
+        Track t(2000);
+        t.show(moved(5));
+        t.session.setPreview({});
         t.race.start();
         QTRY_VERIFY(!t.race.rows().empty());
-        QVERIFY(t.roundsOn(t.session.sheet().window) >= 1);
+        QVERIFY(t.roundsOn(moved(0)) >= 1);
         QCOMPARE(t.roundsOn(moved(5)), std::size_t(0));
     }
 };

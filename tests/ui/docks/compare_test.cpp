@@ -120,7 +120,7 @@ private slots:
         const auto visible = t.window->session()
                                  .scene
                                  .clip(clipping::exactAlgorithm().corrected,
-                                       t.window->canvas().window(), app::Scene::Removed::Left)
+                                       t.window->session().window(), app::Scene::Removed::Left)
                                  .inside.size();
         for (int row = 0; row < t.rows(); ++row)
             if (t.text(row, CompareModel::Name) == "EX")

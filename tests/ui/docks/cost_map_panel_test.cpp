@@ -16,6 +16,7 @@ struct Stage {
     Stage()
     {
         applyTheme(*qApp, Theme::Light);
+        session.drawing.setWindow(window);
         panel.resize(572, 560);
         const auto boxes = panel.findChildren<QComboBox*>();
         algorithm = boxes[0];
@@ -33,7 +34,8 @@ struct Stage {
     }
     CostMapView& view() { return panel.view(); }
 
-    CostMapPanel panel{window};
+    app::Session session;
+    CostMapPanel panel{session};
     QComboBox *algorithm, *measure;
 };
 
@@ -47,7 +49,8 @@ private slots:
     {
         Stage stage;
         QVERIFY(!stage.panel.live().asked());
-        stage.panel.setWindow({{0, 0}, {1, 1}});
+        stage.session.drawing.setWindow({{0, 0}, {1, 1}});
+        QTest::qWait(20);
         stage.algorithm->setCurrentIndex(0);
         QVERIFY(!stage.panel.live().asked() && !stage.panel.live().map());
         stage.show();
@@ -121,7 +124,6 @@ private slots:
     void exhibitsHaveTimesAlone()
     {
         Stage stage;
-        stage.panel.setWindow(window);
         const int exhibit = stage.algorithm->count() - 1;
         QVERIFY(!(stage.algorithm->model()->flags(stage.algorithm->model()->index(exhibit, 0))
                   & Qt::ItemIsEnabled));
@@ -151,6 +153,22 @@ private slots:
         QVERIFY(panel.exportTo("/nowhere/at/all.png"));
         test.action("cost-map")->trigger();
         QVERIFY(!panel.live().asked());
+    }
+
+    void theFixedEndStaysBesideTheWindow()
+    {
+        Stage stage;
+        stage.show();
+        const app::CostPlan before = *stage.panel.live().asked();
+        const app::Point by(7, 5);
+        stage.session.setPreview({.window = {{window.min + by, window.max + by}}});
+        QCOMPARE(stage.panel.live().asked()->window, window); // the frame comes first
+        QTRY_COMPARE(stage.panel.live().asked()->window, stage.session.window());
+        QVERIFY(glm::distance(stage.panel.live().asked()->fixed, before.fixed + by) < 1e-9);
+        stage.session.setPreview({});
+        QTemporaryDir folder;
+        QVERIFY(!stage.panel.exportTo(folder.filePath("map.csv")));
+        QCOMPARE(stage.panel.live().asked()->window, window); // not the one of before
     }
 
     void itFollowsTheWindowOfTheDrawing()
