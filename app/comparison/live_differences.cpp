@@ -72,7 +72,7 @@ Window placeOf(const Comparison& comparison, const Segment& line, const Window& 
 }
 
 LiveDifferences::LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent)
-    : QObject(parent), drawing_(drawing), scene_(scene)
+    : QObject(parent), scene_(scene), window_(drawing.sheet().window)
 {
     connect(&drawing, &Drawing::changed, this, &LiveDifferences::outdate);
     soon_.setSingleShot(true);
@@ -85,15 +85,28 @@ void LiveDifferences::ask(const std::optional<Comparison>& comparison)
     if (comparison == asked_)
         return;
     asked_ = comparison;
+    ofTheseLines_ = false;
     found_ = {};
     restart();
     emit changed();
 }
 
+void LiveDifferences::setWindow(const Window& window)
+{
+    if (window == window_)
+        return;
+    window_ = window;
+    if (asked_ && ofTheseLines_ && found_.window == window)
+        keep(std::move(found_)); // a gesture was dropped
+    else
+        restart();
+}
+
 void LiveDifferences::outdate(const Change& change)
 {
-    if (!asked_)
+    if (!asked_ || change.kind == Change::Kind::Window)
         return;
+    ofTheseLines_ = false;
     restart();
     if (change.kind != Change::Kind::Everything)
         return;
@@ -103,21 +116,30 @@ void LiveDifferences::outdate(const Change& change)
 
 void LiveDifferences::restart()
 {
-    passing_.reset();
     growing_.reset();
     work_.stop();
     soon_.stop();
     upToDate_ = !asked_;
-    if (asked_)
-        soon_.start(scene_.segments().size() <= mostAtOnce ? 0 : idleMilliseconds);
+    if (!asked_)
+        return;
+    if (scene_.segments().size() > mostAtOnce)
+        return soon_.start(idleMilliseconds);
+    // Posted, not by a timer: requests to paint are posted, too, with less priority.
+    if (!std::exchange(posted_, true))
+        QMetaObject::invokeMethod(this, &LiveDifferences::findAtOnce, Qt::QueuedConnection);
+}
+
+void LiveDifferences::findAtOnce()
+{
+    posted_ = false;
+    if (!upToDate_ && scene_.segments().size() <= mostAtOnce)
+        keep(extended({window_}, *asked_, scene_.segments(), mostAtOnce));
 }
 
 void LiveDifferences::begin()
 {
     soon_.stop();
-    if (passing_ && passing_->window == drawing_.sheet().window)
-        return keep(*std::exchange(passing_, std::nullopt));
-    growing_ = Differences{drawing_.sheet().window};
+    growing_ = Differences{window_};
     work_.start(0);
     if (scene_.segments().size() > mostAtOnce)
         emit begun();
@@ -133,9 +155,11 @@ void LiveDifferences::work()
 
 void LiveDifferences::keep(Differences found)
 {
+    growing_.reset();
+    soon_.stop();
     work_.stop();
     found_ = std::move(found);
-    upToDate_ = true;
+    upToDate_ = ofTheseLines_ = true;
     emit changed();
 }
 
@@ -149,20 +173,12 @@ void LiveDifferences::finish()
         work();
 }
 
-const Differences* LiveDifferences::at(const Window& window)
+const Differences* LiveDifferences::at(const Window& window) const
 {
-    if (!asked_)
-        return nullptr;
-    if (upToDate_ && found_.window == window)
-        return &found_;
-    if (scene_.segments().size() > mostAtOnce)
-        return nullptr;
-    if (!passing_ || passing_->window != window)
-        passing_ = extended({window}, *asked_, scene_.segments(), mostAtOnce);
-    return &*passing_;
+    return asked_ && upToDate_ && found_.window == window ? &found_ : nullptr;
 }
 
-std::span<const Clipped> LiveDifferences::piecesAt(const Window& window)
+std::span<const Clipped> LiveDifferences::piecesAt(const Window& window) const
 {
     const Differences* now = at(window);
     return now ? std::span<const Clipped>(now->pieces) : std::span<const Clipped>();

@@ -33,8 +33,10 @@ Differences extended(Differences so, const Comparison& comparison,
 clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
                          const clipping::Window& window);
 
-/// What differs between A and B in an open drawing, while a panel shows it. It is found between
-/// events, some milliseconds at a time, so that nothing has to wait for it.
+/// What differs between A and B in an open drawing, while a panel shows it. Up to `mostAtOnce`
+/// lines are compared in one go, before the next frame; more of them between events, some
+/// milliseconds at a time, when a series of changes is over. Painting reads what was found and
+/// computes nothing.
 class LiveDifferences : public QObject {
     Q_OBJECT
 
@@ -44,19 +46,20 @@ public:
     /// Nothing: no panel shows it, and nothing is computed.
     void ask(const std::optional<Comparison>& comparison);
     const std::optional<Comparison>& asked() const { return asked_; }
+    /// Where the clip window lies now, in the middle of a gesture too.
+    void setWindow(const clipping::Window& window);
 
     /// What was found last. While not up to date, of a drawing that has changed since: a line may
-    /// be gone.
+    /// be gone; or of another window.
     const Differences& found() const { return found_; }
     bool upToDate() const { return upToDate_; }
     void finish(); ///< now, not soon
 
-    /// Most lines of which what differs is found within a frame.
     static constexpr std::size_t mostAtOnce = 100'000;
-    /// All of it, or what to colour, where the window lies now, in the middle of a gesture too;
-    /// nothing if there are too many lines to say it at once. Valid until the next call or change.
-    const Differences* at(const clipping::Window& window);
-    std::span<const clipping::Clipped> piecesAt(const clipping::Window& window);
+    /// All of it, or what to colour, at that window; nothing if that is not known (yet). Valid
+    /// until the next change.
+    const Differences* at(const clipping::Window& window) const;
+    std::span<const clipping::Clipped> piecesAt(const clipping::Window& window) const;
 
 signals:
     void changed(); ///< the question, or what was found
@@ -65,17 +68,19 @@ signals:
 private:
     void outdate(const Change& change);
     void restart();
+    void findAtOnce();
     void begin();
     void work();
     void keep(Differences found);
 
-    const Drawing& drawing_;
     const Scene& scene_;
     std::optional<Comparison> asked_;
+    clipping::Window window_;
     Differences found_;
     std::optional<Differences> growing_; ///< what is being found
-    std::optional<Differences> passing_; ///< at a window that a gesture moves
     bool upToDate_ = true;
+    bool ofTheseLines_ = false; ///< found_ is, whatever its window is
+    bool posted_ = false;       ///< findAtOnce() will be called
     QTimer soon_, work_;
 };
 

@@ -17,6 +17,10 @@ Session::Session(QObject* parent) : QObject(parent)
         if (inspected_ && *inspected_ >= scene.segments().size())
             inspect(std::nullopt);
     });
+    connect(this, &Session::previewChanged, this, [this] {
+        differences.setWindow(window());
+        truth.setWindow(window());
+    });
 }
 
 void Session::setDisplay(const Display& display)

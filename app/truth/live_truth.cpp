@@ -17,7 +17,7 @@ constexpr int idleMilliseconds = 150; // many lines wait until a series of chang
 } // namespace
 
 LiveTruth::LiveTruth(const Drawing& drawing, const Scene& scene, QObject* parent)
-    : QObject(parent), drawing_(drawing), scene_(scene)
+    : QObject(parent), scene_(scene), window_(drawing.sheet().window)
 {
     connect(&drawing, &Drawing::changed, this, &LiveTruth::outdate);
     soon_.setSingleShot(true);
@@ -33,6 +33,7 @@ void LiveTruth::ask(const std::optional<Question>& question)
     asked_ = question;
     if (same && upToDate_) // only measured otherwise
         return keep(std::move(found_));
+    ofTheseLines_ = false;
     found_ = {};
     counts_ = {};
     pieces_.clear();
@@ -40,10 +41,22 @@ void LiveTruth::ask(const std::optional<Question>& question)
     emit changed();
 }
 
+void LiveTruth::setWindow(const Window& window)
+{
+    if (window == window_)
+        return;
+    window_ = window;
+    if (asked_ && ofTheseLines_ && found_.window == window)
+        keep(std::move(found_)); // a gesture was dropped
+    else
+        restart();
+}
+
 void LiveTruth::outdate(const Change& change)
 {
-    if (!asked_)
+    if (!asked_ || change.kind == Change::Kind::Window)
         return;
+    ofTheseLines_ = false;
     restart();
     if (change.kind == Change::Kind::Everything) {
         found_ = {};
@@ -55,19 +68,30 @@ void LiveTruth::outdate(const Change& change)
 
 void LiveTruth::restart()
 {
-    passing_.reset();
     growing_.reset();
     work_.stop();
     soon_.stop();
     upToDate_ = !asked_;
-    if (asked_)
-        soon_.start(scene_.segments().size() <= mostAtOnce ? 0 : idleMilliseconds);
+    if (!asked_)
+        return;
+    if (scene_.segments().size() > mostAtOnce)
+        return soon_.start(idleMilliseconds);
+    // Posted, not by a timer: requests to paint are posted, too, with less priority.
+    if (!std::exchange(posted_, true))
+        QMetaObject::invokeMethod(this, &LiveTruth::findAtOnce, Qt::QueuedConnection);
+}
+
+void LiveTruth::findAtOnce()
+{
+    posted_ = false;
+    if (!upToDate_ && scene_.segments().size() <= mostAtOnce)
+        keep(extended({window_}, asked_->variant, scene_.segments(), mostAtOnce));
 }
 
 void LiveTruth::begin()
 {
     soon_.stop();
-    growing_ = Truths{drawing_.sheet().window};
+    growing_ = Truths{window_};
     work_.start(0);
     work();
 }
@@ -87,12 +111,13 @@ void LiveTruth::work()
 
 void LiveTruth::keep(Truths found)
 {
+    growing_.reset();
+    soon_.stop();
     work_.stop();
     found_ = std::move(found);
     counts_ = counted(found_, asked_->yardstick);
     pieces_ = piecesOf(found_);
-    passing_.reset();
-    upToDate_ = true;
+    upToDate_ = ofTheseLines_ = true;
     emit changed();
 }
 
@@ -120,18 +145,11 @@ LiveTruth::Pieces LiveTruth::piecesOf(const Truths& truths) const
     return pieces;
 }
 
-std::span<const std::vector<Clipped>> LiveTruth::piecesAt(const Window& window)
+std::span<const std::vector<Clipped>> LiveTruth::piecesAt(const Window& window) const
 {
-    if (!asked_)
+    if (!asked_ || !upToDate_ || found_.window != window)
         return {};
-    if (upToDate_ && found_.window == window)
-        return pieces_;
-    const auto lines = scene_.segments();
-    if (lines.size() > mostAtOnce)
-        return {};
-    if (!passing_ || passing_->first != window)
-        passing_ = {window, piecesOf(extended({window}, asked_->variant, lines, lines.size()))};
-    return passing_->second;
+    return pieces_;
 }
 
 } // namespace app

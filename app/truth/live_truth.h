@@ -8,8 +8,9 @@
 
 namespace app {
 
-/// How right an algorithm is about every line of an open drawing, while that is shown. It is found
-/// between events, some milliseconds at a time.
+/// How right an algorithm is about every line of an open drawing, while that is shown. Up to
+/// `mostAtOnce` lines are judged in one go, before the next frame; more of them between events,
+/// some milliseconds at a time, when a series of changes is over.
 class LiveTruth : public QObject {
     Q_OBJECT
 
@@ -24,20 +25,21 @@ public:
     /// No question: nothing is shown, and nothing is computed.
     void ask(const std::optional<Question>& question);
     const std::optional<Question>& asked() const { return asked_; }
+    /// Where the clip window lies now, in the middle of a gesture too.
+    void setWindow(const clipping::Window& window);
 
-    /// What was found last. While not up to date, of a drawing that has changed since.
+    /// What was found last. While not up to date, of a drawing that has changed since, or of
+    /// another window.
     const Truths& found() const { return found_; }
     const TruthCounts& counts() const { return counts_; }
     bool upToDate() const { return upToDate_; }
     double progress() const; ///< of what is being found: 0 to 1
     void finish();           ///< now, not soon
 
-    /// Most lines that are judged within a frame.
     static constexpr std::size_t mostAtOnce = 10'000;
-    /// What to colour, by errorClasses(), where the window lies now, in the middle of a gesture
-    /// too; empty if nothing was asked, or if there are too many lines to answer at once. Valid
-    /// until the next call or change.
-    std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window);
+    /// What to colour, by errorClasses(), at that window; empty if nothing was asked, or if it is
+    /// not known (yet). Valid until the next change.
+    std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window) const;
 
 signals:
     void changed();    ///< the question, or what was found
@@ -48,20 +50,22 @@ private:
 
     void outdate(const Change& change);
     void restart();
+    void findAtOnce();
     void begin();
     void work();
     void keep(Truths found);
     Pieces piecesOf(const Truths& truths) const;
 
-    const Drawing& drawing_;
     const Scene& scene_;
     std::optional<Question> asked_;
+    clipping::Window window_;
     Truths found_;
     TruthCounts counts_;
     Pieces pieces_;
     std::optional<Truths> growing_;
-    std::optional<std::pair<clipping::Window, Pieces>> passing_; ///< where a gesture moves it
     bool upToDate_ = true;
+    bool ofTheseLines_ = false; ///< found_ is, whatever its window is
+    bool posted_ = false;       ///< findAtOnce() will be called
     QTimer soon_, work_;
 };
 

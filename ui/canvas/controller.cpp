@@ -33,8 +33,8 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session, &app::Session::previewChanged, this, &Controller::changed);
-    connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::outdate);
-    connect(&session.truth, &app::LiveTruth::changed, this, &Controller::outdate);
+    connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
+    connect(&session.truth, &app::LiveTruth::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {
         tool_->cancel(bench_);
         emit stepsChanged();
@@ -51,9 +51,15 @@ Controller::Controller(app::Session& session, QObject* parent)
 
 void Controller::outdate()
 {
-    ++revision_;
     snap_.reset(); // perhaps to what is no longer there
     emit hintChanged();
+    renew();
+}
+
+// The lines are the same, their picture is not.
+void Controller::renew()
+{
+    ++revision_;
     emit changed();
 }
 
@@ -139,15 +145,9 @@ std::size_t Controller::visibleLines(const app::Frame& frame) const
     return app::visibleLines(frame, session_.display().keep);
 }
 
-// Corrected forms hardly ever differ: they are looked at when a gesture is over.
 const app::Differences* Controller::differing(const Pane& pane) const
 {
-    if (!pane.fromExact)
-        return nullptr;
-    if (pane.choice.form == clipping::Form::Published)
-        return pane.fromExact->at(window());
-    const app::Differences& found = pane.fromExact->found();
-    return pane.fromExact->upToDate() && found.window == window() ? &found : nullptr;
+    return pane.fromExact ? pane.fromExact->at(window()) : nullptr;
 }
 
 /// Lines in the colours of their errors; those that are wrong differ.

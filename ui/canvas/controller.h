@@ -111,6 +111,7 @@ signals:
 private:
     void addErrors(app::PictureOptions& options) const;
     void outdate();
+    void renew();
     void followDisplay();
     bool mayDraw() const;
     void pointerEvent(QMouseEvent& event);

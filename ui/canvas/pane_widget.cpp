@@ -6,8 +6,9 @@
 namespace ui {
 
 PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
-    : QWidget(parent), fromExact_(controller.session().drawing, controller.session().scene),
-      pane_{{&app::usualAlgorithm()}}, heading_(new PaneHeading(this)),
+    : QWidget(parent), session_(controller.session()),
+      fromExact_(session_.drawing, session_.scene), pane_{{&app::usualAlgorithm()}},
+      heading_(new PaneHeading(this)),
       surface_((backend == Backend::OpenGL ? makeGlSurface : makeRasterSurface)(
           controller, pane_,
           [this](const FrameTimes& times) {
@@ -25,6 +26,14 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
         ++pane_.revision;
         drawing.update();
     });
+    connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
+}
+
+// Corrected forms hardly ever differ: they are compared when a gesture is over.
+void PaneWidget::followWindow()
+{
+    if (pane_.choice.form == clipping::Form::Published || !session_.preview().window)
+        fromExact_.setWindow(session_.window());
 }
 
 void PaneWidget::show(const Pane& pane, Heading heading)
@@ -35,6 +44,7 @@ void PaneWidget::show(const Pane& pane, Heading heading)
     pane_.revision = revision;
     pane_.fromExact = marks ? &fromExact_ : nullptr;
     fromExact_.ask(marks ? std::optional(app::Comparison{pane.choice}) : std::nullopt);
+    followWindow();
     heading_->show(pane);
     heading_->setVisible(heading == Heading::Shown);
     place();

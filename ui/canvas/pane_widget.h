@@ -31,7 +31,9 @@ protected:
 
 private:
     void place();
+    void followWindow();
 
+    const app::Session& session_;
     app::LiveDifferences fromExact_;
     Pane pane_;
     PaneHeading* heading_;

@@ -124,9 +124,15 @@ private slots:
         session.differences.ask(kwcAgainstExact());
         session.differences.finish();
         const Window moved{{120, 90}, {320, 240}};
+        const auto before = session.differences.found().list;
         const auto expected = atOnce(session, kwcAgainstExact(), moved);
-        QVERIFY(expected != session.differences.found().list);
+        QVERIFY(expected != before);
+        QVERIFY(session.differences.piecesAt(moved).empty()); // to ask computes nothing
+        session.setPreview({.window = moved});
+        QVERIFY(session.differences.piecesAt(moved).empty());
+        QCoreApplication::sendPostedEvents(); // before anybody paints
         const auto pieces = session.differences.piecesAt(moved);
+        QCOMPARE(session.differences.found().list, expected);
         QCOMPARE(pieces.size(), expected.size() + app::counted(expected).endsApart);
         for (const app::Difference& difference : expected)
             if (difference.kind == app::Difference::Kind::OnlyB)
@@ -137,8 +143,43 @@ private slots:
                                                   session.scene.segments()[difference.source],
                                                   moved);
                 }));
-        // The list is of the window that the drawing has.
+        session.setPreview({});
+        QCoreApplication::sendPostedEvents();
         QCOMPARE(session.differences.found().window, paper);
+        QCOMPARE(session.differences.found().list, before);
+    }
+
+    /// When the gesture rests, and once: the command that it becomes finds nothing new.
+    void manyLinesFollowAGestureThatRests()
+    {
+        app::Session session;
+        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce + 1));
+        session.differences.ask(kwcAgainstExact());
+        session.differences.finish();
+        QSignalSpy begun(&session.differences, &LiveDifferences::begun);
+        Window moved = paper;
+        for (int i = 1; i <= 5; ++i) {
+            moved = {paper.min + double(i), paper.max + double(i)};
+            session.setPreview({.window = moved});
+            QCoreApplication::processEvents();
+            QVERIFY(!session.differences.upToDate());
+        }
+        QTRY_VERIFY(session.differences.upToDate());
+        QCOMPARE(begun.size(), 1);
+        QCOMPARE(session.differences.found().list, atOnce(session, kwcAgainstExact(), moved));
+        session.history.push(new app::SetWindow(session.drawing, moved));
+        session.setPreview({});
+        QVERIFY(session.differences.upToDate());
+        // One that is dropped costs nothing.
+        session.setPreview({.window = paper});
+        QVERIFY(!session.differences.upToDate());
+        session.setPreview({});
+        QVERIFY(session.differences.upToDate());
+        QVERIFY(!session.differences.piecesAt(moved).empty());
+        session.setPreview({.window = paper});
+        session.drawing.splice(0, 1, {});
+        session.setPreview({}); // the lines are others meanwhile
+        QVERIFY(!session.differences.upToDate());
     }
 
     void onlyWhenAskedSomethingElse()

@@ -200,9 +200,11 @@ inline void whatDiffersIsColouredAndFollowsTheGesture(ui::Backend backend)
     stage.key(Qt::Key_W);
     stage.press({75, 80}); // the lower side
     stage.move({75, 70}, Qt::LeftButton);
+    QTRY_VERIFY(stage.session.differences.upToDate());
     QVERIFY(isMarked({100.25, 50}));
     QVERIFY(!isMarked({100.4, 75})); // now it is outside
     stage.move({75, 95}, Qt::LeftButton);
+    QTRY_VERIFY(stage.session.differences.upToDate());
     QVERIFY(isMarked({100.45, 85}));
     QCOMPARE(stage.session.history.count(), 0);
     stage.release({75, 95});

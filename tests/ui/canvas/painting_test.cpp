@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A paint event computes nothing but the clipping of its frame, the picture and its pixels: what
+// differs and how exact an algorithm is were found before.
+#include <functional>
+
+#include "tests/ui/canvas/pane_stage.h"
+
+using namespace clipping;
+
+namespace {
+
+int painting = 0;  // paint events that are being handled
+int callsIn = 0;   // of the counted algorithm, in the paint event that is being handled
+int mostCalls = 0; // of it in any paint event
+int callsOutside = 0;
+int paints = 0;
+std::function<void()> atPaint = [] {};
+
+/// Knows when a widget paints.
+class Application : public QApplication {
+public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override
+    {
+        if (event->type() != QEvent::Paint)
+            return QApplication::notify(receiver, event);
+        if (painting++ == 0)
+            callsIn = 0;
+        ++paints;
+        atPaint();
+        const bool done = QApplication::notify(receiver, event);
+        mostCalls = std::max(mostCalls, callsIn);
+        --painting;
+        return done;
+    }
+};
+
+std::size_t countedClipAll(std::span<const Segment> in, const Window& window,
+                           std::span<Clipped> out)
+{
+    ++(painting > 0 ? callsIn : callsOutside);
+    return findAlgorithm("kwc")->published->clipAll(in, window, out);
+}
+
+/// Published KWC, which loses lines, with its calls counted.
+const Algorithm& counted()
+{
+    static const auto uses = [] {
+        auto made = *findAlgorithm("kwc")->published;
+        made.clipAll = countedClipAll;
+        return made;
+    }();
+    static const Algorithm row = [] {
+        Algorithm made = *findAlgorithm("kwc");
+        made.published = &uses;
+        return made;
+    }();
+    return row;
+}
+
+void forget() { mostCalls = callsOutside = paints = 0; }
+
+/// Drags the window's corner, a frame at each step.
+void dragCorner(Stage& stage, int steps)
+{
+    stage.canvas->setTool("window");
+    const app::Point corner = stage.session.sheet().window.max;
+    stage.move(corner);
+    stage.press(corner);
+    for (int i = 1; i <= steps; ++i) {
+        const int before = paints;
+        stage.move(corner - app::Point(4. * i, 2. * i), Qt::LeftButton,
+                   Qt::ControlModifier); // which does not snap
+        QTRY_VERIFY(paints > before);
+    }
+}
+
+} // namespace
+
+class PaintingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { ui::applyTheme(*qApp, ui::Theme::Light); }
+    void cleanup()
+    {
+        atPaint = [] {};
+    }
+
+    void comparesNothing()
+    {
+        Stage stage(ui::Backend::Raster, steepLines());
+        const app::Variant variant{&counted(), published};
+        stage.session.differences.ask(app::Comparison{variant});
+        stage.session.truth.ask(app::LiveTruth::Question{variant});
+        QTRY_VERIFY(stage.session.differences.upToDate() && stage.session.truth.upToDate());
+        stage.canvas->settle();
+        forget();
+        int marked = 0;
+        atPaint = [&] {
+            marked += stage.session.differences.at(stage.session.window()) != nullptr
+                      && !stage.session.truth.piecesAt(stage.session.window()).empty();
+        };
+        dragCorner(stage, 8);
+        QVERIFY(stage.session.preview().window);
+        QCOMPARE(mostCalls, 0);
+        QVERIFY(callsOutside >= 8);
+        QCOMPARE(marked, paints); // no frame without its marks: they do not flicker
+        QVERIFY(!stage.session.differences.found().list.empty());
+        stage.key(Qt::Key_Escape);
+        QTRY_COMPARE(stage.session.differences.found().window, stage.session.sheet().window);
+        QCOMPARE(mostCalls, 0);
+    }
+
+    /// A pane whose algorithm differs from exact clips once a frame, as every pane does.
+    void panesClipOnce()
+    {
+        PaneStage stage(2);
+        app::Panes panes = stage.canvas->panes();
+        panes.activate(1);
+        panes.choose({&counted(), published});
+        stage.canvas->setPanes(panes);
+        stage.canvas->settle();
+        forget();
+        dragCorner(stage, 8);
+        QCOMPARE(mostCalls, 1);
+        QVERIFY(callsOutside >= 8); // to be compared
+    }
+};
+
+int main(int argc, char** argv)
+{
+    Application application(argc, argv);
+    PaintingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "painting_test.moc"
