@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/history.h"
+#include "app/commands/move_shapes.h"
+#include "app/commands/remove_shapes.h"
+#include "app/commands/resize_shapes.h"
+#include "app/commands/set_style.h"
+#include "app/document/bounds.h"
+#include "app/view/picking.h"
+#include "app/view/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+/// What document.cpp draws: lines that touch nothing, or pen lines of 100 segments.
+enum class Drawn : std::uint8_t { Loose, Polylines };
+
+/// A document being edited, with its scene and its history. All that the benchmark needs to know of
+/// the document's interface is in here.
+class MeasuredDocument {
+public:
+    using Selection = app::ObjectRanges;
+
+    /// Objects are appended one by one, as readers of files do.
+    MeasuredDocument(Drawn drawn, std::size_t segments) : drawing_(sheetOf(drawn, segments)) {}
+
+    void makeScene() { scene_ = std::make_unique<app::Scene>(drawing_); }
+    void makePicking() { picking_ = std::make_unique<app::Picking>(drawing_, *scene_); }
+    std::size_t segments() const { return scene_->segments().size(); }
+    std::size_t objects() const { return drawing_.sheet().shapes.size(); }
+
+    app::Frame clip(app::Scene::Removed removed)
+    {
+        const auto& exact = clipping::findAlgorithm("exact")->corrected;
+        return scene_->clip(exact, drawing_.sheet().window, removed);
+    }
+    app::Picture picture(const app::Frame& frame) const
+    {
+        app::PictureOptions options;
+        options.view.size = {1280, 800};
+        options.view.fit(drawing_.sheet().page.rectangle());
+        return app::picture(drawing_.sheet(), *scene_, frame, options);
+    }
+    void hover(const app::Point& at) const { picking_->nearest(at, 5); }
+
+    Selection neighbours(std::size_t first, std::size_t count) const
+    {
+        return Selection(app::ObjectRange{first, std::min(first + count, objects())});
+    }
+    Selection scattered(std::size_t count, unsigned seed) const
+    {
+        std::mt19937_64 random(seed);
+        Selection selection;
+        while (selection.size() < std::min(count, objects()))
+            selection.insert(random() % objects());
+        return selection;
+    }
+    Selection everything() const { return neighbours(0, objects()); }
+    void findBox(const Selection& selection) const { app::boundsOf(*scene_, selection); }
+
+    // Each is one step to undo, and leaves the scene up to date.
+    void move(const Selection& selection)
+    {
+        push(new app::MoveShapes(drawing_, selection, {1.5, -0.5}));
+    }
+    void resize(const Selection& selection)
+    {
+        const clipping::Window to{{0, 0}, {0.999, 0.998}};
+        push(new app::ResizeShapes(drawing_, selection, {{0, 0}, {1, 1}}, to));
+    }
+    void restyle(const Selection& selection, double width)
+    {
+        const auto widen = [width](app::Style& style) { style.width = width; };
+        push(new app::SetStyle(drawing_, selection, widen, QStringLiteral("Width")));
+    }
+    void remove(const Selection& selection) { push(new app::RemoveShapes(drawing_, selection)); }
+    void undo() { history_.undo(); }
+    void redo() { history_.redo(); }
+    void forgetHistory() { history_.clear(); }
+
+    /// What autosave and export work on while editing goes on.
+    auto snapshot() const { return std::make_unique<app::Sheet>(drawing_.sheet()); }
+
+private:
+    static app::Sheet sheetOf(Drawn drawn, std::size_t segments)
+    {
+        std::mt19937_64 random(1);
+        std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17);
+        std::uniform_real_distribution<double> angle(0, 2 * M_PI);
+        app::Sheet sheet;
+        sheet.page = {{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
+        sheet.window = {{320, 200}, {960, 600}};
+        const std::size_t each = drawn == Drawn::Loose ? 1 : 100;
+        for (std::size_t done = 0; done < segments; done += each) {
+            app::Shape shape;
+            shape.style.stroke = app::Colour{};
+            auto& [start, run, closed] = shape.paths.emplace_back();
+            app::Point at = start = {x(random), y(random)};
+            for (std::size_t i = 0; i < each; ++i) {
+                const double l = length(random), t = angle(random);
+                run.push_back({at += l * app::Point(std::cos(t), std::sin(t))});
+            }
+            sheet.shapes.push_back(std::move(shape));
+        }
+        return sheet;
+    }
+    void push(app::UndoCommand* step) { history_.push(step); }
+
+    app::Drawing drawing_;
+    std::unique_ptr<app::Scene> scene_;
+    std::unique_ptr<app::Picking> picking_;
+    app::History history_;
+};

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures what it takes to open a file, until its picture is on a canvas of 1280 x 800:
+// opening FILE
+#include "app/view/raster.h"
+#include "ui/canvas/canvas.h"
+
+#include <QApplication>
+
+#include "tests/benchmarks/figures.h"
+#include "tests/benchmarks/used_memory.h"
+
+namespace {
+
+app::Imported drawingIn(const QString& path)
+{
+    auto read = app::readFile(path);
+    if (!read)
+        qFatal("%s", qPrintable(read.error));
+    return std::move(*read.value);
+}
+
+app::Frame clip(app::Session& session)
+{
+    return session.scene.clip(session.uses(), session.sheet().window, app::Scene::Removed::Kept);
+}
+
+app::Picture picture(app::Session& session, const app::Frame& frame)
+{
+    app::PictureOptions options;
+    options.view.size = {1280, 800};
+    options.view.fit(session.sheet().page.rectangle());
+    return app::picture(session.sheet(), session.scene, frame, options);
+}
+
+// A stage of opening: what it takes, and the most memory until its end.
+template <class Work>
+double stage(FigureTable& table, const std::string& what, Work work)
+{
+    double elapsed = 0;
+    const double busy = processorTime([&] { elapsed = elapsedTime(work); });
+    table.print(what.c_str(), elapsed, "ms");
+    table.print((what + ", processor").c_str(), busy, "ms");
+    table.print((what + ", most memory").c_str(), peakMegabytes(), "MB");
+    return elapsed;
+}
+
+// The parts of a frame, once it has been shown.
+void printParts(FigureTable& table, app::Session& session)
+{
+    const auto five = [&](const char* what, auto work) {
+        table.print(what, Figures::of(5, [&](int) { work(); }));
+    };
+    five("clip with ghosts", [&] { clip(session); });
+    const app::Frame frame = clip(session);
+    five("make a picture", [&] { picture(session, frame); });
+    const app::Picture made = picture(session, frame);
+    five("paint it, 1 thread", [&] {
+        app::rasterised(made, {0, 800}, {.width = 1280, .ghost = 0.25});
+    });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const QApplication application(argc, argv);
+    if (argc != 2)
+        qFatal("Usage: opening FILE");
+    FigureTable table;
+    table.print("before opening, most memory", peakMegabytes(), "MB");
+    std::optional<app::Imported> read;
+    app::Session session;
+    double sum = stage(table, "read", [&] { read = drawingIn(QString::fromLocal8Bit(argv[1])); });
+    sum += stage(table, "load", [&] { session.load(*std::exchange(read, {})); });
+    ui::Canvas canvas(session, ui::Backend::Raster);
+    canvas.resize(1280 + 20, 800 + 20); // with the rulers
+    sum += stage(table, "show", [&] {
+        canvas.show();
+        QCoreApplication::processEvents();
+        canvas.repaint();
+    });
+    sum += stage(table, "show in full quality", [&] { canvas.settle(); });
+    table.print("all of that", sum, "ms");
+    table.print("lines", double(session.scene.segments().size()), "lines");
+    printParts(table, session);
+}
