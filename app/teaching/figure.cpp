@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure.h"
 
+#include "app/overlays/label_places.h"
 #include "app/teaching/figure_labels.h"
 
 #include <QFontMetricsF>
@@ -67,19 +68,11 @@ void hatch(const Picture& s, const QRectF& area)
 {
     if (area.isEmpty())
         return;
-    const double gap = 9 * s.u;
     QColor quiet = s.colours.rule;
     quiet.setAlphaF(0.7F);
     s.painter.setPen(pen(quiet, s.u));
-    const auto first = int(std::floor((area.left() + area.top()) / gap));
-    const auto last = int(std::ceil((area.right() + area.bottom()) / gap));
-    for (int line = first; line < last; ++line) {
-        const double sum = line * gap; // x + y
-        const double left = std::max(area.left(), sum - area.bottom());
-        const double right = std::min(area.right(), sum - area.top());
-        if (left < right)
-            s.painter.drawLine(QPointF(left, sum - left), QPointF(right, sum - right));
-    }
+    for (const QLineF& line : hatching(area, 9 * s.u))
+        s.painter.drawLine(line);
 }
 
 void paintWindow(const Picture& s)
