@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/trace_file.h"
 
-#include "app/formats/painted.h"
 #include "app/formats/replace_file.h"
 #include "app/formats/write_all.h"
 #include "app/latin.h"
@@ -20,13 +19,6 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("TraceFile", text); }
 
-PaintedPage pageOf(const TraceExport& trace, std::size_t step)
-{
-    return {{slideWidth, slideHeight}, [&trace, step](QPainter& painter) {
-                paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
-            }};
-}
-
 PaintedCaption captionOf(const TraceExport& trace, std::size_t step)
 {
     return {slideTitle(trace.specimen, trace.walk, step), slideSentence(trace.walk, step)};
@@ -34,19 +26,19 @@ PaintedCaption captionOf(const TraceExport& trace, std::size_t step)
 
 QByteArray svg(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    return svgOf(pageOf(trace, steps.front()), captionOf(trace, steps.front()));
+    return svgOf(slidePage(trace, steps.front()), captionOf(trace, steps.front()));
 }
 
 QByteArray png(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    return pngOf(pageOf(trace, steps.front()), captionOf(trace, steps.front()), trace.scale);
+    return pngOf(slidePage(trace, steps.front()), captionOf(trace, steps.front()), trace.scale);
 }
 
 QByteArray pdf(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     std::vector<PaintedPage> pages;
     for (const std::size_t step : steps)
-        pages.push_back(pageOf(trace, step));
+        pages.push_back(slidePage(trace, step));
     return pdfOf(pages, {titleOf(trace.specimen.variant), {}});
 }
 
@@ -56,6 +48,13 @@ bool oneFile(const TraceExport& trace, const TraceFormat& format)
 }
 
 } // namespace
+
+PaintedPage slidePage(const TraceExport& trace, std::size_t step)
+{
+    return {{slideWidth, slideHeight}, [&trace, step](QPainter& painter) {
+                paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
+            }};
+}
 
 std::vector<std::size_t> TraceExport::steps() const
 {

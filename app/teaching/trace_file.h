@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/painted.h"
 #include "app/teaching/slide.h"
 
 #include <QByteArray>
@@ -23,6 +24,9 @@ struct TraceExport {
     /// The steps, in their order; of a walk without any: 0, the line and the window.
     std::vector<std::size_t> steps() const;
 };
+
+/// The slide of one step. To be painted while `trace` is there.
+PaintedPage slidePage(const TraceExport& trace, std::size_t step);
 
 /// One row of the catalogue of what a trace can be saved as.
 struct TraceFormat {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/painted.h"
 #include "app/teaching/trace_file.h"
 
 #include <QImage>
-#include <QPainter>
 
 #include <algorithm>
 #include <array>
@@ -28,10 +26,7 @@ int delayOf(const Walk& walk, std::size_t step)
 
 QImage frameOf(const TraceExport& trace, std::size_t step)
 {
-    const auto paint = [&](QPainter& painter) {
-        paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
-    };
-    return imageOf({{slideWidth, slideHeight}, paint}, trace.scale);
+    return imageOf(slidePage(trace, step), trace.scale);
 }
 
 /// Colours that are alike: five bits of each part.
