@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+namespace app {
+
+/// A value with several owners, on any threads. What is shared is never written: `own` copies it
+/// first. Unlike `std::shared_ptr::use_count`, `isShared` acquires: what an owner that has gone
+/// read of the value happened before. One that was moved from may only be assigned to or destroyed.
+template <class T>
+class Shared {
+public:
+    Shared() : at_(new Counted) {}
+    explicit Shared(T value) : at_(new Counted{{1}, std::move(value)}) {}
+    Shared(const Shared& other) noexcept : at_(other.at_)
+    {
+        at_->owners.fetch_add(1, std::memory_order_relaxed);
+    }
+    Shared(Shared&& other) noexcept : at_(std::exchange(other.at_, nullptr)) {}
+    Shared& operator=(Shared other) noexcept
+    {
+        std::swap(at_, other.at_);
+        return *this;
+    }
+    ~Shared()
+    {
+        if (at_ && at_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1)
+            delete at_;
+    }
+
+    const T& operator*() const { return at_->value; }
+    const T* operator->() const { return &at_->value; }
+    bool isShared() const { return at_->owners.load(std::memory_order_acquire) != 1; }
+    /// The value, to write to: a copy of its own if it had other owners. The reference is valid
+    /// until this owner is copied.
+    T& own()
+    {
+        if (isShared())
+            *this = Shared(**this);
+        return at_->value;
+    }
+
+    friend bool sameAddress(const Shared& a, const Shared& b) { return a.at_ == b.at_; }
+    /// Equal values; the same address is equal at once.
+    friend bool operator==(const Shared& a, const Shared& b) { return a.at_ == b.at_ || *a == *b; }
+
+private:
+    struct Counted {
+        std::atomic<std::uint32_t> owners{1};
+        T value{};
+    };
+    Counted* at_;
+};
+
+} // namespace app
