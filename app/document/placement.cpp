@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/placement.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+bool addsNothing(double offset) { return offset == 0 && std::signbit(offset); }
+
+// -0 through the second step could become 0, which is not what the second step adds.
+double then(double offset, double scale, double next)
+{
+    return addsNothing(offset) ? next : offset * scale + next;
+}
+
+} // namespace
+
+Point Placement::operator()(const Point& p) const { return p * scale + offset; }
+
+Placement Placement::then(const Placement& next) const
+{
+    if (usual() || next.usual())
+        return usual() ? next : *this;
+    return {scale * next.scale,
+            {app::then(offset.x, next.scale.x, next.offset.x),
+             app::then(offset.y, next.scale.y, next.offset.y)}};
+}
+
+bool Placement::usual() const
+{
+    return scale == Point(1, 1) && addsNothing(offset.x) && addsNothing(offset.y);
+}
+
+} // namespace app

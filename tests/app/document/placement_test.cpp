@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/placement.h"
+
+#include <QTest>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "tests/clipping/random.h"
+
+using namespace app;
+
+namespace {
+
+std::array<std::uint64_t, 2> bitsOf(const Point& p)
+{
+    return std::bit_cast<std::array<std::uint64_t, 2>>(std::array{p.x, p.y});
+}
+
+Placement of(Random& r, auto number) { return {{number(r), number(r)}, {number(r), number(r)}}; }
+
+} // namespace
+
+class PlacementTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theUsualOneChangesNoBit()
+    {
+        Random r(1);
+        for (int i = 0; i < 100'000; ++i) {
+            const Point p{anyNumber(r), anyNumber(r)};
+            QCOMPARE(bitsOf(Placement{}(p)), bitsOf(p));
+        }
+        for (const double x : {-0.0, 0.0, double(INFINITY), -double(INFINITY)})
+            QCOMPARE(bitsOf(Placement{}(Point(x))), bitsOf(Point(x)));
+        QVERIFY(Placement{}.usual());
+        QVERIFY(!(Placement{{1, 1}, {0, -0.0}}).usual()); // makes 0 of -0
+        QVERIFY(!(Placement{{1, 2}, {-0.0, -0.0}}).usual());
+    }
+    // Scale 1 moves only: one rounding, as an addition has. -0 moves nothing: one rounding, too.
+    void oneOfTheTwoRoundsOnce()
+    {
+        Random r(2);
+        for (int i = 0; i < 100'000; ++i) {
+            const Point p{anyNumber(r), anyNumber(r)}, q{anyNumber(r), anyNumber(r)};
+            QCOMPARE(bitsOf(Placement{{1, 1}, q}(p)), bitsOf(p + q));
+            QCOMPARE(bitsOf(Placement{q, {-0.0, -0.0}}(p)), bitsOf(p * q));
+        }
+    }
+    void theyComposeExactlyWhereNothingIsRounded()
+    {
+        Random r(3);
+        const auto whole = [](Random& random) { return double(random.whole(-8, 8)); };
+        for (int i = 0; i < 100'000; ++i) {
+            const Placement a = of(r, whole), b = of(r, whole);
+            const Point p{whole(r), whole(r)};
+            QCOMPARE(a.then(b)(p), b(a(p)));
+        }
+    }
+    void theyComposeWithinAFewRoundings()
+    {
+        Random r(4);
+        const auto real = [](Random& random) { return random.between(-8, 8); };
+        for (int i = 0; i < 100'000; ++i) {
+            const Placement a = of(r, real), b = of(r, real);
+            const Point p{real(r), real(r)};
+            const Point once = a.then(b)(p), twice = b(a(p));
+            for (const int k : {0, 1}) {
+                const double size =
+                    (std::abs(p[k] * a.scale[k]) + std::abs(a.offset[k])) * std::abs(b.scale[k])
+                    + std::abs(b.offset[k]);
+                QVERIFY(std::abs(once[k] - twice[k]) <= 3 * size * 0x1p-52);
+            }
+        }
+    }
+    void theUsualOneBeforeOrAfterIsNothing()
+    {
+        Random r(5);
+        for (int i = 0; i < 1000; ++i) {
+            const Placement some = of(r, [](Random& random) { return anyNumber(random); });
+            for (const Placement& same : {some.then(Placement{}), Placement{}.then(some)}) {
+                QCOMPARE(bitsOf(same.scale), bitsOf(some.scale));
+                QCOMPARE(bitsOf(same.offset), bitsOf(some.offset));
+            }
+        }
+    }
+    void aScaleTurnedOverKeepsTheSignOfZero()
+    {
+        const Placement twice{{2, 2}, {-0.0, -0.0}}, flip{{-1, 1}, {-0.0, -0.0}};
+        for (const double x : {0.0, -0.0})
+            QCOMPARE(bitsOf(twice.then(flip)(Point(x))), bitsOf(flip(twice(Point(x)))));
+    }
+};
+
+QTEST_APPLESS_MAIN(PlacementTest)
+#include "placement_test.moc"
