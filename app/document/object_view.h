@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/object_block.h"
+
+namespace app {
+
+/// An object where it lies; valid as long as the objects that it is one of are kept and not edited.
+class ObjectView {
+public:
+    ObjectView(const ObjectBlock& block, std::size_t at, const StyleTable& styles)
+        : block_(&block), at_(at), styles_(&styles)
+    {
+    }
+    Path path() const { return block_->path(at_); }
+    /// The line or the point (a == b) that it is, if it is nothing else; cheaper than by `path`.
+    std::optional<clipping::Segment> singleLine() const
+    {
+        return block_->paths.empty() ? block_->lines[at_] : block_->paths[at_].singleLine();
+    }
+    StyleIndex styleIndex() const { return block_->style(at_); }
+    const Style& style() const { return (*styles_)[styleIndex()]; }
+    bool hidden() const { return block_->isHidden(at_); }
+    const Particulars& particulars() const { return *block_->particularsOf(at_); }
+    ObjectRow row() const { return {path(), styleIndex(), hidden(), block_->particularsOf(at_)}; }
+    Object copy() const { return {path(), style(), particulars(), hidden()}; }
+
+private:
+    const ObjectBlock* block_;
+    std::size_t at_;
+    const StyleTable* styles_;
+};
+
+} // namespace app
