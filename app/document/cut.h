@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/clip_windows.h"
 #include "app/document/sheet.h"
 #include "clipping/algorithm.h"
 
 namespace app {
-
-enum class Keep : std::uint8_t { Inside, Outside };
 
 /// The shapes that a cut acts on. Everything: hidden and locked shapes too, so that no geometry
 /// stays on the wrong side. Editable: hidden shapes and locked layers stay whole.
