@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/container.h"
+#include "app/document/shared.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// Where a container opens or closes in painting order, and how many objects follow before the
+/// next mark. They belong to the container that opens, or to the one around that which closes.
+struct ContainerMark {
+    std::uint32_t id : 31;
+    std::uint32_t closes : 1;
+    std::uint32_t objects;
+    friend bool operator==(const ContainerMark&, const ContainerMark&) = default;
+};
+
+/// Marks in painting order: the tree, written down with brackets. They are kept in blocks that
+/// copies share.
+class ContainerMarks {
+public:
+    static constexpr std::size_t mostInBlock = 256;
+    /// A place in the sequence, until the next change.
+    struct At {
+        std::size_t block = 0, index = 0;
+        friend bool operator==(const At&, const At&) = default;
+    };
+
+    ContainerMarks() = default;
+    explicit ContainerMarks(std::span<const ContainerMark> marks) { replace({}, {}, marks); }
+
+    std::size_t objects() const { return objects_; } ///< fewer than 2^32
+    At begin() const { return {}; }
+    At end() const { return {blocks_.size(), 0}; }
+    At next(const At& at) const;
+    At previous(const At& at) const; ///< not for `begin()`
+    const ContainerMark& operator[](const At& at) const;
+
+    std::size_t objectsBefore(const At& at) const; ///< O(mostInBlock)
+    /// The mark that the object follows without another in between; the object must be there.
+    At before(std::size_t object) const;
+    /// The last mark for which `holds` is true. It must be true for the first, and false for all
+    /// after one for which it is false. O(log marks).
+    template <class Holds>
+    At lastWhere(const Holds& holds) const;
+
+    /// Puts `marks` in the place of [from, to). O(their number + blocks).
+    void replace(const At& from, const At& to, std::span<const ContainerMark> marks);
+
+    /// How many marks, and blocks as such, this thread has looked at: for tests of how many steps
+    /// something takes.
+    inline static thread_local std::size_t steps = 0;
+
+private:
+    using Block = std::vector<ContainerMark>; // never empty
+
+    void exchangeBlocks(std::size_t first, std::size_t last, std::vector<Shared<Block>> blocks);
+
+    std::vector<Shared<Block>> blocks_;
+    std::vector<std::uint32_t> before_; ///< objects before each block
+    std::size_t objects_ = 0;
+};
+
+template <class Holds>
+ContainerMarks::At ContainerMarks::lastWhere(const Holds& holds) const
+{
+    const auto lastIn = [&](std::size_t count, const auto& mark) {
+        std::size_t last = 0;
+        for (std::size_t end = count; end - last > 1; ++steps) {
+            const std::size_t middle = last + (end - last) / 2;
+            (holds(mark(middle)) ? last : end) = middle;
+        }
+        return last;
+    };
+    const std::size_t block =
+        lastIn(blocks_.size(), [&](std::size_t i) { return blocks_[i]->front(); });
+    const Block& marks = *blocks_[block];
+    return {block, lastIn(marks.size(), [&](std::size_t i) { return marks[i]; })};
+}
+
+} // namespace app

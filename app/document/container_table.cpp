@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/container_table.h"
+
+#include <utility>
+
+namespace app {
+
+ContainerTable::ContainerTable() { add({}, 0); }
+
+void ContainerTable::setContainer(Container container)
+{
+    const ContainerId id = container.id;
+    own(id).container = std::make_shared<const Container>(std::move(container));
+}
+
+ContainerId ContainerTable::add(Container container, ContainerId parent)
+{
+    container.id = end_;
+    if (end_ % size == 0)
+        blocks_.emplace_back(std::vector<Entry>(size));
+    own(end_).parent = parent;
+    setContainer(std::move(container));
+    return end_++;
+}
+
+} // namespace app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/container_marks.h"
+#include "app/document/container_table.h"
+#include "app/document/object_ranges.h"
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// The tree of layers and groups of a document. It says how many objects each container has, in
+/// painting order; the objects themselves lie elsewhere.
+///
+/// The first level are layers, at least one, and only they lie directly in the document. Layers can
+/// lie in layers, groups anywhere but on the first level. A container may have objects below,
+/// between and above the containers in it.
+///
+/// A value: the edits give another tree and share with it what they leave alone, so that the trees
+/// of a history together cost little. Questions take O(log containers) steps, or O(depth), where
+/// nothing else is said; edits O(containers / 256).
+class Containers {
+public:
+    static constexpr std::size_t mostContainers = 100'000;
+    static constexpr int deepest = 500; ///< containers around an object
+
+    Containers(); ///< one layer, "Drawing", without objects
+
+    std::size_t size() const { return count_; }              ///< the number of containers
+    std::size_t objects() const { return marks_.objects(); } ///< in all of them
+    bool contains(ContainerId id) const { return table_.contains(id); }
+    const Container& operator[](ContainerId id) const { return *table_[id].container; }
+    /// The container around it; 0 for layers of the first level. Not for 0.
+    ContainerId parentOf(ContainerId id) const { return table_[id].parent; }
+    int depthOf(ContainerId id) const; ///< 1 on the first level
+    /// Those directly in it, bottom to top; of 0: the first level. O(children · log).
+    std::vector<ContainerId> childrenOf(ContainerId id) const;
+    std::vector<ContainerId> inOrder() const;  ///< all, each before those in it; bottom to top
+    ObjectRange rangeOf(ContainerId id) const; ///< with those of the containers in it
+    /// The innermost container and layer around an object that is there.
+    ContainerId containerOf(std::size_t object) const;
+    ContainerId layerOf(std::size_t object) const;
+    bool shown(ContainerId id) const;  ///< it is visible, and so are all around it
+    bool locked(ContainerId id) const; ///< it is locked, or one around it is
+    /// Objects that are not shown because of a container, and those that are locked. For loops over
+    /// all objects: O(containers).
+    ObjectRanges hiddenRanges() const;
+    ObjectRanges lockedRanges() const;
+
+    /// The tree with another name, visibility … of the container of that id. Its kind stays.
+    Containers with(const Container& changed) const;
+    /// Objects [first, first + removed) leave the tree, then `added` others come to the place
+    /// `first`: directly into `into`, which has or touches that place, above the containers without
+    /// objects there. Groups that lose their last object vanish; layers stay. O(containers) if
+    /// objects of so many are removed.
+    Containers spliced(std::size_t first, std::size_t removed, std::size_t added,
+                       ContainerId into) const;
+    /// With a new container in `parent`, above the first `at` of the containers directly in it. It
+    /// takes over the parent's objects [range.first, range.end) and the containers among them:
+    /// those from `at` on that begin before range.end. An empty range says where among the objects
+    /// it lies. It gets the id `nextId()`; the one in `container` does not matter. Nothing if there
+    /// were more than `mostContainers` then, or more than `deepest` around an object. O(children of
+    /// the parent + containers taken over).
+    std::optional<Containers> inserted(Container container, ContainerId parent, std::size_t at,
+                                       const ObjectRange& range) const;
+    /// Without the container; what is in it goes to the one around it, to the same place. Not for
+    /// a layer of the first level. O(children).
+    Containers dissolved(ContainerId id) const;
+    /// Without the container and all that is in it, objects too. Not for the last layer of the
+    /// first level. O(containers in it).
+    Containers removed(ContainerId id) const;
+    /// The id that `inserted` gives: above all that this tree has, or its predecessors had.
+    ContainerId nextId() const { return table_.end(); }
+
+    /// The same containers with the same ids, objects and order.
+    friend bool operator==(const Containers& a, const Containers& b);
+
+private:
+    friend class ContainersBuilder;
+    using At = ContainerMarks::At;
+
+    Containers(const ContainerMarks& marks, ContainerTable table, std::size_t count);
+
+    At opening(ContainerId id) const { return labelled(table_[id].opens); }
+    At closing(ContainerId id) const { return labelled(table_[id].closes); }
+    At labelled(std::uint64_t label) const;
+    std::uint64_t labelOf(const ContainerMark& mark) const;
+    ContainerId ownerOf(const ContainerMark& mark) const; ///< of the objects behind it
+    int heightOf(ContainerId id) const;                   ///< 1 without containers in it
+    template <class Holds>
+    ObjectRanges rangesWhere(const Holds& holds) const;
+
+    void spreadLabels();
+    void giveLabels(ContainerId id, const At& opening, const At& closing);
+    void insertAt(const At& at, std::size_t object, ContainerMark mark);
+    void eraseMark(const At& at);
+    void forget(ContainerId id);
+
+    ContainerMarks marks_; ///< all that open and close in the tree, in painting order
+    ContainerTable table_;
+    std::size_t count_ = 0;
+};
+
+} // namespace app
