@@ -78,6 +78,20 @@ private slots:
         }
         QVERIFY(contacts > 1'000);
     }
+
+    // An end that alone is visible comes back as it was given: not as End 1 and the whole way from
+    // there, which rounding may take elsewhere.
+    void correctedKeepsAnEndThatTouches()
+    {
+        Random random(1);
+        for (int i = 0; i < 10'000; ++i) {
+            const Window w{{random.unit(), 0}, {2, 1}};
+            const Segment s{{w.min.x - random.between(1e-3, 9), random.between(-3, 3)},
+                            {w.min.x, random.unit()}};
+            const auto result = midpointSubdivision().corrected.clip(s, w);
+            QVERIFY2(result && sameBits(*result, Segment{s.b, s.b}), exactly(Input{s, w}).c_str());
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(MidpointSubdivisionTest)
