@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document.h"
+
+#include <cassert>
+#include <utility>
+
+namespace app {
+namespace {
+
+// Puts the new value in the place of the old one, if there is a new one; gives the old one.
+template <class T>
+std::optional<T> exchange(T& value, const std::optional<T>& by)
+{
+    if (!by)
+        return std::nullopt;
+    return std::exchange(value, *by);
+}
+
+} // namespace
+
+Document::Document(DocumentParts parts) : parts_(std::move(parts))
+{
+    assert(containers().objects() == objects().size());
+}
+
+bool Document::shown(std::size_t object) const
+{
+    return !objects()[object].hidden() && containers().shown(containers().containerOf(object));
+}
+
+bool Document::editable(std::size_t object) const
+{
+    return shown(object) && !containers().locked(containers().containerOf(object));
+}
+
+Edit Document::apply(const Edit& edit)
+{
+    DocumentParts& parts = parts_.own();
+    Edit back;
+    if (!edit.splices.empty()) {
+        back.splices = inverse(edit.splices);
+        back.objects = parts.objects.splice(edit.splices, edit.objects);
+    }
+    back.containers = exchange(parts.containers, edit.containers);
+    back.windows = exchange(parts.windows, edit.windows);
+    back.page = exchange(parts.page, edit.page);
+    assert(parts.containers.objects() == parts.objects.size());
+    return back;
+}
+
+} // namespace app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/clip_windows.h"
+#include "app/document/containers.h"
+#include "app/document/objects.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// What one step changes in a document, as a value: objects are exchanged in places, and what else
+/// is given takes the place of what was there. The history keeps edits, not documents.
+struct Edit {
+    std::vector<Splice> splices{}; ///< ascending, not overlapping, numbered as before the edit
+    Objects objects{};             ///< all that are added, one after the other
+    /// The tree afterwards, of as many objects as there are then; needed where their number or
+    /// their containers change.
+    std::optional<Containers> containers{};
+    std::optional<ClipWindows> windows{};
+    std::optional<Page> page{};
+
+    /// Bytes that only this edit keeps alive, without those of its tree, which shares nearly all
+    /// with the tree of the document.
+    std::size_t ownBytes() const;
+};
+
+/// The splices that put back what those exchanged, numbered as after them.
+std::vector<Splice> inverse(std::span<const Splice> splices);
+
+/// The tree after the splices. What a splice adds goes to the container of the first object that it
+/// removes; where it removes none, into `into`, which must have or touch that place.
+Containers spliced(Containers containers, std::span<const Splice> splices, ContainerId into = 0);
+
+} // namespace app
