@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
+
+#include "app/document/compared_window.h"
+#include "app/document/document_builder.h"
+
+namespace app {
+namespace {
+
+Container containerOf(const Layer& layer)
+{
+    return {.kind = Container::Kind::Layer,
+            .name = layer.name,
+            .svgId = layer.id,
+            .visible = layer.visible,
+            .locked = layer.locked};
+}
+
+// The layers of a document in a row, with their objects.
+class Row {
+public:
+    Row(const Document& document, Sheet& sheet) : document_(document), sheet_(sheet)
+    {
+        for (const ContainerId id : containers().childrenOf(0))
+            addLayer(id, {});
+    }
+
+private:
+    // A layer of the document, and where its last part lies in the sheet.
+    struct Open {
+        Layer layer;
+        int parts = 0;
+        std::size_t index = 0;
+    };
+
+    const Containers& containers() const { return document_.containers(); }
+
+    void addLayer(ContainerId id, const Layer& around)
+    {
+        const Container& layer = containers()[id];
+        Open open{{layer.name, layer.visible && around.visible, layer.locked || around.locked,
+                   layer.svgId}};
+        begin(open);
+        addContents(id, open, true);
+    }
+
+    // Objects and containers in painting order.
+    void addContents(ContainerId id, Open& open, bool visible)
+    {
+        const ObjectRange all = containers().rangeOf(id);
+        std::size_t next = all.first;
+        for (const ContainerId child : containers().childrenOf(id)) {
+            const ObjectRange range = containers().rangeOf(child);
+            addObjects({next, range.first}, open, visible);
+            const Container& inner = containers()[child];
+            if (inner.kind == Container::Kind::Layer)
+                addLayer(child, open.layer);
+            else
+                addContents(child, open, visible && inner.visible);
+            next = range.end;
+        }
+        addObjects({next, all.end}, open, visible);
+    }
+
+    void addObjects(const ObjectRange& range, Open& open, bool visible)
+    {
+        if (range.empty())
+            return;
+        if (open.index + 1 != sheet_.layers.size())
+            begin(open);
+        document_.objects().forEach(
+            range.first, range.size(), [&](std::size_t, const ObjectView& object) {
+                sheet_.shapes.push_back({object.path().subpaths(), object.style(),
+                                         object.particulars().id, std::uint32_t(open.index),
+                                         object.hidden() || !visible});
+            });
+    }
+
+    void begin(Open& open)
+    {
+        Layer layer = open.layer;
+        if (open.parts++ > 0) {
+            layer.name = QStringLiteral("%1 (%2)").arg(layer.name).arg(open.parts);
+            layer.id.clear(); // an id is there once
+        }
+        open.index = sheet_.layers.size();
+        sheet_.layers.push_back(layer);
+    }
+
+    const Document& document_;
+    Sheet& sheet_;
+};
+
+} // namespace
+
+Document documentOf(const Sheet& sheet)
+{
+    DocumentBuilder builder;
+    auto shape = sheet.shapes.begin();
+    for (std::size_t i = 0; i < sheet.layers.size(); ++i) {
+        builder.open(containerOf(sheet.layers[i]));
+        for (; shape != sheet.shapes.end() && shape->layer == i; ++shape)
+            builder.add(Object{Path(shape->paths), shape->style, {.id = shape->id}, shape->hidden});
+        builder.close();
+    }
+    return builder.take(sheet.page, sheet.about, {{{.shape = RectangleShape{sheet.window}}}});
+}
+
+Sheet sheetOf(const Document& document)
+{
+    Sheet sheet;
+    sheet.page = document.page();
+    sheet.about = document.about();
+    sheet.window = comparedWindow(document.windows(), document.page()).window;
+    sheet.layers.clear();
+    sheet.shapes.reserve(document.objects().size());
+    Row(document, sheet);
+    return sheet;
+}
+
+} // namespace app
