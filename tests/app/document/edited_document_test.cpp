@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/edited_document.h"
+
+#include <QTest>
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "tests/app/document/random_documents.h"
+
+namespace {
+
+std::size_t allocations = 0;
+std::size_t mostAllocations = std::numeric_limits<std::size_t>::max();
+
+} // namespace
+
+// Counts what is taken from the heap, which can be short of memory.
+void* operator new(std::size_t size)
+{
+    if (allocations >= mostAllocations)
+        throw std::bad_alloc();
+    ++allocations;
+    if (void* taken = std::malloc(size > 0 ? size : 1))
+        return taken;
+    throw std::bad_alloc();
+}
+void operator delete(void* given) noexcept { std::free(given); }
+void operator delete(void* given, std::size_t) noexcept { std::free(given); }
+
+using namespace app;
+
+namespace {
+
+/// What a document tells of its changes.
+struct Listener : QObject {
+    explicit Listener(const EditedDocument& document)
+    {
+        splices.reserve(100); // so that it needs no memory later
+        connect(&document, &EditedDocument::changed, this, [&](const DocumentChange& change) {
+            last = change;
+            splices.assign(change.splices.begin(), change.splices.end());
+            now = document.now();
+            ++count;
+        });
+    }
+    QString told() const
+    {
+        return QString(last.everything ? "e" : "") + (last.objects ? "o" : "")
+               + (last.containers ? "c" : "") + (last.windows ? "w" : "") + (last.page ? "p" : "");
+    }
+
+    int count = 0;
+    DocumentChange last;
+    std::vector<Splice> splices;
+    Document now;
+};
+
+} // namespace
+
+class EditedDocumentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tellsOnceOfAnEdit()
+    {
+        RandomDocuments random(7);
+        EditedDocument document(random.document(100));
+        const Listener listener(document);
+        Edit edit{.splices = {{3, 1, 2}, {10, 0, 0}, {20, 2, 1}}};
+        for (int i = 0; i < 3; ++i)
+            edit.objects.append(random.object());
+        const auto splices = edit.splices;
+        edit = document.apply(edit);
+        QCOMPARE(listener.count, 1);
+        QCOMPARE(listener.told(), QString("o"));
+        QVERIFY(listener.splices == splices);
+        QVERIFY(sameAddress(listener.now, document.now()));
+
+        document.apply(edit);
+        QVERIFY(listener.splices == inverse(splices));
+        document.apply(
+            {.containers = document.now().containers(), .windows = ClipWindows{}, .page = Page{}});
+        QCOMPARE(listener.told(), QString("cwp"));
+        QVERIFY(listener.splices.empty());
+        QCOMPARE(listener.count, 3);
+    }
+
+    void tellsOfAnotherDocument()
+    {
+        RandomDocuments random(8);
+        const Document other = random.document(5);
+        EditedDocument document(random.document(5));
+        const Listener listener(document);
+        document.load(other);
+        QCOMPARE(listener.count, 1);
+        QCOMPARE(listener.told(), QString("eocwp"));
+        QVERIFY(sameAddress(document.now(), other));
+        QVERIFY(sameAddress(listener.now, other));
+    }
+
+    // What was there is freed, if no snapshot has it, before the change is told.
+    void whatWasIsFreedFirst()
+    {
+        EditedDocument document(RandomDocuments(9).document(5));
+        const Shared<ObjectBlock> block = document.now().objects().blocks().front();
+        bool freed = false;
+        connect(&document, &EditedDocument::changed, this, [&] { freed = !block.isShared(); });
+        document.apply({.page = Page{{1, 1}}});
+        QVERIFY(!freed);
+        document.load({});
+        QVERIFY(freed);
+    }
+
+    void aSnapshotIsOneMoreOwner()
+    {
+        RandomDocuments random(10);
+        for (const std::size_t objects : {0U, 10U, 5000U}) {
+            const EditedDocument document(random.document(objects));
+            const std::size_t before = allocations;
+            const Document snapshot = document.snapshot();
+            QCOMPARE(allocations, before);
+            QVERIFY(sameAddress(snapshot, document.now()));
+        }
+    }
+
+    // Whatever cannot be allocated, an edit is done or not.
+    void withoutMemoryNothingChanges()
+    {
+        RandomDocuments random(11);
+        for (int round = 0; round < 20; ++round) {
+            EditedDocument document(random.document(100));
+            const Edit edit = random.edit(document.now());
+            Document expected = document.now();
+            expected.apply(edit);
+            const Listener listener(document);
+            const Document before = document.snapshot();
+            bool done = false;
+            for (std::size_t enough = 0; !done; ++enough) {
+                mostAllocations = allocations + enough;
+                try {
+                    document.apply(edit);
+                    done = true;
+                } catch (const std::bad_alloc&) {
+                }
+                mostAllocations = std::numeric_limits<std::size_t>::max();
+                QCOMPARE(listener.count, int(done));
+                QVERIFY(done || sameAddress(document.now(), before));
+            }
+            QVERIFY(document.now() == expected);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(EditedDocumentTest)
+#include "edited_document_test.moc"
