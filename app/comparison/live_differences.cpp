@@ -97,9 +97,11 @@ void LiveDifferences::setWindow(const Window& window)
         return;
     window_ = window;
     if (asked_ && ofTheseLines_ && found_.window == window)
-        keep(std::move(found_)); // a gesture was dropped
-    else
-        restart();
+        return keep(std::move(found_)); // a gesture was dropped
+    const bool was = upToDate_;
+    restart();
+    if (asked_ && was && scene_.segments().size() > mostAtOnce)
+        emit changed(); // what was found is of another window for a while
 }
 
 void LiveDifferences::outdate(const Change& change)

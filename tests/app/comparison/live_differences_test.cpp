@@ -157,12 +157,14 @@ private slots:
         session.differences.ask(kwcAgainstExact());
         session.differences.finish();
         QSignalSpy begun(&session.differences, &LiveDifferences::begun);
+        QSignalSpy changed(&session.differences, &LiveDifferences::changed);
         Window moved = paper;
         for (int i = 1; i <= 5; ++i) {
             moved = {paper.min + double(i), paper.max + double(i)};
             session.setPreview({.window = moved});
             QCoreApplication::processEvents();
             QVERIFY(!session.differences.upToDate());
+            QCOMPARE(changed.size(), 1); // panels hear at once that their figures are old
         }
         QTRY_VERIFY(session.differences.upToDate());
         QCOMPARE(begun.size(), 1);
