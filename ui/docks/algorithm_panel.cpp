@@ -65,7 +65,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });
     connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
     connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
-    connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::outdate);
+    connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followWindow);
     connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
     idle_.setSingleShot(true);
     idle_.setInterval(idleMilliseconds);
@@ -84,6 +84,15 @@ void AlgorithmPanel::compare()
     tick_->show();
     ask_->hide();
     paintVerdict();
+}
+
+// A line that is being drawn is no other window.
+void AlgorithmPanel::followWindow()
+{
+    if (window_ == session_.window())
+        return;
+    window_ = session_.window();
+    outdate();
 }
 
 void AlgorithmPanel::outdate()

@@ -31,6 +31,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void followWindow();
     void outdate();
     void follow();
     void paintVerdict();
@@ -40,6 +41,7 @@ private:
     QLabel *tick_, *verdict_;
     QPushButton* ask_;
     QTimer idle_;
+    clipping::Window window_{};
     std::vector<app::Dissent> dissents_;
 };
 

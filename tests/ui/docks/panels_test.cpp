@@ -202,6 +202,28 @@ private slots:
         QCOMPARE(panel.verdict(), "All algorithms, corrected, agree here");
         QVERIFY(panel.dissents().empty());
     }
+    void aLineBeingDrawnKeepsTheVerdict()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        app::Sheet sheet;
+        app::Subpath many{{0, 0}, std::vector<app::PathSegment>(150'001), false};
+        for (std::size_t i = 0; i < many.segments.size(); ++i)
+            many.segments[i].to = {double(i % 100), double(i % 77)};
+        sheet.shapes.emplace_back().paths.push_back(std::move(many));
+        session.load({std::move(sheet), {}});
+        AlgorithmPanel& panel = t.window->algorithmPanel();
+        const auto labels = panel.findChildren<QLabel*>();
+        const auto verdict = std::ranges::find(labels, "Agreement", &QLabel::accessibleName);
+        QVERIFY(verdict != labels.end() && !(*verdict)->isVisible()); // only when it is asked for
+        panel.compare();
+        session.setPreview({.line = clipping::Segment{{1, 1}, {9, 9}}});
+        QVERIFY((*verdict)->isVisible());
+        session.setPreview({.window = clipping::Window{{1, 1}, {9, 9}}});
+        QVERIFY(!(*verdict)->isVisible());
+    }
     void theFormIsChosen()
     {
         TestWindow t;
