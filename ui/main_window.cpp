@@ -92,7 +92,8 @@ void MainWindow::limitHistory()
     session_.history.setLimit(std::size_t(megabytes) * megabyte);
     const auto sayWhy = [this, megabytes] {
         tell({Message::Kind::Warning,
-              tr("The oldest steps can no longer be undone: Undo may use at most %1 MB of memory.")
+              tr("The oldest steps can no longer be undone: Undo may use at most %1 MB of memory. "
+                 "Save a copy if you may need this state again.")
                   .arg(app::countText(std::size_t(megabytes)))});
     };
     connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {

@@ -275,7 +275,8 @@ private slots:
         QVERIFY(t.window->message().isEmpty());
         restyle();
         QTRY_COMPARE(t.window->message(), "The oldest steps can no longer be undone: Undo may use "
-                                          "at most 2 MB of memory.");
+                                          "at most 2 MB of memory. Save a copy if you may "
+                                          "need this state again.");
         QCOMPARE(session.history.count(), 1);
         t.window->tell({});
         restyle();
