@@ -106,6 +106,11 @@ private slots:
         QVERIFY((after.rangeOf(ids[0]) == ObjectRange{0, 4}));
         QVERIFY(after.rangeOf(ids[1]).empty());
         QVERIFY((after.rangeOf(ids[2]) == ObjectRange{4, 8}));
+        // As many as went, but from two layers: all of them into the first one's.
+        const Containers across = spliced(before, std::array{Splice{1, 2, 2}});
+        QVERIFY((across.rangeOf(ids[0]) == ObjectRange{0, 3}));
+        QVERIFY((across.rangeOf(ids[1]) == ObjectRange{3, 4}));
+        QVERIFY(spliced(before, std::array{Splice{2, 2, 2}}) == before);
     }
 
     // One edit after another is done, undone and done again; then all are undone.
