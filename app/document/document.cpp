@@ -9,11 +9,11 @@ namespace {
 
 // Puts the new value in the place of the old one, if there is a new one; gives the old one.
 template <class T>
-std::optional<T> exchange(T& value, const std::optional<T>& by)
+std::optional<T> exchange(T& value, std::optional<T> by) noexcept
 {
-    if (!by)
-        return std::nullopt;
-    return std::exchange(value, *by);
+    if (by)
+        std::swap(value, *by);
+    return by;
 }
 
 } // namespace
@@ -37,13 +37,14 @@ Edit Document::apply(const Edit& edit)
 {
     DocumentParts& parts = parts_.own();
     Edit back;
+    Edit by{{}, {}, edit.containers, edit.windows, edit.page}; // what follows cannot fail
     if (!edit.splices.empty()) {
         back.splices = inverse(edit.splices);
         back.objects = parts.objects.splice(edit.splices, edit.objects);
     }
-    back.containers = exchange(parts.containers, edit.containers);
-    back.windows = exchange(parts.windows, edit.windows);
-    back.page = exchange(parts.page, edit.page);
+    back.containers = exchange(parts.containers, std::move(by.containers));
+    back.windows = exchange(parts.windows, std::move(by.windows));
+    back.page = exchange(parts.page, std::move(by.page));
     assert(parts.containers.objects() == parts.objects.size());
     return back;
 }

@@ -73,7 +73,7 @@ StyleIndex StyleTable::indexOf(const Style& style)
     const auto index = StyleIndex(size_.load(std::memory_order_relaxed));
     const Place place = placeOf(index);
     assert(place.step < steps_.size());
-    if (place.at == 0)
+    if (place.at == 0 && !steps_[place.step].load(std::memory_order_relaxed))
         steps_[place.step].store(new Style[firstStep << place.step], std::memory_order_release);
     steps_[place.step].load(std::memory_order_relaxed)[place.at] = style;
     found_.emplace(hash, index);
