@@ -80,7 +80,7 @@ private:
     {
         Layer layer = open.layer;
         if (open.parts++ > 0) {
-            layer.name = QStringLiteral("%1 (%2)").arg(layer.name).arg(open.parts);
+            layer.name = QStringLiteral("%1 (%2)").arg(layer.name, QString::number(open.parts));
             layer.id.clear(); // an id is there once
         }
         open.index = sheet_.layers.size();
