@@ -5,6 +5,7 @@
 BEFORE and AFTER are programs, run in turns (b a, a b, ...), so that a busy machine slows both. For each
 figure that both print: the median of the rounds' ratios after / before, the middle half of them, and the
 least of either. Less than 1: the second program needs less."""
+import math
 import re
 import statistics
 import subprocess
@@ -41,7 +42,7 @@ def main():
         if len(before) != rounds or len(after) != rounds:
             print(f"{name:44} only before")
             continue
-        ratio, low, high = quartiles([a / b if b else float(a == b) for b, a in zip(before, after)])
+        ratio, low, high = quartiles([a / b if b else (1.0 if a == 0 else math.inf) for b, a in zip(before, after)])
         print(f"{name:44} {ratio:7.3f}  {low:.3f}-{high:.3f} {min(before):11.6g} {min(after):11.6g}")
     for name in runs[1][0].keys() - runs[0][0].keys():
         print(f"{name:44} only after")

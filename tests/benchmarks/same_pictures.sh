@@ -31,7 +31,7 @@ write_all() { # BUILD DRAWING FOLDER
   done
   name=$3/info.txt say info "$2"
   name=$3/compare.txt say compare "$2" -a kwc:published
-  "$(program "$1" benchmarks.pictures)" "$2" "$3" 2>&1
+  "$(program "$1" benchmarks.pictures)" "$2" "$3" 2>&1 || echo "failed: $1" > "$3/pictures.txt"
 }
 
 differing=0
