@@ -14,8 +14,8 @@
 
 namespace app {
 
-/// The steps that can be undone and redone, with the names that QUndoStack gives them. Other than
-/// that one it joins steps only while they follow each other quickly, and it limits its memory.
+/// The steps that can be undone and redone, with QUndoStack's names. Unlike QUndoStack, it joins
+/// steps only if they follow each other within a second, and it limits its memory.
 class History : public QObject {
     Q_OBJECT
 
@@ -56,8 +56,8 @@ public:
     void resetClean(); ///< no step leads to a clean state any more
     void clear();      ///< for another drawing, which is clean; forgets all steps
 
-    /// The memory of all steps. Beyond the limit the oldest done ones go; the newest stays, however
-    /// large it is.
+    /// The memory of all steps. If a new step, or a new limit, finds it beyond the limit, the oldest
+    /// done ones go; the newest stays, however large it is. Undoing lets none go.
     std::size_t bytes() const { return bytes_; }
     std::size_t limit() const { return limit_; }
     void setLimit(std::size_t bytes);

@@ -5,7 +5,7 @@
 
 namespace app {
 
-// What has another name for people is another step to them.
+// Commands with different texts are different steps.
 QString UndoCommand::mergeKey() const
 {
     return merging_ == Merging::Never ? QString() : latin(kind_->key) + u'/' + text_;

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// What the gesture in hand would leave if it ended now, and what the document does not have yet.
-/// It is plain data: whoever shows something of the document shows it with the preview in it.
+/// The change that the current gesture would make if it ended now. Views show the document with
+/// this change. A gesture on the clip window and the Line tool set it; other tools paint their own.
 struct Preview {
     /// What the gesture does to the clip window.
     enum class Drag : std::uint8_t { None, Moving, Sizing };

@@ -9,7 +9,7 @@ namespace app {
 
 /// The page of an algorithm as people read it: its markdown without comments, and after it the hard
 /// cases at which its published form fails, linked to the zoo (`clearcut:case/KEY`,
-/// `clearcut:fails/CLIPPER`).
+/// `clearcut:fails/VARIANT`).
 QString readingOf(const clipping::Algorithm& algorithm);
 
 /// The algorithm whose page a link names: "skala.md"; null for other links.
