@@ -8,6 +8,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -42,6 +43,19 @@ bool keepsUnseen(const ClipRegion& region)
     for (const auto& step : region.steps)
         in = after(step.operation, in, false);
     return region.everything() || in == (region.keep == Keep::Inside);
+}
+
+// Whether a line is kept that each window contains whole or not at all; nothing if one cuts it.
+std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, Pieces atStep)
+{
+    bool in = region.startsFull();
+    for (std::size_t i = 0; i < atStep.size(); ++i) {
+        const bool seen = isSeen(atStep[i]);
+        if (seen && std::memcmp(&atStep[i]->segment, &line, sizeof line) != 0)
+            return std::nullopt;
+        in = after(region.steps[i].operation, in, seen);
+    }
+    return in == (region.keep == Keep::Inside);
 }
 
 /// The order of points along a line: on the axis on which it is longer, then on the other one.
@@ -237,11 +251,15 @@ void fold(const ClipRegion& region, const Segment& line, std::uint32_t source, P
     assert(atStep.size() == region.steps.size());
     if (region.single()) {
         foldSingle(region.keep, line, source, isSeen(atStep[0]) ? atStep[0] : std::nullopt, kept);
-    } else if (isFinite(line) && std::ranges::any_of(atStep, isSeen)) {
-        DividedLine(region, line, atStep).appendKept(source, kept);
-    } else if (keepsUnseen(region)) {
-        kept.push_back({line, source, 0});
+        return;
     }
+    std::optional<bool> keeps = keepsUnseen(region);
+    if (isFinite(line) && std::ranges::any_of(atStep, isSeen))
+        keeps = keepsUncut(region, line, atStep);
+    if (!keeps)
+        DividedLine(region, line, atStep).appendKept(source, kept);
+    else if (*keeps)
+        kept.push_back({line, source, 0});
 }
 
 } // namespace app
