@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/scene_block_cache.h"
+#include "app/document/scene_clipping.h"
+#include "app/document/variant.h"
+
+namespace app {
+
+/// The lines of a document that is being edited, kept up to date, and what clipping leaves of them.
+class BlockScene {
+public:
+    /// After an edit: makes the lines of those objects anew that have changed. `hidden` are not
+    /// shown, whatever they say themselves; `tolerance`, in user units, is that of `flatten`. Ends
+    /// the validity of a frame.
+    void update(const Objects& objects, const ObjectRanges& hidden, double tolerance);
+
+    const SceneLines& lines() const { return lines_; }
+
+    /// What is kept of all lines, as `SceneClipping` says. The variant is a form of an algorithm.
+    /// Valid until the next call and the next update.
+    SceneFrame clip(const ClipRegion& region, const Variant& variant);
+
+private:
+    SceneBlockCache cache_;
+    SceneLines lines_;
+    SceneClipping clipping_;
+};
+
+} // namespace app
