@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-// What values keep on the heap, so that the history can be limited.
+// How much heap memory values use. The history needs it to keep to its limit.
 
 namespace app {
 
-/// What an allocation takes, with what the allocator adds to it: 8 bytes, in steps of 16, at least
-/// 32 (glibc on 64 bits).
+/// The heap memory of one allocation of so many bytes. glibc on 64 bits adds 8 bytes, rounds up to
+/// a multiple of 16, and gives at least 32.
 constexpr std::size_t heapBlock(std::size_t bytes)
 {
     return bytes == 0 ? 0 : std::max<std::size_t>(32, (bytes + 8 + 15) / 16 * 16);

@@ -19,7 +19,7 @@ Variant rowOf(std::string_view key, clipping::Form form = clipping::Form::Correc
 /// The one whose published form loses visible lines of usual drawings: near-vertical ones.
 Variant exhibit() { return rowOf("kwc", published); }
 
-/// What findVariant finds, but exhibits.
+/// As findVariant, but finds no exhibits.
 std::optional<Variant> choiceOf(const QString& key)
 {
     const auto found = findVariant(key);

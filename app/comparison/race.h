@@ -19,7 +19,7 @@ struct RaceFrame {
     }
 };
 
-/// What one variant needed and found.
+/// The times and the results of one variant.
 struct RaceRow {
     Variant variant;
     std::vector<double> milliseconds{}; ///< for all lines, of the last rounds, the newest last

@@ -10,14 +10,14 @@ namespace app {
 /// The lines of a document that is being edited, kept up to date, and what clipping leaves of them.
 class BlockScene {
 public:
-    /// After an edit: makes the lines of those objects anew that have changed. `hidden` are not
-    /// shown, whatever they say themselves; `tolerance`, in user units, is that of `flatten`. Ends
-    /// the validity of a frame.
+    /// To be called after an edit: replaces the lines of the objects that changed. The objects in
+    /// `hidden` have no lines, even if they are visible themselves; `tolerance`, in user units, is
+    /// that of `flatten`. Ends the validity of a frame.
     void update(const Objects& objects, const ObjectRanges& hidden, double tolerance);
 
     const SceneLines& lines() const { return lines_; }
 
-    /// What is kept of all lines, as `SceneClipping` says. The variant is a form of an algorithm.
+    /// The kept part of every line; see `SceneClipping`. The variant must not be an exhibit.
     /// Valid until the next call and the next update.
     SceneFrame clip(const ClipRegion& region, const Variant& variant);
 
