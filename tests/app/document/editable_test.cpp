@@ -5,27 +5,7 @@
 
 #include <random>
 
-namespace {
-
-app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
-{
-    app::Shape shape;
-    shape.paths.push_back({a, {{b}}, false});
-    shape.layer = layer;
-    return shape;
-}
-
-app::Sheet sheet(std::size_t perLayer)
-{
-    app::Sheet result;
-    result.layers = {{"a"}, {"b"}, {"c"}};
-    for (std::uint32_t layer = 0; layer < 3; ++layer)
-        for (std::size_t i = 0; i < perLayer; ++i)
-            result.shapes.push_back(line({i, layer}, {i + 5, layer + 1}, layer));
-    return result;
-}
-
-} // namespace
+#include "tests/app/document/three_layers.h"
 
 class EditableTest : public QObject {
     Q_OBJECT
@@ -33,7 +13,7 @@ class EditableTest : public QObject {
 private slots:
     void allThatMayBeEditedIsARangeALayer()
     {
-        app::Sheet drawing = sheet(100'000);
+        app::Sheet drawing = threeLayers(100'000);
         QCOMPARE(app::editableObjects(drawing), app::ObjectRanges(app::ObjectRange{0, 300'000}));
         drawing.layers[1].locked = true;
         QCOMPARE(app::editableObjects(drawing).ranges().size(), std::size_t(2));
@@ -46,7 +26,7 @@ private slots:
     {
         std::mt19937_64 random(4);
         for (int round = 0; round < 200; ++round) {
-            app::Sheet drawing = sheet(10);
+            app::Sheet drawing = threeLayers(10);
             drawing.layers.insert(drawing.layers.begin() + 1, {"empty"});
             app::ObjectRanges expected;
             for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {

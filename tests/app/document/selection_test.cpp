@@ -12,27 +12,11 @@
 #include <functional>
 #include <random>
 
+#include "tests/app/document/three_layers.h"
+
 namespace {
 
 using Bounds = std::optional<clipping::Window>;
-
-app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
-{
-    app::Shape shape;
-    shape.paths.push_back({a, {{b}}, false});
-    shape.layer = layer;
-    return shape;
-}
-
-app::Sheet sheet(std::size_t perLayer)
-{
-    app::Sheet result;
-    result.layers = {{"a"}, {"b"}, {"c"}};
-    for (std::uint32_t layer = 0; layer < 3; ++layer)
-        for (std::size_t i = 0; i < perLayer; ++i)
-            result.shapes.push_back(line({i, layer}, {i + 5, layer + 1}, layer));
-    return result;
-}
 
 /// Puts bounds of no selection where the session keeps them: they stay until it calculates anew.
 const Bounds mark = clipping::Window{{-1000, -1000}, {-999, -999}};
@@ -47,7 +31,7 @@ private slots:
     void boundsAreKeptWhileNothingChanges()
     {
         app::Session session;
-        session.load({sheet(4), {}});
+        session.load({threeLayers(4), {}});
         session.select({1, 6, 9});
         QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
         setMark(session);
@@ -62,7 +46,7 @@ private slots:
     void eachChangeCalculatesThemAnew()
     {
         app::Session session;
-        session.load({sheet(4), {}});
+        session.load({threeLayers(4), {}});
         session.select({1, 6, 9});
         const auto changed = [&](const std::function<void()>& change) {
             setMark(session);
@@ -83,13 +67,13 @@ private slots:
         QVERIFY(changed([&] { session.select({}); }));
         QCOMPARE(session.selectionBounds(), std::nullopt);
         session.select({1});
-        QVERIFY(changed([&] { session.load({sheet(2), {}}); }));
+        QVERIFY(changed([&] { session.load({threeLayers(2), {}}); }));
     }
     void boundsAreThoseOfTheSelectionAfterAnyEdits()
     {
         std::mt19937_64 random(3);
         app::Session session;
-        session.load({sheet(8), {}});
+        session.load({threeLayers(8), {}});
         for (int round = 0; round < 500; ++round) {
             const std::size_t count = session.sheet().shapes.size();
             app::ObjectRanges some;
