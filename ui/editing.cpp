@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editing.h"
 
-#include "app/commands/add_shapes.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
+#include "app/commands/add_objects.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
 #include "app/document/clipboard.h"
 #include "app/document/copy_place.h"
 #include "app/document/editable.h"
@@ -23,34 +23,46 @@ constexpr double stepMillimetres = 5; // of a copy from what it is a copy of, an
 
 QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
 
-/// One command for each layer, in one undo step; then they are what is selected.
-void add(app::Session& session, std::vector<app::Shape> shapes, const QString& text)
+/// Objects, each with the container that it goes to.
+using Copies = std::map<app::ContainerId, app::Objects>;
+
+/// One command for each container, in one undo step; then they are what is selected.
+void add(app::Session& session, const std::vector<app::ObjectInHand>& copies, const QString& text)
 {
-    std::map<std::uint32_t, std::vector<app::Shape>> byLayer;
-    const app::Point step(stepMillimetres / session.sheet().page.millimetresPerUnit());
-    const app::Point offset = app::copyOffset(session.sheet(), shapes, step);
-    for (app::Shape& shape : shapes) {
-        auto& layer = byLayer[shape.layer];
-        layer.push_back(app::moved(std::move(shape), offset));
+    const app::Sheet& sheet = session.sheet();
+    std::vector<app::Shape> shapes;
+    for (const auto& [object, into] : copies)
+        shapes.push_back({object.path.subpaths(), object.style, {}, 0, false});
+    const app::Point step(stepMillimetres / sheet.page.millimetresPerUnit());
+    const app::Placement where{{1, 1}, app::copyOffset(sheet, shapes, step)};
+    Copies byContainer;
+    for (app::ObjectInHand copy : copies) {
+        copy.object.path = copy.object.path.placed(where);
+        copy.object.particulars.recipe = placed(copy.object.particulars.recipe, where);
+        auto& objects =
+            byContainer.try_emplace(copy.into, session.now().objects().slice(0, 0)).first->second;
+        objects.append(copy.object);
     }
     session.history.beginMacro(text);
     app::ObjectRanges added;
-    for (auto& [layer, some] : byLayer) { // from the lowest: later ones do not move earlier ones
-        auto* command = new app::AddShapes(session.drawing, std::move(some), text);
+    for (const auto& [container, objects] : byContainer) {
+        auto* command = new app::AddObjects(session.document, objects, container, text);
         session.history.push(command);
-        added = united(added, command->shapes());
+        const app::ObjectRange place = command->place();
+        added = united(added.shifted(place.first, 0, place.size()), app::ObjectRanges(place));
     }
     session.history.endMacro();
     session.select(std::move(added));
 }
 
-std::vector<app::Shape> selected(const app::Session& session)
+std::vector<app::ObjectInHand> selected(const app::Session& session)
 {
-    std::vector<app::Shape> shapes;
-    shapes.reserve(session.selection().size());
-    for (const std::size_t shape : session.selection())
-        shapes.push_back(session.sheet().shapes[shape]);
-    return shapes;
+    std::vector<app::ObjectInHand> copies;
+    copies.reserve(session.selection().size());
+    for (const std::size_t object : session.selection())
+        copies.push_back({session.now().objects()[object].copy(),
+                          session.now().containers().containerOf(object)});
+    return copies;
 }
 
 } // namespace
@@ -67,7 +79,7 @@ void cutSelection(app::Session& session)
     if (session.selection().empty())
         return;
     copySelection(session);
-    session.history.push(new app::RemoveShapes(session.drawing, session.selection(), tr("Cut")));
+    session.history.push(new app::RemoveObjects(session.document, session.selection(), tr("Cut")));
     session.select({});
 }
 
@@ -76,11 +88,14 @@ QString nothingToPaste() { return tr("The clipboard holds no drawing. Copy lines
 bool paste(app::Session& session)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-    auto shapes = data ? app::pasted(*data, session.sheet().page, session.pen.layer)
-                       : std::vector<app::Shape>();
+    const auto shapes =
+        data ? app::pasted(*data, session.sheet().page, 0) : std::vector<app::Shape>();
     if (shapes.empty())
         return false;
-    add(session, std::move(shapes), tr("Paste"));
+    std::vector<app::ObjectInHand> copies;
+    for (const app::Shape& shape : shapes)
+        copies.push_back({{app::Path(shape.paths), shape.style}, session.pen.layer});
+    add(session, copies, tr("Paste"));
     return true;
 }
 
@@ -94,7 +109,7 @@ void deleteSelection(app::Session& session)
 {
     if (session.selection().empty())
         return;
-    session.history.push(new app::RemoveShapes(session.drawing, session.selection()));
+    session.history.push(new app::RemoveObjects(session.document, session.selection()));
     session.select({});
 }
 

@@ -59,7 +59,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
-    connect(&session_.drawing, &app::Drawing::changed, this, &MainWindow::refreshActions);
+    connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
     rememberPanes();
@@ -110,7 +110,7 @@ MainWindow::~MainWindow()
     // The session's last signals would reach widgets that no longer exist.
     const QSignalBlocker quiet(this);
     for (const QObject* source :
-         {static_cast<QObject*>(&session_), static_cast<QObject*>(&session_.drawing),
+         {static_cast<QObject*>(&session_), static_cast<QObject*>(&session_.document),
           static_cast<QObject*>(&session_.history)})
         disconnect(source, nullptr, this, nullptr);
     hide();

@@ -19,7 +19,7 @@ using Verb = Questions::LeftoverAnswer::Verb;
 
 Recovery::Recovery(MainWindow& window, QString folder)
     : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
-      work_(window.session().drawing)
+      work_(window.session().document)
 {
     const app::Session& session = window.session();
     connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
@@ -42,7 +42,7 @@ void Recovery::tell()
 {
     const Files& files = window_.files();
     work_.tell({file_, files.origin(), files.sample(), !window_.session().history.isClean(),
-                window_.canvas().shapeInHand()});
+                window_.canvas().objectInHand()});
 }
 
 /// Saved, or another drawing has taken its place.

@@ -2,6 +2,7 @@
 #include "app/command_line/bench_options.h"
 
 #include "app/command_line/refusal.h"
+#include "app/document/legacy.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/threads.h"
@@ -53,9 +54,9 @@ void takeDrawing(const QString& path, ExperimentOptions& options)
     const auto imported = readFile(path);
     if (!imported)
         throw Failure{imported.error};
-    const Drawing drawing(imported.value->sheet);
-    const Scene scene(drawing);
-    const auto subject = drawingSubject(QFileInfo(path).fileName(), scene, drawing.sheet());
+    const EditedDocument document(documentOf(imported.value->sheet));
+    const Scene scene(document);
+    const auto subject = drawingSubject(QFileInfo(path).fileName(), scene, imported.value->sheet);
     if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;

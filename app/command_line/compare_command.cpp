@@ -5,6 +5,7 @@
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
 #include "app/comparison/live_differences.h"
+#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
@@ -96,8 +97,8 @@ void compare(const Given& given)
     const Comparison comparison = comparisonOf(given);
     const TableOutput output = tableOutput(given);
     const Imported imported = readDrawing(given, given.operands().first());
-    const Drawing drawing(imported.sheet);
-    const Scene scene(drawing);
+    const EditedDocument document(documentOf(imported.sheet));
+    const Scene scene(document);
     const Differences found = extended({windowOf(given, imported)}, comparison, scene.segments(),
                                        scene.segments().size());
     const QString summary =

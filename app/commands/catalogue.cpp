@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/catalogue.h"
 
-#include "app/commands/add_shapes.h"
+#include "app/commands/add_objects.h"
 #include "app/commands/crop_to_window.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/resize_shapes.h"
-#include "app/commands/set_layers.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/resize_objects.h"
+#include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 
@@ -17,9 +17,9 @@ namespace app {
 // THE CATALOGUE. To add a command: write its file, here in app/commands/, and name its row here.
 std::span<const CommandKind> commandKinds()
 {
-    static constexpr std::array all{AddShapes::row,    RemoveShapes::row, MoveShapes::row,
-                                    ResizeShapes::row, SetStyle::row,     SetWindow::row,
-                                    SetLayers::row,    RemoveLayer::row,  CropToWindow::row};
+    static constexpr std::array all{AddObjects::row,    RemoveObjects::row, MoveObjects::row,
+                                    ResizeObjects::row, SetStyle::row,     SetWindow::row,
+                                    SetContainers::row,    RemoveLayer::row,  CropToWindow::row};
     return all;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include <QString>
 
 #include <algorithm>
 
@@ -16,18 +16,6 @@ constexpr std::size_t heapBlock(std::size_t bytes)
     return bytes == 0 ? 0 : std::max<std::size_t>(32, (bytes + 8 + 15) / 16 * 16);
 }
 
-/// Heap bytes; each value counts as if it shared nothing with others (texts do).
-std::size_t heapBytes(const QString& text);
-std::size_t heapBytes(const Shape& shape);
-std::size_t heapBytes(const Layer& layer);
-
-template <class Value>
-std::size_t heapBytes(const std::vector<Value>& values)
-{
-    std::size_t bytes = heapBlock(values.capacity() * sizeof(Value));
-    for (const Value& value : values)
-        bytes += heapBytes(value);
-    return bytes;
-}
+std::size_t heapBytes(const QString& text); ///< as if it shared nothing with other texts
 
 } // namespace app

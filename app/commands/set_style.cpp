@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_style.h"
 
-namespace app {
+#include <unordered_map>
 
-SetStyle::SetStyle(Drawing& drawing, const ObjectRanges& shapes,
-                   const std::function<void(Style&)>& change, const QString& text, Merging merging)
-    : UndoCommand(row, text, merging), drawing_(drawing),
-      patches_(patchesOf(drawing.sheet(), shapes, [&](Shape& shape) {
-          change(shape.style);
-          return true;
-      }))
+namespace app {
+namespace {
+
+Edit restyled(const Document& document, const ObjectRanges& objects,
+              const std::function<void(Style&)>& change)
 {
+    std::unordered_map<StyleIndex, StyleIndex> known; // many objects have few styles
+    return changed(document, objects, [&](ObjectRow& object, StyleTable& styles) {
+        const auto [at, isNew] = known.try_emplace(object.style, 0);
+        if (isNew) {
+            Style style = styles[object.style];
+            change(style);
+            at->second = styles.indexOf(style);
+        }
+        object.style = at->second;
+    });
 }
 
-bool SetStyle::mergeWith(const UndoCommand& next)
+} // namespace
+
+SetStyle::SetStyle(EditedDocument& document, const ObjectRanges& objects,
+                   const std::function<void(Style&)>& change, const QString& text, Merging merging)
+    : EditCommand(row, document, restyled(document.now(), objects, change), text, merging)
 {
-    return samePlaces(patches_, static_cast<const SetStyle&>(next).patches_);
 }
 
 } // namespace app

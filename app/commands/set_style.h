@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/patch.h"
+#include "app/commands/edit_command.h"
 
 namespace app {
 
-/// Changes how shapes are painted.
-class SetStyle : public UndoCommand {
+/// Changes how objects are painted.
+class SetStyle : public EditCommand {
 public:
-    static constexpr CommandKind row{"set-style", "Changes how shapes are painted"};
+    static constexpr CommandKind row{"set-style", "Changes how objects are painted"};
 
-    /// `change` is called once for each shape's style.
-    SetStyle(Drawing& drawing, const ObjectRanges& shapes,
+    /// `change` is called at least once for each style that the objects have.
+    SetStyle(EditedDocument& document, const ObjectRanges& objects,
              const std::function<void(Style&)>& change, const QString& text,
              Merging merging = Merging::Never);
-
-    void redo() override { apply(drawing_, patches_); }
-    void undo() override { revert(drawing_, patches_); }
-    bool mergeWith(const UndoCommand& next) override;
-    std::size_t bytes() const override { return heapBlock(sizeof *this) + heapBytes(patches_); }
-
-private:
-    Drawing& drawing_;
-    Patches patches_;
 };
 
 } // namespace app

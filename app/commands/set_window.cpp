@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
 
+#include "app/document/compared_window.h"
+
 #include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -16,16 +21,27 @@ static QString nameOf(const clipping::Window& before, const clipping::Window& af
     return QCoreApplication::translate("Commands", same ? move : resize);
 }
 
-SetWindow::SetWindow(Drawing& drawing, const clipping::Window& window, Merging merging)
-    : UndoCommand(row, nameOf(drawing.sheet().window, window), merging), drawing_(drawing),
-      before_(drawing.sheet().window), after_(window)
+// The first window that is an axis-aligned rectangle, or a new one.
+static Edit moved(const Document& document, const clipping::Window& window)
 {
+    Edit edit;
+    edit.windows = document.windows();
+    auto& list = edit.windows->list;
+    const auto first = std::ranges::find_if(
+        list, [](const ClipWindow& w) { return w.visible && uprightBox(w.shape).has_value(); });
+    if (first == list.end())
+        list.push_back({.shape = RectangleShape{window}});
+    else
+        first->shape = RectangleShape{window};
+    return edit;
 }
 
-bool SetWindow::mergeWith(const UndoCommand& next)
+SetWindow::SetWindow(EditedDocument& document, const clipping::Window& window, Merging merging)
+    : EditCommand(row, document, moved(document.now(), window),
+                  nameOf(comparedWindow(document.now().windows(), document.now().page()).window,
+                         window),
+                  merging)
 {
-    after_ = static_cast<const SetWindow&>(next).after_;
-    return true;
 }
 
 } // namespace app

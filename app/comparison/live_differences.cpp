@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/live_differences.h"
+#include "app/document/compared_window.h"
 
 #include <glm/common.hpp>
 
@@ -71,10 +72,10 @@ Window placeOf(const Comparison& comparison, const Segment& line, const Window& 
     return *place;
 }
 
-LiveDifferences::LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent)
-    : QObject(parent), scene_(scene), window_(drawing.sheet().window)
+LiveDifferences::LiveDifferences(const EditedDocument& document, const Scene& scene, QObject* parent)
+    : QObject(parent), scene_(scene), window_(comparedWindow(document.now().windows(), document.now().page()).window)
 {
-    connect(&drawing, &Drawing::changed, this, &LiveDifferences::outdate);
+    connect(&document, &EditedDocument::changed, this, &LiveDifferences::outdate);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &LiveDifferences::begin);
     connect(&work_, &QTimer::timeout, this, &LiveDifferences::work);
@@ -104,13 +105,13 @@ void LiveDifferences::setWindow(const Window& window)
         emit changed(); // what was found is of another window for a while
 }
 
-void LiveDifferences::outdate(const Change& change)
+void LiveDifferences::outdate(const DocumentChange& change)
 {
-    if (!asked_ || change.kind == Change::Kind::Window)
+    if (!asked_ || !change.drawing())
         return;
     ofTheseLines_ = false;
     restart();
-    if (change.kind != Change::Kind::Everything)
+    if (!change.everything)
         return;
     found_ = {};
     emit changed();

@@ -41,7 +41,7 @@ class LiveDifferences : public QObject {
     Q_OBJECT
 
 public:
-    LiveDifferences(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
+    LiveDifferences(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
     /// Nothing: no panel shows it, and nothing is computed.
     void ask(const std::optional<Comparison>& comparison);
@@ -66,7 +66,7 @@ signals:
     void begun();   ///< to look at so many lines that it takes a while
 
 private:
-    void outdate(const Change& change);
+    void outdate(const DocumentChange& change);
     void restart();
     void findAtOnce();
     void begin();

@@ -25,7 +25,7 @@ LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), s
     connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
     connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
     connect(&session, &Session::previewChanged, this, &LiveRace::followWindow);
-    connect(&session.drawing, &Drawing::changed, this, &LiveRace::follow);
+    connect(&session.document, &EditedDocument::changed, this, &LiveRace::follow);
 }
 
 void LiveRace::setVariants(std::vector<Variant> variants)
@@ -75,9 +75,9 @@ bool LiveRace::upToDate() const
 }
 
 // The scene hears of it first: its lines are the new ones already.
-void LiveRace::follow(const Change& change)
+void LiveRace::follow(const DocumentChange& change)
 {
-    if (change.kind == Change::Kind::Window)
+    if (!change.drawing())
         return;
     ++revision_;
     if (!running())

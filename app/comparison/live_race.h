@@ -40,7 +40,7 @@ signals:
 
 private:
     void followWindow();
-    void follow(const Change& change);
+    void follow(const DocumentChange& change);
     RaceFrame now() const; ///< what is shown
     void begin();
     void work();

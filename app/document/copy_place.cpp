@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/copy_place.h"
 
-#include "app/commands/move_shapes.h"
+#include "app/document/path_points.h"
 
 #include <algorithm>
 #include <functional>
@@ -15,6 +15,13 @@ constexpr int mostSteps = 1000;
 std::size_t keyOf(const Point& start)
 {
     return std::hash<double>{}(start.x) * 31 + std::hash<double>{}(start.y);
+}
+
+Shape moved(Shape shape, const Point& by)
+{
+    for (Subpath& path : shape.paths)
+        forEachPoint(path, [&](Point& point) { point += by; });
+    return shape;
 }
 
 /// The shapes of a drawing by where they start.

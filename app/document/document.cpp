@@ -49,4 +49,14 @@ Edit Document::apply(const Edit& edit)
     return back;
 }
 
+Edit adding(const Document& document, const Objects& objects, ContainerId into)
+{
+    const std::size_t top = document.containers().rangeOf(into).end;
+    Edit edit;
+    edit.splices = {{std::uint32_t(top), 0, std::uint32_t(objects.size())}};
+    edit.objects = objects;
+    edit.containers = document.containers().spliced(top, 0, objects.size(), into);
+    return edit;
+}
+
 } // namespace app

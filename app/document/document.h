@@ -52,4 +52,13 @@ private:
     Shared<DocumentParts> parts_;
 };
 
+/// An object that is being drawn, and the container that it will go to.
+struct ObjectInHand {
+    Object object;
+    ContainerId into;
+};
+
+/// Objects that come to a container, above all that is in it.
+Edit adding(const Document& document, const Objects& objects, ContainerId into);
+
 } // namespace app

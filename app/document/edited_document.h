@@ -15,6 +15,8 @@ struct DocumentChange {
     bool objects = false, containers = false, windows = false, page = false;
     /// Where objects were exchanged, unless everything changed; valid during the signal.
     std::span<const Splice> splices{};
+    /// What is to be seen of the objects may differ, not only the clip windows.
+    bool drawing() const { return objects || containers || page; }
 };
 
 /// The document that is being edited, by one thread. Only commands and `load` write to it. An edit

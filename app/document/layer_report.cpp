@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/layer_report.h"
 
-#include <algorithm>
-#include <span>
-
 namespace app {
-namespace {
 
-/// The shapes of a layer, which follow each other. (clang 14 cannot compile ranges::equal_range.)
-std::span<const Shape> shapesOf(const Sheet& sheet, std::uint32_t layer)
+std::size_t linesOf(const Session& session, ContainerId container)
 {
-    return {std::ranges::lower_bound(sheet.shapes, layer, {}, &Shape::layer),
-            std::ranges::upper_bound(sheet.shapes, layer, {}, &Shape::layer)};
+    const ObjectRange range = session.now().containers().rangeOf(container);
+    const SceneLines& lines = session.scene.lines();
+    return range.empty() ? 0 : lines.firstLineOf(range.end) - lines.firstLineOf(range.first);
 }
 
-} // namespace
-
-std::size_t linesOfLayer(const Session& session, std::uint32_t layer)
+std::optional<Colour> inkOf(const Document& document, ContainerId container)
 {
-    const Sheet& sheet = session.sheet();
-    const auto shapes = shapesOf(sheet, layer);
-    const auto first = std::size_t(shapes.data() - sheet.shapes.data());
-    return session.scene.firstSegmentOf(first + shapes.size())
-           - session.scene.firstSegmentOf(first);
-}
-
-std::optional<Colour> inkOfLayer(const Sheet& sheet, std::uint32_t layer)
-{
-    for (const Shape& shape : shapesOf(sheet, layer)) {
-        if (shape.style.stroke)
-            return shape.style.stroke;
-        if (shape.style.fill)
-            return shape.style.fill;
+    const ObjectRange range = document.containers().rangeOf(container);
+    for (std::size_t i = range.first; i < range.end; ++i) {
+        const Style& style = document.objects()[i].style();
+        if (style.stroke || style.fill)
+            return style.stroke ? style.stroke : style.fill;
     }
     return std::nullopt;
 }

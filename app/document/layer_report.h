@@ -5,10 +5,10 @@
 
 namespace app {
 
-/// How many of the scene's lines are on a layer; none if it is hidden.
-std::size_t linesOfLayer(const Session& session, std::uint32_t layer);
+/// How many of the scene's lines are in a container; none if it is hidden.
+std::size_t linesOf(const Session& session, ContainerId container);
 
-/// The ink that stands for a layer: that of its first shape with one.
-std::optional<Colour> inkOfLayer(const Sheet& sheet, std::uint32_t layer);
+/// The ink that stands for a container: that of its first object with one.
+std::optional<Colour> inkOf(const Document& document, ContainerId container);
 
 } // namespace app

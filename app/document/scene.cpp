@@ -16,20 +16,40 @@ static bool clipsExactly(const clipping::Uses<clipping::Segment, clipping::Windo
     return algorithm.clipAll == exact->corrected.clipAll;
 }
 
-Scene::Scene(const Drawing& drawing, QObject* parent) : QObject(parent), drawing_(drawing)
+Scene::Scene(const EditedDocument& document, QObject* parent) : QObject(parent), document_(document)
 {
-    connect(&drawing, &Drawing::changed, this, &Scene::update);
-    update({});
+    connect(&document, &EditedDocument::changed, this, [this](const DocumentChange& change) {
+        if (change.drawing())
+            update();
+        emit outdated();
+    });
+    update();
 }
 
-std::size_t Scene::shapeOf(std::size_t segment) const
+void Scene::update()
 {
-    return std::size_t(std::ranges::upper_bound(first_, segment) - first_.begin()) - 1;
+    const Document& now = document_.now();
+    blocks_.update(now.objects(), now.containers().hiddenRanges(), usualTolerance(now.page()));
+}
+
+std::span<const clipping::Segment> Scene::segments() const
+{
+    if (copied_ != lines().revision()) {
+        segments_.clear();
+        segments_.reserve(lines().size());
+        for (const SceneLines::Run& run : lines().runs())
+            segments_.insert(segments_.end(), run.segments.begin(), run.segments.end());
+        chunks_ = {};
+        chunks_.update(segments_, 0, segments_.size());
+        copied_ = lines().revision();
+    }
+    return segments_;
 }
 
 Frame Scene::clip(const clipping::Uses<clipping::Segment, clipping::Window>& algorithm,
                   const clipping::Window& window, Removed removed)
 {
+    segments();
     inside_.resize(segments_.size());
     emptyUpperHalves(); // a picture may have been painted before
     const auto start = std::chrono::steady_clock::now();
@@ -47,50 +67,6 @@ Frame Scene::clip(const clipping::Uses<clipping::Segment, clipping::Window>& alg
         frame.outside = std::span(outside_).first(pieces);
     }
     return frame;
-}
-
-void Scene::update(const Change& change)
-{
-    if (change.kind == Change::Kind::Window) {
-        emit outdated();
-        return;
-    }
-    const Sheet& sheet = drawing_.sheet();
-    const double tolerance = usualTolerance(sheet.page);
-    const bool splice = change.kind == Change::Kind::Shapes;
-    const std::size_t from = splice ? change.first : 0;
-    const std::size_t oldEnd = splice           ? from + change.removed
-                               : first_.empty() ? 0
-                                                : first_.size() - 1;
-    const std::size_t newEnd = splice ? from + change.added : sheet.shapes.size();
-    if (first_.empty())
-        first_ = {0};
-
-    std::vector<clipping::Segment> segments;
-    std::vector<std::size_t> first;
-    std::vector<Chord> chords;
-    for (std::size_t i = from; i < newEnd; ++i) {
-        first.push_back(first_[from] + segments.size());
-        const Shape& shape = sheet.shapes[i];
-        if (!sheet.shown(shape))
-            continue;
-        chords.clear();
-        for (const Subpath& path : shape.paths)
-            flatten(path, tolerance, chords);
-        for (const Chord& chord : chords)
-            segments.push_back(chord.segment);
-    }
-    const auto at = [](auto& v, std::size_t i) { return v.begin() + std::ptrdiff_t(i); };
-    const std::size_t firstOld = first_[from], endOld = first_[oldEnd];
-    const auto shift = std::ptrdiff_t(firstOld + segments.size()) - std::ptrdiff_t(endOld);
-    std::for_each(at(first_, oldEnd), first_.end(),
-                  [&](auto& n) { n = std::size_t(std::ptrdiff_t(n) + shift); });
-    first_.erase(at(first_, from), at(first_, oldEnd));
-    first_.insert(at(first_, from), first.begin(), first.end());
-    segments_.erase(at(segments_, firstOld), at(segments_, endOld));
-    segments_.insert(at(segments_, firstOld), segments.begin(), segments.end());
-    chunks_.update(segments_, firstOld, firstOld + segments.size());
-    emit outdated();
 }
 
 } // namespace app

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/drawing.h"
+#include "app/document/block_scene.h"
+#include "app/document/edited_document.h"
 #include "clipping/algorithm.h"
 #include "clipping/chunks.h"
 
@@ -20,20 +21,27 @@ struct Frame {
     std::uint64_t nanoseconds = 0; ///< of the clipping of all segments, nothing else
 };
 
-/// The shown shapes as one flat array of segments, kept up to date by the drawing's change signal,
-/// their boxes, and the buffers they are clipped into. Curves are flattened to 0.05 mm on paper.
+/// The shown lines of a document that is being edited, kept up to date by its change signal, and
+/// what clipping leaves of them. Curves are flattened to 0.05 mm on paper.
 class Scene : public QObject {
     Q_OBJECT
 
 public:
-    explicit Scene(const Drawing& drawing, QObject* parent = nullptr);
+    explicit Scene(const EditedDocument& document, QObject* parent = nullptr);
 
-    std::span<const clipping::Segment> segments() const { return segments_; }
+    const SceneLines& lines() const { return blocks_.lines(); }
 
-    /// The shape a segment belongs to: an index into Sheet::shapes.
-    std::size_t shapeOf(std::size_t segment) const;
-    /// The first segment of a shape; shape + 1 gives the end of its range.
-    std::size_t firstSegmentOf(std::size_t shape) const { return first_[shape]; }
+    /// The kept part of every line; see `SceneClipping`. The variant must not be an exhibit. Valid
+    /// until the next call and the next change of the lines.
+    SceneFrame clip(const ClipRegion& region, const Variant& variant)
+    {
+        return blocks_.clip(region, variant);
+    }
+
+    // For what still wants all lines in one array: a copy, made when it is asked for.
+    std::span<const clipping::Segment> segments() const;
+    std::size_t shapeOf(std::size_t segment) const { return lines().objectOf(segment); }
+    std::size_t firstSegmentOf(std::size_t shape) const { return lines().firstLineOf(shape); }
 
     /// Clips ALL segments, for the row `exact` by their boxes: the same bits in less time. `Kept`
     /// also computes what was removed (not timed).
@@ -45,12 +53,13 @@ signals:
     void outdated(); ///< the next frame will look different
 
 private:
-    void update(const Change& change);
+    void update();
 
-    const Drawing& drawing_;
-    std::vector<clipping::Segment> segments_;
-    clipping::Chunks chunks_;
-    std::vector<std::size_t> first_; ///< one more than there are shapes
+    const EditedDocument& document_;
+    BlockScene blocks_;
+    mutable std::uint64_t copied_ = 0; ///< the revision that segments_ is a copy of
+    mutable std::vector<clipping::Segment> segments_;
+    mutable clipping::Chunks chunks_;
     std::vector<clipping::Clipped> inside_, outside_;
 };
 

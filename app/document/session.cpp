@@ -2,6 +2,7 @@
 #include "app/document/session.h"
 
 #include "app/document/bounds.h"
+#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/unfinished.h"
 
@@ -12,15 +13,39 @@ namespace app {
 Session::Session(QObject* parent) : QObject(parent)
 {
     display_.algorithm = &usualAlgorithm();
-    connect(&drawing, &Drawing::changed, this, &Session::follow);
+    pen.layer = now().containers().childrenOf(0).back();
+    connect(&document, &EditedDocument::changed, this, &Session::follow);
     connect(&scene, &Scene::outdated, this, [this] {
-        if (inspected_ && *inspected_ >= scene.segments().size())
+        if (inspected_ && *inspected_ >= scene.lines().size())
             inspect(std::nullopt);
     });
     connect(this, &Session::previewChanged, this, [this] {
         differences.setWindow(window());
         truth.setWindow(window());
     });
+}
+
+const Sheet& Session::sheet() const
+{
+    if (!sheet_ || !sameAddress(sheetIsOf_, now())) {
+        sheet_.emplace(sheetOf(now()));
+        sheetIsOf_ = now();
+    }
+    return *sheet_;
+}
+
+clipping::Window Session::window() const
+{
+    return preview_.window ? *preview_.window : comparedWindow(now().windows(), now().page()).window;
+}
+
+ClipRegion Session::region() const
+{
+    ClipRegion region = regionOf(now().windows());
+    if (preview_.window)
+        region.steps = {{*preview_.window, WindowOperation::Add}};
+    region.keep = display_.keep;
+    return region;
 }
 
 void Session::setDisplay(const Display& display)
@@ -73,8 +98,7 @@ void Session::load(Imported imported, const QString& path)
     losses_ = std::move(imported.report);
     path_ = path;
     history.clear();
-    pen.layer = std::uint32_t(imported.sheet.layers.size() - 1);
-    drawing.load(std::move(imported.sheet));
+    document.load(documentOf(imported.sheet));
     Display display = display_;
     display.unit = sheet().page.usualUnit();
     setDisplay(display);
@@ -102,19 +126,30 @@ std::optional<QString> Session::save(const QString& path)
     return std::nullopt;
 }
 
-void Session::follow(const Change& change)
+void Session::follow(const DocumentChange& change)
 {
-    if (change.kind != Change::Kind::Window)
+    if (change.drawing())
         selectionBounds_.reset();
-    if (change.kind == Change::Kind::Everything)
+    if (change.everything)
         select({}), preview_ = {};
-    if (change.kind == Change::Kind::Shapes && change.removed != change.added)
-        select(selection_.shifted(change.first, change.removed, change.added));
-    if (change.kind != Change::Kind::Window)
+    else if (!change.splices.empty())
+        followSplices(change.splices);
+    if (change.drawing())
         inspect(std::nullopt);
-    pen.layer = std::min(pen.layer, std::uint32_t(sheet().layers.size() - 1));
-    if (change.kind == Change::Kind::Window || change.kind == Change::Kind::Everything)
+    if (change.everything || !now().containers().contains(pen.layer))
+        pen.layer = now().containers().childrenOf(0).back();
+    if (change.windows)
         emit previewChanged();
+}
+
+void Session::followSplices(std::span<const Splice> splices)
+{
+    ObjectRanges selected = selection_;
+    std::for_each(splices.rbegin(), splices.rend(), [&](const Splice& s) {
+        if (s.removed != s.added)
+            selected = selected.shifted(s.first, s.removed, s.added);
+    });
+    select(std::move(selected));
 }
 
 } // namespace app

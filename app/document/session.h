@@ -4,6 +4,7 @@
 #include "app/commands/history.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/cut.h"
+#include "app/document/compared_window.h"
 #include "app/document/object_ranges.h"
 #include "app/document/preview.h"
 #include "app/document/scene.h"
@@ -39,7 +40,7 @@ struct Display {
 /// How new shapes are drawn, and where.
 struct Pen {
     Style style{.stroke = Colour{}, .width = 1};
-    std::uint32_t layer = 0;
+    ContainerId layer = 0; ///< one of the document; Session keeps it so
 };
 
 /// One open drawing with everything an editor window keeps about it, without a screen.
@@ -49,26 +50,27 @@ class Session : public QObject {
 public:
     explicit Session(QObject* parent = nullptr);
 
-    Drawing drawing;
+    EditedDocument document;
     History history;
-    Scene scene{drawing};
-    LiveDifferences differences{drawing, scene}; ///< of two algorithms, while they are shown
-    LiveTruth truth{drawing, scene};             ///< how exact an algorithm is, while that is shown
+    Scene scene{document};
+    LiveDifferences differences{document, scene}; ///< of two algorithms, while they are shown
+    LiveTruth truth{document, scene};             ///< how exact an algorithm is, while that is shown
     Microscope microscope;                       ///< one line, step by step
     Course course{microscope};                   ///< a lesson, if one is being read
     Pen pen;
 
-    const Sheet& sheet() const { return drawing.sheet(); }
+    const Document& now() const { return document.now(); }
+    /// The same as a sheet, for what still reads sheets: made when it is asked for and has changed.
+    const Sheet& sheet() const;
 
     /// What is being dragged or drawn. Tools alone set it, and set an empty one when the gesture
     /// is over, after the command that it became.
     const Preview& preview() const { return preview_; }
     void setPreview(const Preview& preview);
     /// The clip window as it is now: the preview's, else the document's.
-    const clipping::Window& window() const
-    {
-        return preview_.window ? *preview_.window : sheet().window;
-    }
+    clipping::Window window() const;
+    /// All clip windows as they are now, for `Scene::clip`.
+    ClipRegion region() const;
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
@@ -79,7 +81,7 @@ public:
     const ObjectRanges& selection() const { return selection_; }
     void select(ObjectRanges objects);
     /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
-    /// and kept until the selection or the drawing changes. Not for slots of Drawing::changed and
+    /// and kept until the selection or the drawing changes. Not for slots of EditedDocument::changed and
     /// Scene::outdated: there the selection may not have followed the drawing yet.
     const std::optional<clipping::Window>& selectionBounds() const;
 
@@ -104,8 +106,11 @@ signals:
     void loaded(); ///< a different drawing: fit the view
 
 private:
-    void follow(const Change& change);
+    void follow(const DocumentChange& change);
+    void followSplices(std::span<const Splice> splices);
 
+    mutable Document sheetIsOf_;
+    mutable std::optional<Sheet> sheet_;
     Display display_;
     ObjectRanges selection_;
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known

@@ -21,7 +21,7 @@ Singles single(const clipping::Segment& line) { return {glm::vec2(line.a), glm::
 clipping::Segment exactly(const Singles& line) { return {glm::dvec2(line.a), glm::dvec2(line.b)}; }
 
 template <class T>
-std::size_t clipped(std::size_t threads, ClipAll<T> clipAll,
+std::size_t clipped(std::size_t threads, ClipAllOf<T> clipAll,
                     const std::vector<clipping::BasicSegment<T>>& lines,
                     const clipping::BasicWindow<T>& window,
                     std::vector<clipping::BasicClipped<clipping::BasicSegment<T>>>& visible)

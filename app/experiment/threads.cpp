@@ -19,8 +19,8 @@ namespace {
 template <class T>
 using Pieces = std::span<clipping::BasicClipped<clipping::BasicSegment<T>>>;
 
-ClipAll<double> exactOf(double) { return clipping::exactAlgorithm().corrected.clipAll; }
-ClipAll<float> exactOf(float) { return clipping::exactAlgorithm().single->clipAll; }
+ClipAllOf<double> exactOf(double) { return clipping::exactAlgorithm().corrected.clipAll; }
+ClipAllOf<float> exactOf(float) { return clipping::exactAlgorithm().single->clipAll; }
 
 /// Each part's pieces lie where its lines would be: moves them together.
 template <class T>
@@ -41,7 +41,7 @@ std::size_t joined(std::size_t part, std::span<const std::size_t> counts, Pieces
 std::size_t mostThreads() { return std::max(std::thread::hardware_concurrency(), 1U); }
 
 template <class T>
-std::size_t clipInThreads(std::size_t threads, ClipAll<T> clipAll,
+std::size_t clipInThreads(std::size_t threads, ClipAllOf<T> clipAll,
                           std::span<const clipping::BasicSegment<T>> in,
                           const clipping::BasicWindow<T>& window, Pieces<T> out)
 {
@@ -62,7 +62,7 @@ std::size_t clipInThreads(std::size_t threads, ClipAll<T> clipAll,
 std::size_t mostThreads() { return 1; }
 
 template <class T>
-std::size_t clipInThreads(std::size_t, ClipAll<T> clipAll,
+std::size_t clipInThreads(std::size_t, ClipAllOf<T> clipAll,
                           std::span<const clipping::BasicSegment<T>> in,
                           const clipping::BasicWindow<T>& window,
                           std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out)
@@ -71,11 +71,11 @@ std::size_t clipInThreads(std::size_t, ClipAll<T> clipAll,
 }
 #endif
 
-template std::size_t clipInThreads<double>(std::size_t, ClipAll<double>,
+template std::size_t clipInThreads<double>(std::size_t, ClipAllOf<double>,
                                            std::span<const clipping::Segment>,
                                            const clipping::Window&, std::span<clipping::Clipped>);
 template std::size_t
-clipInThreads<float>(std::size_t, ClipAll<float>, std::span<const clipping::BasicSegment<float>>,
+clipInThreads<float>(std::size_t, ClipAllOf<float>, std::span<const clipping::BasicSegment<float>>,
                      const clipping::BasicWindow<float>&,
                      std::span<clipping::BasicClipped<clipping::BasicSegment<float>>>);
 

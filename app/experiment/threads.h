@@ -7,7 +7,7 @@ namespace app {
 
 /// Clips many segments of numbers T, as `clipAll` of the catalogue's rows.
 template <class T>
-using ClipAll = std::size_t (*)(std::span<const clipping::BasicSegment<T>> in,
+using ClipAllOf = std::size_t (*)(std::span<const clipping::BasicSegment<T>> in,
                                 const clipping::BasicWindow<T>& window,
                                 std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out);
 
@@ -18,7 +18,7 @@ std::size_t mostThreads();
 /// its own part of the lines, and the pieces are moved together. The row `exact` has a way of its
 /// own, the library's clipAllInParallel.
 template <class T>
-std::size_t clipInThreads(std::size_t threads, ClipAll<T> clipAll,
+std::size_t clipInThreads(std::size_t threads, ClipAllOf<T> clipAll,
                           std::span<const clipping::BasicSegment<T>> in,
                           const clipping::BasicWindow<T>& window,
                           std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/unsaved_work.h"
 
+#include "app/document/legacy.h"
 #include "app/document/samples.h"
 
 namespace app {
@@ -13,12 +14,18 @@ void UnsavedWork::tell(Document document)
 
 UnsavedWork::Written UnsavedWork::write() const
 {
-    const std::scoped_lock reading(lock_, drawing_.lock());
-    const Sheet& sheet = drawing_.sheet();
-    const bool changed = document_.changed && !isOnlyLookedAt(document_.sample, sheet);
+    const std::lock_guard reading(lock_);
+    app::Document document = edited_.snapshot();
+    const bool changed =
+        document_.changed && !isOnlyLookedAt(document_.sample, sheetOf(document));
     if (!changed && !document_.inHand)
         return {};
-    return {true, writeLeftover(sheet, document_.origin, document_.file, document_.inHand)};
+    if (document_.inHand) {
+        Objects objects = document.objects().slice(0, 0);
+        objects.append(document_.inHand->object);
+        document.apply(adding(document, objects, document_.inHand->into));
+    }
+    return {true, writeLeftover(sheetOf(document), document_.origin, document_.file)};
 }
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/drawing.h"
+#include "app/document/edited_document.h"
 #include "app/recovery/leftover.h"
 
 namespace app {
@@ -10,7 +10,7 @@ namespace app {
 /// write it, also while the other is busy.
 class UnsavedWork {
 public:
-    explicit UnsavedWork(const Drawing& drawing) : drawing_(drawing) {}
+    explicit UnsavedWork(const EditedDocument& document) : edited_(document) {}
 
     /// What is known of the document apart from the drawing.
     struct Document {
@@ -18,7 +18,7 @@ public:
         Origin origin;
         QString sample;                ///< the key of the sample that it was; empty: none
         bool changed = false;          ///< since it was saved
-        std::optional<Shape> inHand{}; ///< that is being drawn
+        std::optional<ObjectInHand> inHand{}; ///< that is being drawn
     };
     void tell(Document document);
 
@@ -30,7 +30,7 @@ public:
     Written write() const;
 
 private:
-    const Drawing& drawing_;
+    const EditedDocument& edited_;
     Document document_;
     mutable std::mutex lock_;
 };

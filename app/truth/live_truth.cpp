@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/truth/live_truth.h"
+#include "app/document/compared_window.h"
 
 #include <QElapsedTimer>
 
@@ -16,10 +17,10 @@ constexpr int idleMilliseconds = 150; // many lines wait until a series of chang
 
 } // namespace
 
-LiveTruth::LiveTruth(const Drawing& drawing, const Scene& scene, QObject* parent)
-    : QObject(parent), scene_(scene), window_(drawing.sheet().window)
+LiveTruth::LiveTruth(const EditedDocument& document, const Scene& scene, QObject* parent)
+    : QObject(parent), scene_(scene), window_(comparedWindow(document.now().windows(), document.now().page()).window)
 {
-    connect(&drawing, &Drawing::changed, this, &LiveTruth::outdate);
+    connect(&document, &EditedDocument::changed, this, &LiveTruth::outdate);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &LiveTruth::begin);
     connect(&work_, &QTimer::timeout, this, &LiveTruth::work);
@@ -54,13 +55,13 @@ void LiveTruth::setWindow(const Window& window)
         emit changed(); // what was found is of another window for a while
 }
 
-void LiveTruth::outdate(const Change& change)
+void LiveTruth::outdate(const DocumentChange& change)
 {
-    if (!asked_ || change.kind == Change::Kind::Window)
+    if (!asked_ || !change.drawing())
         return;
     ofTheseLines_ = false;
     restart();
-    if (change.kind == Change::Kind::Everything) {
+    if (change.everything) {
         found_ = {};
         counts_ = {};
     }

@@ -15,7 +15,7 @@ class LiveTruth : public QObject {
     Q_OBJECT
 
 public:
-    LiveTruth(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
+    LiveTruth(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
     struct Question {
         Variant variant;
@@ -48,7 +48,7 @@ signals:
 private:
     using Pieces = std::vector<std::vector<clipping::Clipped>>;
 
-    void outdate(const Change& change);
+    void outdate(const DocumentChange& change);
     void restart();
     void findAtOnce();
     void begin();

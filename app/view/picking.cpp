@@ -20,17 +20,16 @@ double distance(const Point& point, const clipping::Segment& s)
     return glm::distance(point, s.a + along * t);
 }
 
-Picking::Picking(const Drawing& drawing, const Scene& scene, QObject* parent)
-    : QObject(parent), drawing_(drawing), scene_(scene)
+Picking::Picking(const EditedDocument& document, const Scene& scene, QObject* parent)
+    : QObject(parent), document_(document), scene_(scene)
 {
-    connect(&drawing, &Drawing::changed, this,
-            [this](const Change& change) { outdated_ |= change.kind != Change::Kind::Window; });
+    connect(&document, &EditedDocument::changed, this,
+            [this](const DocumentChange& change) { outdated_ |= change.drawing(); });
 }
 
 bool Picking::pickable(std::size_t shape) const
 {
-    const Sheet& sheet = drawing_.sheet();
-    return sheet.shown(sheet.shapes[shape]) && !sheet.layers[sheet.shapes[shape].layer].locked;
+    return document_.now().editable(shape);
 }
 
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
@@ -81,10 +80,10 @@ static bool contains(std::span<const clipping::Segment> outline, FillRule rule, 
 
 std::optional<std::size_t> Picking::areaAt(const Point& point) const
 {
-    const auto& shapes = drawing_.sheet().shapes;
-    for (std::size_t shape = shapes.size(); shape-- > 0;) {
+    const Objects& objects = document_.now().objects();
+    for (std::size_t shape = objects.size(); shape-- > 0;) {
         const auto first = scene_.firstSegmentOf(shape), end = scene_.firstSegmentOf(shape + 1);
-        const app::Style& style = shapes[shape].style;
+        const app::Style& style = objects[shape].style();
         if (style.fill && pickable(shape)
             && contains(scene_.segments().subspan(first, end - first), style.fillRule, point))
             return shape;
@@ -96,7 +95,7 @@ ObjectRanges Picking::shapesIn(const clipping::Window& rectangle, Box box) const
 {
     static const auto clip = clipping::algorithms().front().corrected.clip;
     ObjectRanges found;
-    for (std::size_t shape = 0; shape < drawing_.sheet().shapes.size(); ++shape) {
+    for (std::size_t shape = 0; shape < document_.now().objects().size(); ++shape) {
         const auto first = scene_.firstSegmentOf(shape), end = scene_.firstSegmentOf(shape + 1);
         const auto lines = scene_.segments().subspan(first, end - first);
         const auto contained = [&](const clipping::Segment& s) {

@@ -14,7 +14,7 @@ class Picking : public QObject {
     Q_OBJECT
 
 public:
-    Picking(const Drawing& drawing, const Scene& scene, QObject* parent = nullptr);
+    Picking(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
     /// Every segment that comes within `radius` of the point, ascending.
     std::vector<std::size_t> near(const Point& point, double radius) const;
@@ -41,7 +41,7 @@ private:
     template <class Visit>
     void visit(const clipping::Segment& segment, Visit cell) const;
 
-    const Drawing& drawing_;
+    const EditedDocument& document_;
     const Scene& scene_;
     mutable bool outdated_ = true;
     mutable Point origin_{};

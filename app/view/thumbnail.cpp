@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/thumbnail.h"
 
+#include "app/document/legacy.h"
 #include "app/view/raster.h"
 
 #include <QPainter>
@@ -39,8 +40,8 @@ void cover(View& view, const Sheet& sheet)
 QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours)
 {
-    const Drawing drawing(sheet);
-    Scene scene(drawing);
+    const EditedDocument document(documentOf(sheet));
+    Scene scene(document);
     View view;
     view.size = {points.width(), points.height()};
     cover(view, sheet);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/commands/history.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/resize_shapes.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/resize_objects.h"
 #include "app/commands/set_style.h"
 #include "app/document/bounds.h"
 #include "app/view/picking.h"
@@ -14,6 +14,8 @@
 #include <cmath>
 #include <memory>
 #include <random>
+
+#include "tests/app/document/sheet_edits.h"
 
 /// What document.cpp draws: lines that touch nothing, or pen lines of 100 segments.
 enum class Drawn : std::uint8_t { Loose, Polylines };
@@ -30,19 +32,19 @@ public:
     void makeScene() { scene_ = std::make_unique<app::Scene>(drawing_); }
     void makePicking() { picking_ = std::make_unique<app::Picking>(drawing_, *scene_); }
     std::size_t segments() const { return scene_->segments().size(); }
-    std::size_t objects() const { return drawing_.sheet().shapes.size(); }
+    std::size_t objects() const { return sheetOf(document_).shapes.size(); }
 
     app::Frame clip(app::Scene::Removed removed)
     {
         const auto& exact = clipping::findAlgorithm("exact")->corrected;
-        return scene_->clip(exact, drawing_.sheet().window, removed);
+        return scene_->clip(exact, sheetOf(document_).window, removed);
     }
     app::Picture picture(const app::Frame& frame) const
     {
         app::PictureOptions options;
         options.view.size = {1280, 800};
-        options.view.fit(drawing_.sheet().page.rectangle());
-        return app::picture(drawing_.sheet(), *scene_, frame, options);
+        options.view.fit(sheetOf(document_).page.rectangle());
+        return app::picture(sheetOf(document_), *scene_, frame, options);
     }
     void hover(const app::Point& at) const { picking_->nearest(at, 5); }
 
@@ -64,25 +66,25 @@ public:
     // Each is one step to undo, and leaves the scene up to date.
     void move(const Selection& selection)
     {
-        push(new app::MoveShapes(drawing_, selection, {1.5, -0.5}));
+        push(new app::MoveObjects(drawing_, selection, {1.5, -0.5}));
     }
     void resize(const Selection& selection)
     {
         const clipping::Window to{{0, 0}, {0.999, 0.998}};
-        push(new app::ResizeShapes(drawing_, selection, {{0, 0}, {1, 1}}, to));
+        push(new app::ResizeObjects(drawing_, selection, {{0, 0}, {1, 1}}, to));
     }
     void restyle(const Selection& selection, double width)
     {
         const auto widen = [width](app::Style& style) { style.width = width; };
         push(new app::SetStyle(drawing_, selection, widen, QStringLiteral("Width")));
     }
-    void remove(const Selection& selection) { push(new app::RemoveShapes(drawing_, selection)); }
+    void remove(const Selection& selection) { push(new app::RemoveObjects(drawing_, selection)); }
     void undo() { history_.undo(); }
     void redo() { history_.redo(); }
     void forgetHistory() { history_.clear(); }
 
     /// What autosave and export work on while editing goes on.
-    auto snapshot() const { return std::make_unique<app::Sheet>(drawing_.sheet()); }
+    auto snapshot() const { return std::make_unique<app::Sheet>(sheetOf(document_)); }
 
 private:
     static app::Sheet sheetOf(Drawn drawn, std::size_t segments)
@@ -109,7 +111,7 @@ private:
     }
     void push(app::UndoCommand* step) { history_.push(step); }
 
-    app::Drawing drawing_;
+    app::EditedDocument document_;
     std::unique_ptr<app::Scene> scene_;
     std::unique_ptr<app::Picking> picking_;
     app::History history_;

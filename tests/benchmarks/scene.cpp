@@ -15,6 +15,7 @@
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/timing.h"
 #include "tests/benchmarks/used_memory.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -145,7 +146,7 @@ public:
 
     void frames()
     {
-        drawing_.load(sheetOf(objects_));
+        ::load(document_, sheetOf(objects_));
         array_ = std::make_unique<app::Scene>(drawing_);
         QTextStream(stdout)
             << "Share of the page; ms of clipping, one array -> blocks; of the call\n";
@@ -203,7 +204,7 @@ private:
     std::size_t start_;
     app::Objects objects_;
     app::BlockScene blocks_;
-    app::Drawing drawing_;
+    app::EditedDocument document_;
     std::unique_ptr<app::Scene> array_;
 };
 

@@ -20,6 +20,7 @@
 #include <QStatusBar>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -33,7 +34,7 @@ bool inFront(const QDockWidget* dock) { return dock->isVisible() && dock->x() >=
 void setWindow(TestWindow& t, const clipping::Window& window)
 {
     app::Session& session = t.window->session();
-    session.history.push(new app::SetWindow(session.drawing, window));
+    session.history.push(new app::SetWindow(session.document, window));
 }
 
 } // namespace
@@ -221,8 +222,8 @@ private slots:
         QVERIFY2(t.answers->proposed.endsWith("two-cut.svg"), qPrintable(t.answers->proposed));
         QVERIFY2(t.window->message().contains("Exported out.svg"), qPrintable(t.window->message()));
         const auto cut = app::readFile(t.path("out.svg"));
-        const app::Drawing drawing(cut.value->sheet);
-        const app::Scene scene(drawing);
+        const app::EditedDocument document(app::documentOf(cut.value->sheet));
+        const app::Scene scene(document);
         QCOMPARE(scene.segments().size(), std::size_t(1));
         QCOMPARE(scene.segments()[0], (clipping::Segment{{25, 50}, {75, 50}}));
     }
@@ -247,7 +248,7 @@ private slots:
         t.show();
         auto layers = t.window->session().sheet().layers;
         layers.front().locked = true;
-        t.window->session().drawing.setLayers(layers);
+        ::setLayers(t.window->session().document, layers);
         const int before = t.window->session().history.count();
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
@@ -268,7 +269,7 @@ private slots:
         const auto restyle = [&session] {
             const app::ObjectRanges all(app::ObjectRange{0, session.sheet().shapes.size()});
             session.history.push(new app::SetStyle(
-                session.drawing, all, [](app::Style& style) { style.width += 1; }, "Width"));
+                session.document, all, [](app::Style& style) { style.width += 1; }, "Width"));
         };
         restyle();
         QCoreApplication::processEvents();

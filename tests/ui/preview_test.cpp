@@ -11,6 +11,7 @@
 #include <array>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -42,7 +43,7 @@ struct Desk : TestWindow {
             "lines.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
                          "viewBox='0 0 100 100'><path stroke='#000' fill='none' d='"
                              + path + "'/></svg>"));
-        session().drawing.setWindow(start);
+        ::setWindow(session().document, start);
         show();
         window->canvas().setTool("window");
         window->canvas().fitDrawing();
@@ -280,7 +281,7 @@ private slots:
         QCOMPARE(changed.size(), 1);
         session.setPreview({.window = start, .drag = app::Preview::Drag::Sizing});
         QCOMPARE(changed.size(), 2);
-        session.drawing.load({});
+        session.document.load({});
         QCOMPARE(changed.size(), 3);
         QCOMPARE(session.preview(), app::Preview{});
     }

@@ -93,7 +93,7 @@ public:
         if (test_.drawingArea()->isVisibleTo(test_.window.get()) == session().microscope.isOpen()
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
             return "the active pane is not in sight";
-        return std::ranges::equal(app::Scene(session().drawing).segments(), segments)
+        return std::ranges::equal(app::Scene(session().document).segments(), segments)
                    ? QString()
                    : "the scene is not the drawing";
     }

@@ -64,7 +64,10 @@ void Canvas::redo() { parts_->controller.redo(); }
 QString Canvas::undoText() const { return parts_->controller.undoText(); }
 QString Canvas::redoText() const { return parts_->controller.redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }
-std::optional<app::Shape> Canvas::shapeInHand() const { return parts_->controller.shapeInHand(); }
+std::optional<app::ObjectInHand> Canvas::objectInHand() const
+{
+    return parts_->controller.objectInHand();
+}
 void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
 void Canvas::setPointingDevice(PointingDevice device)
 {

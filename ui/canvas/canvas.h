@@ -63,7 +63,7 @@ public:
     QString redoText() const;
     /// Keeps what can be kept of the gesture: the document is wanted as it is seen.
     void endGesture();
-    std::optional<app::Shape> shapeInHand() const; ///< what endGesture() would keep now
+    std::optional<app::ObjectInHand> objectInHand() const; ///< what endGesture() would keep now
 
     void setSnapping(app::SnapTo to);
     void setPointingDevice(PointingDevice device);

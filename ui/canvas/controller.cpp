@@ -20,7 +20,7 @@ static app::Colour colourOf(const QColor& c)
 }
 
 Controller::Controller(app::Session& session, QObject* parent)
-    : QObject(parent), session_(session), picking_(session.drawing, session.scene),
+    : QObject(parent), session_(session), picking_(session.document, session.scene),
       letters_(session.scene), shown_(session.display()),
       look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
@@ -101,15 +101,16 @@ void Controller::setTool(std::string_view key)
 // A new shape on a layer that is locked or not shown would surprise.
 bool Controller::mayDraw() const
 {
-    const app::Layer& layer = session_.sheet().layers[session_.pen.layer];
-    return !tool_->draws() || (layer.visible && !layer.locked);
+    const app::Containers& containers = session_.now().containers();
+    const app::ContainerId layer = session_.pen.layer;
+    return !tool_->draws() || (containers.shown(layer) && !containers.locked(layer));
 }
 
 QString Controller::hint() const
 {
     if (!mayDraw())
         return tr("The layer %1 is locked or hidden. Choose another one, or unlock it.")
-            .arg(session_.sheet().layers[session_.pen.layer].name);
+            .arg(session_.now().containers()[session_.pen.layer].name);
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;
 }
@@ -282,10 +283,12 @@ void Controller::endGesture()
         withTool([&] { tool_->end(bench_); });
 }
 
-std::optional<app::Shape> Controller::shapeInHand() const
+std::optional<app::ObjectInHand> Controller::objectInHand() const
 {
-    auto path = tool_->pathInHand();
-    return path ? std::optional(shapeOf(session_, {std::move(*path)})) : std::nullopt;
+    const auto path = tool_->pathInHand();
+    if (!path)
+        return std::nullopt;
+    return app::ObjectInHand{objectOf(session_, std::span(&*path, 1)), session_.pen.layer};
 }
 
 bool Controller::handle(QEvent& event)

@@ -70,7 +70,7 @@ public:
     /// Where the document is wanted, or the view is about to change under the pointer: keeps what
     /// can be kept of the gesture.
     void endGesture();
-    std::optional<app::Shape> shapeInHand() const; ///< what endGesture() would keep now
+    std::optional<app::ObjectInHand> objectInHand() const; ///< what endGesture() would keep now
 
     /// One step back or forth: a corner of the polyline in hand, else of the history. In the middle
     /// of a drag, undo() drops the drag and redo() does nothing.
@@ -82,7 +82,7 @@ public:
     QString redoText() const;
 
     /// The clip window as it is now, in the middle of a gesture too.
-    const clipping::Window& window() const { return session_.window(); }
+    clipping::Window window() const { return session_.window(); }
     /// Boxes that labels should not hide, in logical pixels.
     const std::vector<QRectF>& letters() const { return letters_.in(view()); }
     QColor pageColour() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/move_shapes.h"
+#include "app/commands/move_objects.h"
 #include "app/commands/set_window.h"
 #include "ui/canvas/controller.h"
 
@@ -125,9 +125,9 @@ bool Controller::arrow(const QKeyEvent& event)
     if (event.modifiers() & Qt::AltModifier) {
         const clipping::Window w = session_.sheet().window;
         session_.history.push(
-            new app::SetWindow(session_.drawing, {w.min + by, w.max + by}, app::Merging::WithLast));
+            new app::SetWindow(session_.document, {w.min + by, w.max + by}, app::Merging::WithLast));
     } else if (!session_.selection().empty()) {
-        session_.history.push(new app::MoveShapes(session_.drawing, session_.selection(), by,
+        session_.history.push(new app::MoveObjects(session_.document, session_.selection(), by,
                                                   app::Merging::WithLast));
     } else {
         navigation_.pan(QPointF(-direction->x, -direction->y)

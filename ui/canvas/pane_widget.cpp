@@ -7,7 +7,7 @@ namespace ui {
 
 PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     : QWidget(parent), session_(controller.session()),
-      fromExact_(session_.drawing, session_.scene), pane_{{&app::usualAlgorithm()}},
+      fromExact_(session_.document, session_.scene), pane_{{&app::usualAlgorithm()}},
       heading_(new PaneHeading(this)),
       surface_((backend == Backend::OpenGL ? makeGlSurface : makeRasterSurface)(
           controller, pane_,

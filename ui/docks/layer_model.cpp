@@ -1,35 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layer_model.h"
 
-#include "app/commands/set_layers.h"
+#include "app/commands/set_containers.h"
 #include "app/document/layer_report.h"
 
 #include <QColor>
 
+#include <algorithm>
+
 namespace ui {
 
+static std::vector<app::ContainerId> layersOf(const app::Document& document)
+{
+    std::vector<app::ContainerId> layers = document.containers().childrenOf(0);
+    std::ranges::reverse(layers);
+    return layers;
+}
+
 LayerModel::LayerModel(app::Session& session, QObject* parent)
-    : QAbstractListModel(parent), session_(session), rows_(int(session.sheet().layers.size()))
+    : QAbstractListModel(parent), session_(session), layers_(layersOf(session.now()))
 {
-    connect(&session.drawing, &app::Drawing::changed, this, &LayerModel::follow);
+    connect(&session.document, &app::EditedDocument::changed, this, &LayerModel::follow);
 }
 
-int LayerModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : rows_; }
-
-std::uint32_t LayerModel::layerOf(const QModelIndex& index) const
+int LayerModel::rowCount(const QModelIndex& parent) const
 {
-    return std::uint32_t(rowCount() - 1 - index.row());
+    return parent.isValid() ? 0 : int(layers_.size());
 }
 
-QModelIndex LayerModel::indexOf(std::uint32_t layer) const
+app::ContainerId LayerModel::layerOf(const QModelIndex& index) const
 {
-    return index(rowCount() - 1 - int(layer));
+    return layers_[std::size_t(index.row())];
+}
+
+QModelIndex LayerModel::indexOf(app::ContainerId layer) const
+{
+    return index(int(std::ranges::find(layers_, layer) - layers_.begin()));
 }
 
 QVariant LayerModel::data(const QModelIndex& index, int role) const
 {
-    const std::uint32_t number = layerOf(index);
-    const app::Layer& layer = session_.sheet().layers[number];
+    const app::ContainerId id = layerOf(index);
+    const app::Container& layer = session_.now().containers()[id];
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
@@ -39,9 +51,9 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     case LockedRole:
         return layer.locked;
     case CountRole:
-        return qulonglong(app::linesOfLayer(session_, number));
+        return qulonglong(app::linesOf(session_, id));
     case Qt::DecorationRole:
-        if (const auto ink = app::inkOfLayer(session_.sheet(), number))
+        if (const auto ink = app::inkOf(session_.now(), id))
             return QColor(ink->red, ink->green, ink->blue);
         return {};
     case Qt::AccessibleTextRole:
@@ -55,9 +67,8 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
 
 bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    auto layers = session_.sheet().layers;
-    app::Layer& layer = layers[layerOf(index)];
-    const app::Layer before = layer;
+    const app::Container before = session_.now().containers()[layerOf(index)];
+    app::Container layer = before;
     QString text;
     if (role == VisibleRole) {
         layer.visible = value.toBool();
@@ -71,7 +82,7 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
     }
     if (layer == before)
         return false;
-    session_.history.push(new app::SetLayers(session_.drawing, std::move(layers), text));
+    session_.history.push(new app::SetContainers(session_.document, session_.now().containers().with(layer), text));
     return true;
 }
 
@@ -82,29 +93,31 @@ Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
 
 void LayerModel::addLayer()
 {
-    auto layers = session_.sheet().layers;
-    layers.push_back({tr("Layer %1").arg(layers.size() + 1)});
-    session_.history.push(new app::SetLayers(session_.drawing, std::move(layers), tr("Add layer")));
+    const app::Containers& containers = session_.now().containers();
+    const std::size_t count = layers_.size(), top = containers.objects();
+    auto more = containers.inserted({.name = tr("Layer %1").arg(count + 1)}, 0, count, {top, top});
+    if (more)
+        session_.history.push(
+            new app::SetContainers(session_.document, std::move(*more), tr("Add layer")));
 }
 
-void LayerModel::removeLayer(std::uint32_t layer)
+void LayerModel::removeLayer(app::ContainerId layer)
 {
-    if (session_.sheet().layers.size() > 1)
-        session_.history.push(new app::RemoveLayer(session_.drawing, layer));
+    if (layers_.size() > 1)
+        session_.history.push(new app::RemoveLayer(session_.document, layer));
 }
 
-void LayerModel::follow(const app::Change& change)
+void LayerModel::follow(const app::DocumentChange& change)
 {
-    using Kind = app::Change::Kind;
-    const int rows = int(session_.sheet().layers.size());
-    if (change.kind == Kind::Everything || (change.kind == Kind::Layers && rows != rows_)) {
+    auto layers = layersOf(session_.now());
+    if (change.everything || layers != layers_) {
         beginResetModel();
-        rows_ = rows;
+        layers_ = std::move(layers);
         endResetModel();
-    } else if (change.kind == Kind::Layers) {
+    } else if (change.containers) {
         // No reset: the name is perhaps being edited in the list, which a reset would take away.
         emit dataChanged(index(0), index(rowCount() - 1));
-    } else if (change.kind == Kind::Shapes) {
+    } else if (change.objects) {
         emit dataChanged(index(0), index(rowCount() - 1), {CountRole, Qt::DecorationRole});
     }
 }

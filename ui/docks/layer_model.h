@@ -21,17 +21,17 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    std::uint32_t layerOf(const QModelIndex& index) const;
-    QModelIndex indexOf(std::uint32_t layer) const;
+    app::ContainerId layerOf(const QModelIndex& index) const;
+    QModelIndex indexOf(app::ContainerId layer) const;
 
     void addLayer();
-    void removeLayer(std::uint32_t layer); ///< not the last one
+    void removeLayer(app::ContainerId layer); ///< not the last one
 
 private:
-    void follow(const app::Change& change);
+    void follow(const app::DocumentChange& change);
 
     app::Session& session_;
-    int rows_; ///< as views know them
+    std::vector<app::ContainerId> layers_; ///< as views know them, the topmost first
 };
 
 } // namespace ui

@@ -151,10 +151,8 @@ QToolButton* LayersPanel::button(std::string_view key, const QString& name)
 
 void LayersPanel::follow()
 {
-    const auto count = std::uint32_t(session_.sheet().layers.size());
-    session_.pen.layer = std::min(session_.pen.layer, count - 1);
     list_->setCurrentIndex(model_->indexOf(session_.pen.layer));
-    remove_->setEnabled(count > 1);
+    remove_->setEnabled(model_->rowCount() > 1);
 }
 
 } // namespace ui

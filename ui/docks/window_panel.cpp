@@ -77,7 +77,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
         field->setMinimumWidth(72);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
-    connect(&session.drawing, &app::Drawing::changed, this, &WindowPanel::follow); // the page
+    connect(&session.document, &app::EditedDocument::changed, this, &WindowPanel::follow); // the page
     connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
     follow();
 }
@@ -101,7 +101,7 @@ void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)
-        session_.history.push(new app::SetWindow(session_.drawing, after, merging));
+        session_.history.push(new app::SetWindow(session_.document, after, merging));
 }
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/resize_shapes.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/resize_objects.h"
 #include "app/teaching/specimen.h"
 #include "app/view/numbers.h"
 #include "ui/tools/shape_drawing.h"
@@ -143,10 +143,10 @@ void SelectTool::finishDrag(Workbench& bench)
 {
     app::Session& session = bench.session;
     if (boxGrip_.value_or(app::Grip{}) == app::Grip{})
-        session.history.push(new app::MoveShapes(session.drawing, session.selection(), offset()));
+        session.history.push(new app::MoveObjects(session.document, session.selection(), offset()));
     else
         session.history.push(
-            new app::ResizeShapes(session.drawing, session.selection(), bounds_, target()));
+            new app::ResizeObjects(session.document, session.selection(), bounds_, target()));
 }
 
 void SelectTool::release(const Pointer& pointer, Workbench& bench)
@@ -211,7 +211,7 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
     if ((event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace)
         || session.selection().empty() || busy())
         return false;
-    session.history.push(new app::RemoveShapes(session.drawing, session.selection()));
+    session.history.push(new app::RemoveObjects(session.document, session.selection()));
     litSegment_.reset();
     return true;
 }
@@ -278,10 +278,8 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
 void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
 {
     const app::Scene& scene = bench.session.scene;
-    const clipping::Window to = target();
-    const auto at = [&](const app::Point& p) {
-        return bench.onScreen(app::fitted(p, bounds_, to));
-    };
+    const app::Placement where = app::fitting(bounds_, target());
+    const auto at = [&](const app::Point& p) { return bench.onScreen(where(p)); };
     std::vector<QLineF> lines;
     for (const std::size_t shape : bench.session.selection()) {
         if (lines.size() >= mostPreviewed)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/shape_drawing.h"
 
-#include "app/commands/add_shapes.h"
+#include "app/commands/add_objects.h"
 #include "app/view/ink.h"
 
 #include <QPainterPath>
@@ -12,19 +12,18 @@
 
 namespace ui {
 
-app::Shape shapeOf(const app::Session& session, std::vector<app::Subpath> paths)
+app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths)
 {
-    return {.paths = std::move(paths),
-            .style = session.pen.style,
-            .id = {},
-            .layer = session.pen.layer};
+    return {.path = app::Path(subpaths), .style = session.pen.style};
 }
 
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText)
 {
     app::Session& session = bench.session;
+    app::Objects objects = session.now().objects().slice(0, 0);
+    objects.append(objectOf(session, paths));
     session.history.push(
-        new app::AddShapes(session.drawing, {shapeOf(session, std::move(paths))}, undoText));
+        new app::AddObjects(session.document, objects, session.pen.layer, undoText));
 }
 
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A new shape in the session's pen.
-app::Shape shapeOf(const app::Session& session, std::vector<app::Subpath> paths);
+/// A new object in the session's pen.
+app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths);
 
 /// What the drawing tools share: a new shape, pushed as one step.
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText);

@@ -45,7 +45,7 @@ void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
     const auto result = window();
     state_.reset();
     if (result && *result != bench.session.sheet().window)
-        bench.session.history.push(new app::SetWindow(bench.session.drawing, *result));
+        bench.session.history.push(new app::SetWindow(bench.session.document, *result));
     bench.session.setPreview({});
 }
 

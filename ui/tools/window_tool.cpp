@@ -77,7 +77,7 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
         return false;
     by *= nudge(bench, event.modifiers());
     const clipping::Window& w = bench.session.sheet().window;
-    bench.session.history.push(new app::SetWindow(bench.session.drawing, {w.min + by, w.max + by},
+    bench.session.history.push(new app::SetWindow(bench.session.document, {w.min + by, w.max + by},
                                                   app::Merging::WithLast));
     return true;
 }

@@ -74,7 +74,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
-    connect(&session.drawing, &app::Drawing::changed, this, &OptionBar::followStyle);
+    connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followStyle);
     followDisplay();
     paintIcons();
 }
@@ -266,7 +266,7 @@ void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QS
     change(session_.pen.style);
     if (!session_.selection().empty())
         session_.history.push(
-            new app::SetStyle(session_.drawing, session_.selection(), change, text, merging));
+            new app::SetStyle(session_.document, session_.selection(), change, text, merging));
     followStyle();
 }
 

@@ -19,8 +19,8 @@ WindowNote::WindowNote(const app::Session& session)
     setContentsMargins(12, 8, 12, 8);
     setWordWrap(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider
-    connect(&session.drawing, &app::Drawing::changed, this, [this](const app::Change& change) {
-        if (change.kind == app::Change::Kind::Window && isVisible())
+    connect(&session.document, &app::EditedDocument::changed, this, [this](const app::DocumentChange& change) {
+        if (change.windows && !change.everything && isVisible())
             emit learnt();
     });
 }

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/app/commands/random_commands.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -28,25 +29,25 @@ private slots:
     {
         constexpr int count = 200;
         for (std::uint64_t round = 0; round < 5; ++round) {
-            app::Drawing drawing(sheet(20));
+            app::EditedDocument document(app::documentOf(sheet(20)));
             app::History history;
-            RandomCommands steps(drawing, round);
-            std::vector<app::Sheet> states{drawing.sheet()};
+            RandomCommands steps(document, round);
+            std::vector<app::Sheet> states{sheetOf(document)};
             for (int i = 0; i < count; ++i) {
                 history.push(steps.next());
-                states.push_back(drawing.sheet());
-                QVERIFY(std::ranges::is_sorted(drawing.sheet().shapes, {}, &app::Shape::layer));
+                states.push_back(sheetOf(document));
+                QVERIFY(std::ranges::is_sorted(sheetOf(document).shapes, {}, &app::Shape::layer));
             }
             QVERIFY2(steps.neverDrawn().empty(), steps.neverDrawn().data());
             for (int i = count; i > 0; --i) {
-                QVERIFY(drawing.sheet() == states[std::size_t(i)]);
+                QVERIFY(sheetOf(document) == states[std::size_t(i)]);
                 history.undo();
             }
             for (int i = 0; i < count; ++i) {
-                QVERIFY(drawing.sheet() == states[std::size_t(i)]);
+                QVERIFY(sheetOf(document) == states[std::size_t(i)]);
                 history.redo();
             }
-            QVERIFY(drawing.sheet() == states.back());
+            QVERIFY(sheetOf(document) == states.back());
         }
     }
     // The lock protects against editing, and what is hidden is not seen to
@@ -59,7 +60,7 @@ private slots:
         before.shapes.insert(before.shapes.begin(), line({0, 9}, {5, 9}, 0));
         before.window = {{1, 0}, {2, 9}};
         before.shapes.front().hidden = true;
-        app::Drawing drawing(before);
+        app::EditedDocument document(app::documentOf(before));
         app::CutOptions options;
         options.algorithm = &clipping::findAlgorithm("exact")->corrected;
         options.window = before.window;
@@ -71,7 +72,7 @@ private slots:
         QCOMPARE(app::cutText(crop.counts()), "shapes 1 cut. Left alone on locked layers: 1. Left "
                                               "alone because hidden: 3.");
         crop.redo();
-        const auto& after = drawing.sheet().shapes;
+        const auto& after = sheetOf(document).shapes;
         QCOMPARE(after.size(), before.shapes.size());
         for (std::size_t i = 0; i < after.size(); ++i)
             QCOMPARE(after[i] == before.shapes[i], i != 1);
@@ -91,9 +92,9 @@ private slots:
         app::History& history = session.history;
         std::chrono::steady_clock::time_point now{};
         history.setClock([&] { return now; });
-        session.drawing.load(sheet(2));
+        ::load(session.document, sheet(2));
         const auto move = [&](const app::ObjectRanges& shapes, app::Merging merging) {
-            history.push(new app::MoveShapes(session.drawing, shapes, {1, 0}, merging));
+            history.push(new app::MoveObjects(session.document, shapes, {1, 0}, merging));
         };
         const auto before = session.sheet();
         for (int i = 0; i < 5; ++i, now += 999ms)
@@ -123,7 +124,7 @@ private slots:
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
         const auto before = session.sheet();
         for (int i = 0; i < 3; ++i)
-            history.push(new app::SetWindow(session.drawing, {{i * 1.0, 0}, {i + 9.0, 9}},
+            history.push(new app::SetWindow(session.document, {{i * 1.0, 0}, {i + 9.0, 9}},
                                             app::Merging::WithLast));
         QCOMPARE(history.count(), 2); // the first changed its size, too
         history.undo();
@@ -136,14 +137,14 @@ private slots:
         app::Session session;
         app::History& history = session.history;
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
-        session.drawing.load(sheet(30));
+        ::load(session.document, sheet(30));
         const auto before = session.sheet();
         app::ObjectRanges scattered;
         for (std::size_t i = 0; i < before.shapes.size(); i += 3)
             scattered.insert(i);
         const auto restyle = [&](const app::ObjectRanges& shapes, const QString& text) {
             history.push(new app::SetStyle(
-                session.drawing, shapes, [](app::Style& style) { style.width *= 2; }, text,
+                session.document, shapes, [](app::Style& style) { style.width *= 2; }, text,
                 app::Merging::WithLast));
         };
         restyle(scattered, "Width");
@@ -160,21 +161,21 @@ private slots:
     void theSelectionFollows()
     {
         app::Session session;
-        session.drawing.load(sheet(4));
+        ::load(session.document, sheet(4));
         session.select({1, 6, 9});
-        session.history.push(new app::RemoveShapes(session.drawing, {0, 6}));
+        session.history.push(new app::RemoveObjects(session.document, {0, 6}));
         QCOMPARE(session.selection(), (app::ObjectRanges{0, 7}));
         session.history.undo();
         QVERIFY(session.selection().contains(1) && session.selection().contains(9));
     }
     void shapesArriveOnTopOfTheirLayer()
     {
-        app::Drawing drawing(sheet(2));
+        app::EditedDocument document(app::documentOf(sheet(2)));
         app::History history;
         auto* add = new app::AddShapes(drawing, {line({0, 0}, {9, 9}, 1)}, "Add");
         history.push(add);
         QCOMPARE(add->shapes(), app::ObjectRanges{4});
-        QCOMPARE(drawing.sheet().shapes[4].layer, 1U);
+        QCOMPARE(sheetOf(document).shapes[4].layer, 1U);
     }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/history.h"
 #include "app/commands/memory.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
 #include "app/commands/set_style.h"
 
 #include <QTest>
@@ -10,6 +10,7 @@
 #include <malloc.h>
 
 #include "tests/sanitizer.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -41,10 +42,10 @@ app::Sheet polylines(int count)
     return sheet;
 }
 
-app::ObjectRanges all(const app::Drawing& drawing)
+app::ObjectRanges all(const app::EditedDocument& document)
 {
     app::ObjectRanges shapes;
-    for (std::size_t i = 0; i < drawing.sheet().shapes.size(); ++i)
+    for (std::size_t i = 0; i < sheetOf(document).shapes.size(); ++i)
         shapes.insert(i);
     return shapes;
 }
@@ -70,26 +71,26 @@ private slots:
     // What a step says is what the allocator gets back when it is forgotten, to 1 %.
     void aStepKeepsWhatItSays_data()
     {
-        using Make = std::function<app::UndoCommand*(app::Drawing&)>;
+        using Make = std::function<app::UndoCommand*(app::EditedDocument&)>;
         QTest::addColumn<Make>("make");
-        QTest::newRow("move") << Make([](app::Drawing& drawing) {
-            return new app::MoveShapes(drawing, all(drawing), {1, 1});
+        QTest::newRow("move") << Make([](app::EditedDocument& document) {
+            return new app::MoveObjects(drawing, all(document), {1, 1});
         });
-        QTest::newRow("style") << Make([](app::Drawing& drawing) {
+        QTest::newRow("style") << Make([](app::EditedDocument& document) {
             return new app::SetStyle(
-                drawing, all(drawing), [](app::Style& style) { style.dashes = {1}; }, "Dashes");
+                drawing, all(document), [](app::Style& style) { style.dashes = {1}; }, "Dashes");
         });
         QTest::newRow("remove") << Make(
-            [](app::Drawing& drawing) { return new app::RemoveShapes(drawing, all(drawing)); });
+            [](app::EditedDocument& document) { return new app::RemoveObjects(drawing, all(document)); });
     }
     void aStepKeepsWhatItSays()
     {
         if (!memoryCanBeLimited)
             QSKIP("a sanitizer has an allocator of its own");
-        QFETCH(std::function<app::UndoCommand*(app::Drawing&)>, make);
-        app::Drawing drawing(polylines(5000));
+        QFETCH(std::function<app::UndoCommand*(app::EditedDocument&)>, make);
+        app::EditedDocument document(app::documentOf(polylines(5000)));
         app::History history;
-        history.push(make(drawing));
+        history.push(make(document));
         const std::size_t said = history.bytes(), before = taken();
         history.clear();
         const std::size_t freed = before - taken();
@@ -100,9 +101,9 @@ private slots:
     // Shapes that go are kept by the step, and by the drawing again when it is undone.
     void aStepIsMeasuredAnewWhenItIsUndone()
     {
-        app::Drawing drawing(polylines(1000));
+        app::EditedDocument document(app::documentOf(polylines(1000)));
         app::History history;
-        history.push(new app::RemoveShapes(drawing, all(drawing)));
+        history.push(new app::RemoveObjects(drawing, all(document)));
         const std::size_t inForce = history.bytes();
         QVERIFY(inForce > 1000 * 40 * sizeof(app::PathSegment));
         history.undo();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/add_shapes.h"
+#include "app/commands/add_objects.h"
 #include "app/commands/catalogue.h"
 #include "app/commands/crop_to_window.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/resize_shapes.h"
-#include "app/commands/set_layers.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/resize_objects.h"
+#include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 
@@ -15,6 +15,8 @@
 #include <array>
 #include <map>
 #include <random>
+
+#include "tests/app/document/sheet_edits.h"
 
 // Commands at random, drawn from the catalogue by their keys. What a new command needs here is a
 // maker; tests fail without one (neverDrawn).
@@ -30,7 +32,7 @@ inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
 
 class RandomCommands {
 public:
-    explicit RandomCommands(app::Drawing& drawing, std::uint64_t seed = 7)
+    explicit RandomCommands(app::EditedDocument& document, std::uint64_t seed = 7)
         : drawing_(drawing), random_(seed)
     {
     }
@@ -65,11 +67,11 @@ private:
     static const std::array<Maker, 9> makers;
 
     double number() { return double(random_() % 1000) / 16; }
-    std::uint32_t layer() { return std::uint32_t(random_() % drawing_.sheet().layers.size()); }
+    std::uint32_t layer() { return std::uint32_t(random_() % sheetOf(document_).layers.size()); }
     app::ObjectRanges some()
     {
         app::ObjectRanges chosen;
-        for (std::size_t i = 0; i < drawing_.sheet().shapes.size(); ++i)
+        for (std::size_t i = 0; i < sheetOf(document_).shapes.size(); ++i)
             if (random_() % 3 == 0)
                 chosen.insert(i);
         return chosen;
@@ -80,13 +82,13 @@ private:
             return nullptr;
         app::CutOptions options;
         options.algorithm = &clipping::algorithms().front().corrected;
-        options.window = drawing_.sheet().window;
+        options.window = sheetOf(document_).window;
         options.reach = app::Reach::Editable;
         return new app::CropToWindow(drawing_, options);
     }
     app::UndoCommand* addLayer()
     {
-        auto layers = drawing_.sheet().layers;
+        auto layers = sheetOf(document_).layers;
         layers.push_back({"new"});
         layers.front().locked = !layers.front().locked;
         return new app::SetLayers(drawing_, layers, "Layers");
@@ -98,7 +100,7 @@ private:
             drawing_, {line({1, 1}, {number(), 2}, to), line({3, number()}, {4, 4}, to)}, "Add");
     }
 
-    app::Drawing& drawing_;
+    app::EditedDocument& document_;
     std::mt19937_64 random_;
     std::map<std::string_view, int> drawn_;
 };
@@ -107,15 +109,15 @@ inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
     {"add-shapes", [](RandomCommands& r) { return r.addTwo(); }},
     {"remove-shapes",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::RemoveShapes(r.drawing_, r.some());
+         return new app::RemoveObjects(r.drawing_, r.some());
      }},
     {"move-shapes",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::MoveShapes(r.drawing_, r.some(), {r.number(), r.number()});
+         return new app::MoveObjects(r.drawing_, r.some(), {r.number(), r.number()});
      }},
     {"resize-shapes",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::ResizeShapes(r.drawing_, r.some(), {{0, 0}, {1, 0}},
+         return new app::ResizeObjects(r.drawing_, r.some(), {{0, 0}, {1, 0}},
                                       {{r.number(), 1}, {9, r.number()}});
      }},
     {"set-style",
@@ -131,7 +133,7 @@ inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
     {"set-layers", [](RandomCommands& r) { return r.addLayer(); }},
     {"remove-layer",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return r.drawing_.sheet().layers.size() > 1 ? new app::RemoveLayer(r.drawing_, r.layer())
+         return r.sheetOf(document_).layers.size() > 1 ? new app::RemoveLayer(r.drawing_, r.layer())
                                                      : nullptr;
      }},
     {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},

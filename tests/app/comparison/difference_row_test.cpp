@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "tests/app/document/sheet_edits.h"
+
 class DifferenceRowTest : public QObject {
     Q_OBJECT
 
@@ -38,7 +40,7 @@ private slots:
             line.paths = {{{-1, y}, {{{6, y + 1.6}}}}};
             sheet.shapes.push_back(std::move(line));
         }
-        session.drawing.load(std::move(sheet));
+        ::load(session.document, std::move(sheet));
         session.differences.ask(
             app::Comparison{*app::findVariant("cb:published"), app::exactVariant(), 0});
         session.differences.finish();
@@ -70,7 +72,7 @@ private slots:
         app::Shape line; // leaves by the lower edge at (50, 100)
         line.paths = {{{40, 80}, {{{60, 120}}}}};
         sheet.shapes.push_back(std::move(line));
-        session.drawing.load(std::move(sheet));
+        ::load(session.document, std::move(sheet));
         session.differences.ask(app::Comparison{*app::findVariant("md-step-2")});
         session.differences.finish();
         const auto& list = session.differences.found().list;
@@ -92,7 +94,7 @@ private slots:
             line.paths = {{{100. - 2 * i, 50. - i}, {{{100.5 - 2 * i, 60. + 7 * (i % 5)}}}}};
             sheet.shapes.push_back(std::move(line));
         }
-        session.drawing.load(std::move(sheet));
+        ::load(session.document, std::move(sheet));
         session.differences.ask(app::Comparison{*app::findVariant("kwc:published")});
         session.differences.finish();
         const auto& list = session.differences.found().list;

@@ -8,6 +8,8 @@
 
 #include <random>
 
+#include "tests/app/document/sheet_edits.h"
+
 using namespace clipping;
 using app::Comparison;
 using app::LiveDifferences;
@@ -53,7 +55,7 @@ private slots:
     void nobodyLooks()
     {
         app::Session session;
-        session.drawing.load(sheetOf(1000));
+        ::load(session.document, sheetOf(1000));
         QSignalSpy changed(&session.differences, &LiveDifferences::changed);
         QTest::qWait(50);
         QVERIFY(changed.isEmpty());
@@ -65,7 +67,7 @@ private slots:
     void followsTheDrawing()
     {
         app::Session session;
-        session.drawing.load(sheetOf(5000));
+        ::load(session.document, sheetOf(5000));
         session.differences.ask(kwcAgainstExact());
         QSignalSpy changed(&session.differences, &LiveDifferences::changed);
         QTRY_COMPARE(changed.size(), 1);
@@ -76,13 +78,13 @@ private slots:
 
         // Several changes in one event are looked at once.
         const Window other{{50, 50}, {200, 350}};
-        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {10, 10}}));
-        session.history.push(new app::SetWindow(session.drawing, other));
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {10, 10}}));
+        session.history.push(new app::SetWindow(session.document, other));
         QVERIFY(!session.differences.upToDate());
         QTRY_COMPARE(changed.size(), 2);
         QCOMPARE(found.window, other);
         QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), other));
-        session.drawing.load(sheetOf(100));
+        ::load(session.document, sheetOf(100));
         QCOMPARE(changed.size(), 3); // these lines are gone
         QVERIFY(found.list.empty());
         QTRY_COMPARE(found.lines, std::size_t(100));
@@ -94,7 +96,7 @@ private slots:
     void theSlicesOfManyLinesAreOneList()
     {
         app::Session session;
-        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce + 12'345));
+        ::load(session.document, sheetOf(LiveDifferences::mostAtOnce + 12'345));
         QSignalSpy begun(&session.differences, &LiveDifferences::begun);
         session.differences.ask(kwcAgainstExact());
         QVERIFY(session.differences.piecesAt(paper).empty()); // hidden until it is known
@@ -111,7 +113,7 @@ private slots:
         QVERIFY(session.differences.piecesAt({{0, 0}, {9, 9}}).empty());
 
         // A change in the middle begins anew; finish() does not wait.
-        session.drawing.setWindow({{0, 0}, {50, 50}});
+        ::setWindow(session.document, {{0, 0}, {50, 50}});
         QVERIFY(!session.differences.upToDate());
         session.differences.finish();
         QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), {{0, 0}, {50, 50}}));
@@ -120,7 +122,7 @@ private slots:
     void theColoursFollowAGesture()
     {
         app::Session session;
-        session.drawing.load(sheetOf(5000));
+        ::load(session.document, sheetOf(5000));
         session.differences.ask(kwcAgainstExact());
         session.differences.finish();
         const Window moved{{120, 90}, {320, 240}};
@@ -153,7 +155,7 @@ private slots:
     void manyLinesFollowAGestureThatRests()
     {
         app::Session session;
-        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce + 1));
+        ::load(session.document, sheetOf(LiveDifferences::mostAtOnce + 1));
         session.differences.ask(kwcAgainstExact());
         session.differences.finish();
         QSignalSpy begun(&session.differences, &LiveDifferences::begun);
@@ -169,7 +171,7 @@ private slots:
         QTRY_VERIFY(session.differences.upToDate());
         QCOMPARE(begun.size(), 1);
         QCOMPARE(session.differences.found().list, atOnce(session, kwcAgainstExact(), moved));
-        session.history.push(new app::SetWindow(session.drawing, moved));
+        session.history.push(new app::SetWindow(session.document, moved));
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         // One that is dropped costs nothing.
@@ -179,7 +181,7 @@ private slots:
         QVERIFY(session.differences.upToDate());
         QVERIFY(!session.differences.piecesAt(moved).empty());
         session.setPreview({.window = paper});
-        session.drawing.splice(0, 1, {});
+        ::splice(session.document, 0, 1, {});
         session.setPreview({}); // the lines are others meanwhile
         QVERIFY(!session.differences.upToDate());
     }
@@ -187,7 +189,7 @@ private slots:
     void onlyWhenAskedSomethingElse()
     {
         app::Session session;
-        session.drawing.load(sheetOf(500));
+        ::load(session.document, sheetOf(500));
         session.differences.ask(kwcAgainstExact());
         session.differences.finish();
         QSignalSpy changed(&session.differences, &LiveDifferences::changed);
@@ -220,13 +222,13 @@ private slots:
     void aHundredThousandLinesAreComparedAtOnce()
     {
         app::Session session;
-        session.drawing.load(sheetOf(LiveDifferences::mostAtOnce));
+        ::load(session.document, sheetOf(LiveDifferences::mostAtOnce));
         for (const app::Variant& variant : app::variants()) {
             session.differences.ask(Comparison{variant});
             session.differences.finish();
             double best = 1e9;
             for (int i = 0; i < 3; ++i) {
-                session.drawing.setWindow({{100. + i, 100}, {300, 250}});
+                ::setWindow(session.document, {{100. + i, 100}, {300, 250}});
                 QElapsedTimer clock;
                 clock.start();
                 session.differences.finish();

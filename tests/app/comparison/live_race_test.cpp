@@ -211,7 +211,7 @@ private slots:
         Track t(2000);
         t.race.start();
         t.show(moved(5));
-        t.session.history.push(new app::SetWindow(t.session.drawing, moved(5)));
+        t.session.history.push(new app::SetWindow(t.session.document, moved(5)));
         t.session.setPreview({});
         QTRY_VERIFY(t.race.upToDate());
         QVERIFY(t.roundsOn(moved(5)) >= 1);

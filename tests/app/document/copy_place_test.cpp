@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/move_shapes.h"
+#include "app/commands/move_objects.h"
 #include "app/document/copy_place.h"
 
 #include <QTest>

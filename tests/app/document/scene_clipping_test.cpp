@@ -13,6 +13,7 @@
 #include <set>
 
 #include "tests/app/document/twin_document.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -109,12 +110,12 @@ Pieces folded(std::span<const Segment> lines, const ClipRegion& region, app::Cli
 /// A document, today's scene of it, and the new one.
 class Scenes {
 public:
-    explicit Scenes(std::uint64_t seed) : document(seed), scene(document.drawing) {}
+    explicit Scenes(std::uint64_t seed) : document(seed), scene(document.document) {}
 
     void follow()
     {
         blocks.update(document.objects, document.hidden,
-                      app::usualTolerance(document.drawing.sheet().page));
+                      app::usualTolerance(document.sheetOf(document).page));
     }
     Window randomWindow()
     {

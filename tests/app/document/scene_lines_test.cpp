@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tests/app/document/twin_document.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -177,7 +178,7 @@ private slots:
     {
         TwinDocument document(1);
         const app::Scene scene(document.drawing);
-        const double tolerance = app::usualTolerance(document.drawing.sheet().page);
+        const double tolerance = app::usualTolerance(document.sheetOf(document).page);
         for (int i = 0; i < 40; ++i)
             document.append(polyline(1500));
         Incremental incremental;
@@ -308,7 +309,7 @@ private slots:
         }
         document.splice(0, 0, shapes);
         const app::Scene scene(document.drawing);
-        const double tolerance = app::usualTolerance(document.drawing.sheet().page);
+        const double tolerance = app::usualTolerance(document.sheetOf(document).page);
         const SceneLines lines = app::linesOf(document.objects, document.hidden, tolerance);
         QCOMPARE(document.objects.blocks().size(), std::size_t(1));
         QVERIFY(lines.blocks().size() > 3);

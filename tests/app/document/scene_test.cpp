@@ -8,6 +8,8 @@
 #include <cstring>
 #include <random>
 
+#include "tests/app/document/sheet_edits.h"
+
 namespace {
 
 app::Shape randomShape(std::mt19937_64& random)
@@ -46,15 +48,15 @@ app::Shape moved(app::Shape shape)
 }
 
 /// Exchanges some shapes for others.
-void editAtRandom(app::Drawing& drawing, std::mt19937_64& random)
+void editAtRandom(app::EditedDocument& document, std::mt19937_64& random)
 {
-    const std::size_t size = drawing.sheet().shapes.size();
+    const std::size_t size = sheetOf(document).shapes.size();
     const std::size_t first = random() % (size + 1);
     const std::size_t count = random() % (size - first + 1);
     std::vector<app::Shape> shapes;
     for (auto n = random() % 4; n > 0; --n)
         shapes.push_back(randomShape(random));
-    drawing.splice(first, count, std::move(shapes));
+    ::splice(document, first, count, std::move(shapes));
 }
 
 bool same(std::span<const clipping::Clipped> one, std::span<const clipping::Clipped> other)
@@ -82,13 +84,13 @@ private slots:
     void splicingEqualsStartingAnew()
     {
         std::mt19937_64 random(1);
-        app::Drawing drawing;
+        app::EditedDocument document;
         const app::Scene spliced(drawing);
         for (int round = 0; round < 500; ++round) {
             editAtRandom(drawing, random);
             const app::Scene fresh(drawing);
             QVERIFY(std::ranges::equal(fresh.segments(), spliced.segments()));
-            for (std::size_t i = 0; i <= drawing.sheet().shapes.size(); ++i)
+            for (std::size_t i = 0; i <= sheetOf(document).shapes.size(); ++i)
                 QCOMPARE(spliced.firstSegmentOf(i), fresh.firstSegmentOf(i));
         }
     }
@@ -97,19 +99,19 @@ private slots:
     {
         std::mt19937_64 random(2);
         std::uniform_real_distribution<double> number(-11, 11);
-        app::Drawing drawing;
-        app::Scene scene(drawing);
+        app::EditedDocument document;
+        app::Scene scene(document);
         std::size_t seen = 0;
         for (int round = 0; round < 500; ++round) {
-            const std::size_t size = drawing.sheet().shapes.size();
+            const std::size_t size = sheetOf(document).shapes.size();
             if (round % 10 == 0)
-                drawing.splice(random() % (size + 1), 0, {stroke(random), stroke(random)});
+                ::splice(document, random() % (size + 1), 0, {stroke(random), stroke(random)});
             else if (round % 10 == 5) // as long as before: only boxes change
-                drawing.splice(size - 1, 1, {moved(drawing.sheet().shapes.back())});
+                ::splice(document, size - 1, 1, {moved(sheetOf(document).shapes.back())});
             else
-                drawing.splice(size, 0, {randomShape(random)});
+                ::splice(document, size, 0, {randomShape(random)});
             if (round % 50 == 49)
-                drawing.setLayers({{.name = "layer", .visible = round % 100 == 99}});
+                ::setLayers(document, {{.name = "layer", .visible = round % 100 == 99}});
             if (round % 150 == 149)
                 editAtRandom(drawing, random);
             const app::Point a(number(random), number(random)), b(number(random), number(random));

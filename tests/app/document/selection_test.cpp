@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_shapes.h"
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
-#include "app/commands/set_layers.h"
+#include "app/commands/add_objects.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/set_containers.h"
 #include "app/commands/set_window.h"
 #include "app/document/bounds.h"
 #include "app/document/session.h"
@@ -13,6 +13,7 @@
 #include <random>
 
 #include "tests/app/document/three_layers.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -35,7 +36,7 @@ private slots:
         session.select({1, 6, 9});
         QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
         setMark(session);
-        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {2, 5}}));
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {2, 5}}));
         session.select({9, 6, 1}); // the same
         session.inspect(3);
         app::Display display = session.display();
@@ -55,14 +56,14 @@ private slots:
             return bounds != mark && bounds == app::boundsOf(session.scene, session.selection());
         };
         QVERIFY(changed([&] { session.select({1, 6}); }));
-        QVERIFY(changed([&] { session.drawing.setLayers({{"a"}, {"b", false}, {"c"}}); }));
-        QVERIFY(changed([&] { session.drawing.setPage({}); }));
+        QVERIFY(changed([&] { ::setLayers(session.document, {{"a"}, {"b", false}, {"c"}}); }));
+        QVERIFY(changed([&] { ::setPage(session.document, {}); }));
         QVERIFY(changed([&] {
-            session.history.push(new app::MoveShapes(session.drawing, {1}, {9, 9}));
+            session.history.push(new app::MoveObjects(session.document, {1}, {9, 9}));
         }));
         QVERIFY(changed([&] { session.history.undo(); }));
         QVERIFY(changed([&] {
-            session.history.push(new app::RemoveShapes(session.drawing, {0, 1}));
+            session.history.push(new app::RemoveObjects(session.document, {0, 1}));
         }));
         QVERIFY(changed([&] { session.select({}); }));
         QCOMPARE(session.selectionBounds(), std::nullopt);
@@ -85,15 +86,15 @@ private slots:
                 session.select(some);
                 break;
             case 1:
-                session.history.push(new app::MoveShapes(session.drawing, some, {1, 2}));
+                session.history.push(new app::MoveObjects(session.document, some, {1, 2}));
                 break;
             case 2:
                 session.history.push(new app::AddShapes(
-                    session.drawing, {line({0, 0}, {9, 9}, 1), line({3, 0}, {9, 9}, 1)}, "Add"));
+                    session.document, {line({0, 0}, {9, 9}, 1), line({3, 0}, {9, 9}, 1)}, "Add"));
                 break;
             case 3:
                 if (count > 12)
-                    session.history.push(new app::RemoveShapes(session.drawing, some));
+                    session.history.push(new app::RemoveObjects(session.document, some));
                 break;
             case 4:
                 session.history.undo();

@@ -13,6 +13,8 @@
 #include <set>
 #include <thread>
 
+#include "tests/app/document/sheet_edits.h"
+
 using clipping::Form;
 
 namespace {
@@ -239,8 +241,8 @@ private slots:
         app::Shape shape;
         shape.paths.push_back({{0, 20}, {{{90, 20}}, {{90, 70}}}, false});
         sheet.shapes.push_back(shape);
-        const app::Drawing drawing(sheet);
-        const auto two = app::drawingSubject("two", app::Scene(drawing), drawing.sheet());
+        const app::EditedDocument document(app::documentOf(sheet));
+        const auto two = app::drawingSubject("two", app::Scene(document), sheetOf(document));
         QVERIFY(two);
         QCOMPARE(two->options.lines, 2u);
         app::Choice choice{.subject = *two};

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "tests/app/document/sheet_edits.h"
+
 namespace {
 
 std::atomic<std::size_t> allocations{0};
@@ -68,15 +70,15 @@ private slots:
         for (const int lines : {0, 1, 3})
             for (std::uint32_t layer = 0; layer < 4; ++layer)
                 for (const bool changed : {false, true}) {
-                    const Drawing drawing(sheetOf(lines));
-                    UnsavedWork work(drawing);
+                    const EditedDocument document(documentOf(sheetOf(lines)));
+                    UnsavedWork work(document);
                     auto known = document(changed);
                     known.inHand = line(-5, layer);
                     known.inHand->style.dashes = {1, 2};
                     work.tell(known);
                     const auto written = work.write();
                     QVERIFY2(written.unsaved && !written.error, qPrintable(*written.error));
-                    Sheet expected = drawing.sheet();
+                    Sheet expected = sheetOf(document);
                     expected.shapes.insert(expected.shapes.begin()
                                                + std::ptrdiff_t(drawing.endOfLayer(layer)),
                                            *known.inHand);
@@ -88,8 +90,8 @@ private slots:
     }
     void whatIsSavedIsNotWritten()
     {
-        const Drawing drawing(sheetOf(1));
-        UnsavedWork work(drawing);
+        const EditedDocument document(documentOf(sheetOf(1)));
+        UnsavedWork work(document);
         work.tell(document(false));
         QVERIFY(!work.write().unsaved);
         QVERIFY(!QFile::exists(document(false).file));
@@ -98,8 +100,8 @@ private slots:
     void aShapeInHandCostsNoCopyOfTheDrawing()
     {
         constexpr int lines = 5'000;
-        const Drawing drawing(sheetOf(lines));
-        UnsavedWork work(drawing);
+        const EditedDocument document(documentOf(sheetOf(lines)));
+        UnsavedWork work(document);
         const auto taken = [&](std::optional<Shape> inHand) {
             auto known = document(true);
             known.inHand = std::move(inHand);

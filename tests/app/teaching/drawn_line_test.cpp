@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/move_shapes.h"
-#include "app/commands/remove_shapes.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
 #include "app/commands/set_window.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/format.h"
@@ -96,9 +96,9 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({sheetOf({across, half}), {}});
         drawn.look(0);
-        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {8, 8}}));
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         QCOMPARE(session.microscope.specimen().window, (clipping::Window{{0, 0}, {8, 8}}));
-        session.history.push(new app::MoveShapes(session.drawing, {0}, {1, 0}));
+        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
         QCOMPARE(session.microscope.specimen().line, (clipping::Segment{{-4, 5}, {16, 6}}));
         session.history.undo();
         QCOMPARE(session.microscope.specimen().line, across);
@@ -121,10 +121,10 @@ private slots:
         session.microscope.setSpecimen(specimen);
         QVERIFY(drawn.changed());
         QCOMPARE(session.sheet(), before);
-        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {8, 8}}));
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
         QCOMPARE(session.microscope.specimen().window.max, app::Point(8, 8));
-        session.history.push(new app::MoveShapes(session.drawing, {0}, {1, 0}));
+        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
         QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
         drawn.back();
         QVERIFY(!drawn.changed());
@@ -136,7 +136,7 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({sheetOf({across}), {}});
         drawn.look(0);
-        session.history.push(new app::RemoveShapes(session.drawing, {0}));
+        session.history.push(new app::RemoveObjects(session.document, {0}));
         QCOMPARE(session.microscope.specimen().line, across);
         QVERIFY(!drawn.line());
         drawn.back(); // nowhere
@@ -154,7 +154,7 @@ private slots:
                                    .y = app::YAxis::Up};
         session.microscope.setSpecimen(lesson);
         QVERIFY(!drawn.line());
-        session.history.push(new app::SetWindow(session.drawing, {{0, 0}, {8, 8}}));
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         session.inspect(1);
         app::Display display = session.display();
         display.algorithm = clipping::findAlgorithm("skala");

@@ -7,6 +7,8 @@
 
 #include <random>
 
+#include "tests/app/document/sheet_edits.h"
+
 namespace {
 
 app::Shape line(app::Point a, app::Point b)
@@ -50,12 +52,12 @@ private slots:
     {
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> place(-130, 130), radius(0, 15);
-        app::Drawing drawing(randomSheet(random, 500));
-        const app::Scene scene(drawing);
-        const app::Picking picking(drawing, scene);
+        app::EditedDocument document(app::documentOf(randomSheet(random, 500)));
+        const app::Scene scene(document);
+        const app::Picking picking(document, scene);
         for (int round = 0; round < 300; ++round) {
             if (round % 50 == 49)
-                drawing.splice(round, 3, {line({place(random), 0}, {0, place(random)})});
+                ::splice(document, round, 3, {line({place(random), 0}, {0, place(random)})});
             const app::Point p(place(random), place(random));
             const double r = radius(random);
             std::vector<std::size_t> all;
@@ -77,13 +79,13 @@ private slots:
         sheet.layers = {{"below"}, {"above"}};
         sheet.shapes = {line({0, 0}, {10, 0}), line({0, 0}, {10, 0})};
         sheet.shapes[1].layer = 1;
-        app::Drawing drawing(sheet);
-        const app::Scene scene(drawing);
-        const app::Picking picking(drawing, scene);
+        app::EditedDocument document(app::documentOf(sheet));
+        const app::Scene scene(document);
+        const app::Picking picking(document, scene);
         QCOMPARE(picking.nearest({5, 1}, 2), std::optional<std::size_t>(1));
-        drawing.setLayers({{"below"}, {"above", true, true}});
+        ::setLayers(document, {{"below"}, {"above", true, true}});
         QCOMPARE(picking.nearest({5, 1}, 2), std::optional<std::size_t>(0));
-        drawing.setLayers({{"below", false}, {"above", true, true}});
+        ::setLayers(document, {{"below", false}, {"above", true, true}});
         QCOMPARE(picking.nearest({5, 1}, 2), std::nullopt);
     }
     void areasArePickedByTheirRule()
@@ -95,9 +97,9 @@ private slots:
         rings.style.fill = app::Colour{};
         sheet.shapes = {rings, rings};
         sheet.shapes[1].style.fillRule = app::FillRule::EvenOdd;
-        app::Drawing drawing(sheet);
-        const app::Scene scene(drawing);
-        const app::Picking picking(drawing, scene);
+        app::EditedDocument document(app::documentOf(sheet));
+        const app::Scene scene(document);
+        const app::Picking picking(document, scene);
         QCOMPARE(picking.areaAt({7, 0}), std::optional<std::size_t>(1));
         QCOMPARE(picking.areaAt({0, 0}), std::optional<std::size_t>(0)); // through the hole
         QCOMPARE(picking.areaAt({12, 0}), std::nullopt);
@@ -107,9 +109,9 @@ private slots:
         app::Sheet sheet;
         sheet.shapes = {line({1, 1}, {2, 2}), line({1, 1}, {20, 1}), line({20, 20}, {30, 30}),
                         line({-5, 4}, {15, 4})};
-        app::Drawing drawing(sheet);
-        const app::Scene scene(drawing);
-        const app::Picking picking(drawing, scene);
+        app::EditedDocument document(app::documentOf(sheet));
+        const app::Scene scene(document);
+        const app::Picking picking(document, scene);
         using Set = app::ObjectRanges;
         QCOMPARE(picking.shapesIn({{0, 0}, {10, 10}}, app::Picking::Box::Contains), Set{0});
         QCOMPARE(picking.shapesIn({{0, 0}, {10, 10}}, app::Picking::Box::Touches), (Set{0, 1, 3}));

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "tests/app/document/sheet_edits.h"
+
 namespace {
 
 app::Shape square(app::Point min, double side)
@@ -27,7 +29,7 @@ struct Stage {
         sheet.page = {{0, 0}, {100, 100}, {100, app::Unit::Px}, {100, app::Unit::Px}};
         sheet.window = {{0, 0}, {50, 100}};
         sheet.shapes = std::move(shapes);
-        session.drawing.load(std::move(sheet));
+        ::load(session.document, std::move(sheet));
         options.view.size = {100, 100};
         options.view.centre = {50, 50};
     }
@@ -119,7 +121,7 @@ private slots:
     void deepZoomHandsOutNoHugeNumbers()
     {
         Stage stage({square({-1e6, -1e6}, 2.1e6), square({10, 10}, 20)});
-        stage.session.drawing.setWindow({{-2e6, -2e6}, {2e6, 2e6}});
+        ::setWindow(stage.session.document, {{-2e6, -2e6}, {2e6, 2e6}});
         stage.options.view.zoom = 1e7;
         stage.options.view.centre = {10, 10};
         const app::Picture picture = stage.picture();

@@ -46,8 +46,8 @@ private:
             sheet.shapes.emplace_back();
             sheet.shapes.back().paths.push_back({line.a, {{line.b}}, false});
         }
-        const Drawing drawing(sheet);
-        Scene scene(drawing);
+        const EditedDocument document(documentOf(sheet));
+        Scene scene(document);
         return visibleLines(
             scene.clip(usualAlgorithm().corrected, {{0, 0}, {10, 10}}, Scene::Removed::Kept), keep);
     }

@@ -5,6 +5,7 @@
 #include "ui/look.h"
 
 #include "tests/ui/canvas/stage.h"
+#include "tests/app/document/sheet_edits.h"
 
 // What both canvases must do, with real events: the tests of either call these.
 
@@ -42,7 +43,7 @@ inline void everyFrameClipsEverything(ui::Backend backend)
     QCOMPARE(frames.back().total, std::size_t(2));
     QCOMPARE(frames.back().visible, std::size_t(1));
     QVERIFY(frames.back().clipNanoseconds > 0);
-    stage.session.drawing.setWindow({{0, 0}, {200, 100}});
+    ::setWindow(stage.session.document, {{0, 0}, {200, 100}});
     stage.picture();
     QCOMPARE(frames.back().visible, std::size_t(2));
 }
@@ -146,7 +147,7 @@ inline void theWindowIsDrawnMovedAndResized(ui::Backend backend)
     stage.drag({180, 10}, {160, 85}, Qt::LeftButton, Qt::ShiftModifier);
     QVERIFY(std::abs((window().max.x - window().min.x) - (window().max.y - window().min.y)) < 1e-9);
     QCOMPARE(stage.session.history.count(), 2);
-    stage.session.drawing.setWindow({{50, 20}, {150, 80}});
+    ::setWindow(stage.session.document, {{50, 20}, {150, 80}});
     stage.drag({100, 40}, {110, 35}); // the inside: moves it
     QVERIFY(near(window(), {{60, 15}, {160, 75}}));
     stage.drag({160, 75}, {180, 90}, Qt::LeftButton, Qt::ControlModifier); // a corner

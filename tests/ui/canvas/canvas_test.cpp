@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/ui/canvas/canvas_cases.h"
+#include "tests/app/document/sheet_edits.h"
 
 class CanvasTest : public QObject {
     Q_OBJECT
@@ -48,7 +49,7 @@ private slots:
         QCOMPARE(stage.colourAt({100, 30}), QColor(0, 0, 200));
         stage.canvas->fitWindow();
         QCOMPARE(stage.colourAt({100, 30}), QColor(0, 0, 200));
-        stage.session.drawing.splice(0, shapes.size(), {});
+        ::splice(stage.session.document, 0, shapes.size(), {});
         QCOMPARE(stage.colourAt({100, 30}), QColor(Qt::white));
     }
     // Painted in one piece it would take minutes, longer than a test function may; so would waiting
@@ -62,7 +63,7 @@ private slots:
             painting = times.painting;
             ++frames;
         });
-        stage.session.drawing.splice(0, 1, {scribble(100'000)});
+        ::splice(stage.session.document, 0, 1, {scribble(100'000)});
         QTRY_VERIFY(frames > 0);
         QVERIFY(painting);
         QTRY_VERIFY_WITH_TIMEOUT(!painting, 120'000);

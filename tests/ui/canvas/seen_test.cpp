@@ -2,6 +2,7 @@
 #include "app/formats/format.h"
 
 #include "tests/ui/canvas/stage.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -140,7 +141,7 @@ private slots:
              {clipping::Window{{1e6, 1e6}, {2e6, 2e6}}, clipping::Window{{-1e9, -1e9}, {1e9, 1e9}},
               clipping::Window{{50, 50}, {50, 50}}, clipping::Window{{-500, 20}, {60, 30}}})
             for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
-                stage.session.drawing.setWindow(window);
+                ::setWindow(stage.session.document, window);
                 show(stage, true, algorithm.key);
                 QVERIFY(!stage.picture().isNull());
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_shapes.h"
+#include "app/commands/add_objects.h"
 #include "ui/dialogs/questions.h"
 
 #include <QDir>
@@ -68,7 +68,7 @@ private slots:
         app::Session& session = test.window->session();
         const app::Shape line{
             {{{1, 2}, {{{3, 4}}}, false}}, {.stroke = app::Colour{}}, {}, 0, false};
-        session.history.push(new app::AddShapes(session.drawing, {line}, "Draw line"));
+        session.history.push(new app::AddShapes(session.document, {line}, "Draw line"));
         QVERIFY(test.window->isWindowModified());
         const auto read = [&] {
             QFile now(file);

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -29,7 +30,7 @@ struct CompareWindow : TestWindow {
         file.write("'/></svg>");
         file.close();
         window->files().open(file.fileName());
-        window->session().drawing.setWindow({{25, 25}, {75, 75}});
+        ::setWindow(window->session().document, {{25, 25}, {75, 75}});
         show();
     }
     ComparePanel& panel() const { return *window->findChild<ComparePanel*>(); }

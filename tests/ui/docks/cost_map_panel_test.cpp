@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -16,7 +17,7 @@ struct Stage {
     Stage()
     {
         applyTheme(*qApp, Theme::Light);
-        session.drawing.setWindow(window);
+        ::setWindow(session.document, window);
         panel.resize(572, 560);
         const auto boxes = panel.findChildren<QComboBox*>();
         algorithm = boxes[0];
@@ -49,7 +50,7 @@ private slots:
     {
         Stage stage;
         QVERIFY(!stage.panel.live().asked());
-        stage.session.drawing.setWindow({{0, 0}, {1, 1}});
+        ::setWindow(stage.session.document, {{0, 0}, {1, 1}});
         QTest::qWait(20);
         stage.algorithm->setCurrentIndex(0);
         QVERIFY(!stage.panel.live().asked() && !stage.panel.live().map());

@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 using clipping::Segment;
@@ -36,7 +37,7 @@ struct Stage {
     Stage()
     {
         applyTheme(*qApp, Theme::Light);
-        session.drawing.load(tenLines());
+        ::load(session.document, tenLines());
         panel.resize(572, 500);
         table = panel.findChild<DenseTable*>();
         const auto boxes = panel.findChildren<QComboBox*>();
@@ -163,7 +164,7 @@ private slots:
         stage.show();
         stage.click(1);
         stage.clickHeading(0);
-        stage.session.drawing.setWindow({{0, 0}, {100, 99}});
+        ::setWindow(stage.session.document, {{0, 0}, {100, 99}});
         QTRY_VERIFY(stage.session.differences.upToDate());
         QCOMPARE(stage.cell(stage.table->currentIndex().row(), 0), "6");
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
@@ -220,7 +221,7 @@ private slots:
         stage.choose(stage.a, "LB  Liang-Barsky");
         QTRY_COMPARE(stage.panel.summary(), "They agree on all 10 lines here.");
         QVERIFY(!stage.table->isVisible());
-        stage.session.drawing.load({});
+        stage.session.document.load({});
         QTRY_COMPARE(stage.panel.summary(), "There are no lines to compare.");
     }
 
@@ -264,7 +265,7 @@ private slots:
     void itIsOpenedByTheMenuAndGoesToTheLineOnTheCanvas()
     {
         TestWindow t;
-        t.window->session().drawing.load(tenLines());
+        ::load(t.window->session().document, tenLines());
         t.show();
         QAction* open = t.action("differences");
         auto* dock = t.window->findChild<QDockWidget*>("difference");
@@ -300,7 +301,7 @@ private slots:
     void theMenuShowsTheMisprint()
     {
         TestWindow t;
-        t.window->session().drawing.load(tenLines());
+        ::load(t.window->session().document, tenLines());
         t.show();
         t.action("misprint")->trigger();
         QVERIFY(t.window->showsPanel("difference"));
@@ -312,7 +313,7 @@ private slots:
     void theNextLineIsBroughtIntoTheView()
     {
         TestWindow t;
-        t.window->session().drawing.load(tenLines());
+        ::load(t.window->session().document, tenLines());
         t.show();
         app::View aside = t.window->canvas().view();
         aside.pan({1e4, 0});
@@ -332,7 +333,7 @@ private slots:
             comb.paths.push_back({{i * 0.0019, 10}, {{{i * 0.0019 + 0.5, 990}}}});
         comb.style.stroke = app::Colour{};
         sheet.shapes = {comb};
-        stage.session.drawing.load(std::move(sheet));
+        ::load(stage.session.document, std::move(sheet));
         stage.show();
         QTRY_COMPARE_WITH_TIMEOUT(stage.table->model()->rowCount(), 500'000, 20'000);
         QElapsedTimer clock;

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -40,7 +41,7 @@ struct Stage {
     Stage()
     {
         applyTheme(*qApp, Theme::Light);
-        session.drawing.load(tenLines());
+        ::load(session.document, tenLines());
         panel.resize(572, 620);
         table = panel.findChild<DenseTable*>();
         algorithm = panel.findChild<QComboBox*>();
@@ -188,7 +189,7 @@ private slots:
         app::Shape line;
         line.paths = {{{2, 1}, {{{2, -1}}}}};
         sheet.shapes.push_back(line);
-        stage.session.drawing.load(sheet);
+        ::load(stage.session.document, sheet);
         stage.show();
         stage.choose("sb:published");
         QVERIFY2(stage.panel.summary().contains("1 with an end that is no number"),

@@ -17,6 +17,7 @@
 #include <QTabWidget>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -341,8 +342,8 @@ private slots:
         stage.choose("drawing");
         auto* lines = stage.named<QSpinBox>("Lines");
         lines->setValue(1234);
-        app::Drawing& drawing = stage.test.window->session().drawing;
-        drawing.setWindow({{1, 2}, {30, 40}});
+        app::EditedDocument& document = stage.test.window->session().document;
+        ::setWindow(document, {{1, 2}, {30, 40}});
         QCOMPARE(lines->value(), 1234);
         stage.choose("long");
         stage.choose("drawing");

@@ -30,7 +30,7 @@ public:
     {
         t.window->files().open(t.twoLines());
         app::Session& session = t.window->session();
-        session.history.push(new app::SetWindow(session.drawing, {{25, 25}, {75, 75}}));
+        session.history.push(new app::SetWindow(session.document, {{25, 25}, {75, 75}}));
         t.show();
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_shapes.h"
+#include "app/commands/add_objects.h"
 #include "ui/tools/tool.h"
 
 #include <QAction>
@@ -18,7 +18,7 @@ private slots:
     {
         Hand hand;
         hand.window.session().history.push(
-            new app::AddShapes(hand.window.session().drawing, {line({0, 0}, {5, 5})}, "line"));
+            new app::AddShapes(hand.window.session().document, {line({0, 0}, {5, 5})}, "line"));
         hand.click(3);
         hand.undo();
         QCOMPARE(hand.t.action("redo")->text(), "&Redo Place corner");
@@ -42,7 +42,7 @@ private slots:
     {
         Hand hand;
         app::Session& session = hand.window.session();
-        session.history.push(new app::AddShapes(session.drawing, {line({0, 0}, {5, 5})}, "line"));
+        session.history.push(new app::AddShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
         hand.click(2);
         for (int i = 0; i < 3; ++i)
             hand.undo();
@@ -63,7 +63,7 @@ private slots:
             session.history.setLimit(limit); // 0: as many steps as before, but not the same
             const auto step = [&session] {
                 session.history.push(
-                    new app::AddShapes(session.drawing, {line({0, 0}, {5, 5})}, "line"));
+                    new app::AddShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
             };
             step();
             hand.click(1);
@@ -133,7 +133,7 @@ private slots:
              {"line", "rectangle", "ellipse", "pencil", "window", "select"}) {
             Stage stage(ui::Backend::Raster);
             stage.session.history.push(
-                new app::AddShapes(stage.session.drawing, {line({20, 20}, {40, 40})}, "line"));
+                new app::AddShapes(stage.session.document, {line({20, 20}, {40, 40})}, "line"));
             const app::Sheet before = stage.session.sheet();
             stage.canvas->setTool(tool);
             stage.move({100, 50});

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tests/ui/canvas/stage.h"
+#include "tests/app/document/sheet_edits.h"
 
 // Every tool with real events, and what a person sees of it in the drawing and in the undo list.
 class ToolsTest : public QObject {
@@ -246,7 +247,7 @@ private slots:
     void lockedLayersAreNotTouched()
     {
         Stage stage(raster);
-        stage.session.drawing.setLayers({{"Drawing", true, true}});
+        ::setLayers(stage.session.document, {{"Drawing", true, true}});
         stage.click({100, 50});
         QVERIFY(stage.session.selection().empty());
     }
@@ -254,7 +255,7 @@ private slots:
     void nothingIsDrawnOnALockedLayer()
     {
         Stage stage(raster, {});
-        stage.session.drawing.setLayers({{"Drawing", true, true}});
+        ::setLayers(stage.session.document, {{"Drawing", true, true}});
         stage.canvas->setTool("line");
         stage.drag({20, 30}, {70, 60});
         QCOMPARE(stage.session.history.count(), 0);
@@ -275,7 +276,7 @@ private slots:
     void aWindowThatIsThePageIsDrawnAnewFromInside()
     {
         Stage stage(raster, {});
-        stage.session.drawing.setWindow(stage.session.sheet().page.rectangle());
+        ::setWindow(stage.session.document, stage.session.sheet().page.rectangle());
         stage.key(Qt::Key_W);
         stage.drag({60, 30}, {120, 70});
         QVERIFY(near(stage.session.sheet().window, {{60, 30}, {120, 70}}));

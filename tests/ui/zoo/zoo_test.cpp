@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_layers.h"
+#include "app/commands/set_containers.h"
 #include "app/zoo/case_use.h"
 #include "ui/zoo/answer_table.h"
 #include "ui/zoo/case_list.h"
@@ -172,7 +172,7 @@ private slots:
         app::Session& session = visit.test.window->session();
         auto layers = session.sheet().layers;
         layers.push_back({"Something"});
-        session.history.push(new app::SetLayers(session.drawing, layers, "Add layer"));
+        session.history.push(new app::SetLayers(session.document, layers, "Add layer"));
         visit.test.answers->answer = Questions::Answer::Cancel;
         const auto before = visit.test.window->session().sheet();
         visit.zoo->choose(theCase("one-decimal"));

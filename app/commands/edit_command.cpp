@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/edit_command.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+// Doing one of them after the other leaves to undo what undoing the first alone does.
+bool samePlaces(const Edit& first, const Edit& second)
+{
+    const auto exchanges = [](const Splice& s) { return s.removed == s.added; };
+    return first.splices == second.splices && std::ranges::all_of(first.splices, exchanges)
+           && first.windows.has_value() == second.windows.has_value() && !first.containers
+           && !second.containers && !first.page && !second.page;
+}
+
+} // namespace
+
+bool EditCommand::mergeWith(const UndoCommand& next)
+{
+    return samePlaces(next_, static_cast<const EditCommand&>(next).next_);
+}
+
+Edit changed(const Document& document, const ObjectRanges& objects, const ChangeRow& change)
+{
+    const Objects& all = document.objects();
+    Edit edit;
+    edit.objects = all.slice(0, 0);
+    StyleTable& styles = edit.objects.styles();
+    for (const ObjectRange& range : objects.ranges()) {
+        const auto count = std::uint32_t(range.size());
+        edit.splices.push_back({std::uint32_t(range.first), count, count});
+        all.forEach(range.first, range.size(), [&](std::size_t, const ObjectView& object) {
+            ObjectRow row = object.row();
+            change(row, styles);
+            edit.objects.append(row);
+        });
+    }
+    return edit;
+}
+
+} // namespace app

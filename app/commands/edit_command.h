@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/undo_command.h"
+#include "app/document/edited_document.h"
+
+#include <functional>
+
+namespace app {
+
+/// A step that is one edit of the document. It keeps the edit that it does next: after redo() the
+/// one that undoes it.
+class EditCommand : public UndoCommand {
+public:
+    EditCommand(const CommandKind& kind, EditedDocument& document, Edit edit, const QString& text,
+                Merging merging = Merging::Never)
+        : UndoCommand(kind, text, merging), document_(document), next_(std::move(edit))
+    {
+    }
+
+    void redo() final { next_ = document_.apply(next_); }
+    void undo() final { next_ = document_.apply(next_); }
+    /// If both exchange objects in the same places, or both the clip windows alone, undoing this
+    /// one undoes both.
+    bool mergeWith(const UndoCommand& next) final;
+    std::size_t bytes() const final { return sizeof *this + next_.ownBytes(); }
+
+private:
+    EditedDocument& document_;
+    Edit next_;
+};
+
+/// What changes the objects of some ranges, one by one, and leaves their number and their
+/// containers. `change` may add styles to the table.
+using ChangeRow = std::function<void(ObjectRow& row, StyleTable& styles)>;
+Edit changed(const Document& document, const ObjectRanges& objects, const ChangeRow& change);
+
+} // namespace app

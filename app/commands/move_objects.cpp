@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/move_objects.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+void place(ObjectRow& object, const Placement& where)
+{
+    object.path = object.path.placed(where);
+    if (object.particulars->recipe.index() != 0)
+        object.particulars.own().recipe = placed(object.particulars->recipe, where);
+}
+
+MoveObjects::MoveObjects(EditedDocument& document, const ObjectRanges& objects, const Point& by,
+                         Merging merging)
+    : EditCommand(row, document,
+                  changed(document.now(), objects,
+                          [&](ObjectRow& object, StyleTable&) { place(object, {{1, 1}, by}); }),
+                  QCoreApplication::translate("Commands", "Move selection"), merging)
+{
+}
+
+} // namespace app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/edit_command.h"
+
+namespace app {
+
+/// Moves and scales objects so that what was in the rectangle `from` is in `to`. Stroke widths stay.
+/// Along an axis where `from` has no extent, objects are only moved.
+class ResizeObjects : public EditCommand {
+public:
+    static constexpr CommandKind row{"resize-objects", "Moves and scales objects"};
+
+    ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
+                  const clipping::Window& from, const clipping::Window& to);
+};
+
+/// What brings the points of `from` to `to`.
+Placement fitting(const clipping::Window& from, const clipping::Window& to);
+
+} // namespace app

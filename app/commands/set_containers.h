@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/edit_command.h"
+
+namespace app {
+
+/// Shows, hides, locks, renames or adds layers and groups: objects stay in the order they are in.
+class SetContainers : public EditCommand {
+public:
+    static constexpr CommandKind row{"set-containers", "Changes or adds layers and groups"};
+
+    /// `containers` span as many objects as there are.
+    SetContainers(EditedDocument& document, Containers containers, const QString& text);
+};
+
+/// Removes a layer with what is in it. It must not be the last one of the first level.
+class RemoveLayer : public EditCommand {
+public:
+    static constexpr CommandKind row{"remove-layer", "Removes a layer with its objects"};
+
+    RemoveLayer(EditedDocument& document, ContainerId layer);
+};
+
+} // namespace app
