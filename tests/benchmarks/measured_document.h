@@ -27,24 +27,24 @@ public:
     using Selection = app::ObjectRanges;
 
     /// Objects are appended one by one, as readers of files do.
-    MeasuredDocument(Drawn drawn, std::size_t segments) : drawing_(sheetOf(drawn, segments)) {}
+    MeasuredDocument(Drawn drawn, std::size_t segments) : document_(app::documentOf(sheetOf(drawn, segments))) {}
 
-    void makeScene() { scene_ = std::make_unique<app::Scene>(drawing_); }
-    void makePicking() { picking_ = std::make_unique<app::Picking>(drawing_, *scene_); }
-    std::size_t segments() const { return scene_->segments().size(); }
-    std::size_t objects() const { return sheetOf(document_).shapes.size(); }
+    void makeScene() { scene_ = std::make_unique<app::Scene>(document_); }
+    void makePicking() { picking_ = std::make_unique<app::Picking>(document_, *scene_); }
+    std::size_t segments() const { return scene_->lines().size(); }
+    std::size_t objects() const { return document_.now().objects().size(); }
 
     app::Frame clip(app::Scene::Removed removed)
     {
         const auto& exact = clipping::findAlgorithm("exact")->corrected;
-        return scene_->clip(exact, sheetOf(document_).window, removed);
+        return scene_->clip(exact, ::sheetOf(document_).window, removed);
     }
     app::Picture picture(const app::Frame& frame) const
     {
         app::PictureOptions options;
         options.view.size = {1280, 800};
-        options.view.fit(sheetOf(document_).page.rectangle());
-        return app::picture(sheetOf(document_), *scene_, frame, options);
+        options.view.fit(::sheetOf(document_).page.rectangle());
+        return app::picture(::sheetOf(document_), *scene_, frame, options);
     }
     void hover(const app::Point& at) const { picking_->nearest(at, 5); }
 
@@ -66,25 +66,25 @@ public:
     // Each is one step to undo, and leaves the scene up to date.
     void move(const Selection& selection)
     {
-        push(new app::MoveObjects(drawing_, selection, {1.5, -0.5}));
+        push(new app::MoveObjects(document_, selection, {1.5, -0.5}));
     }
     void resize(const Selection& selection)
     {
         const clipping::Window to{{0, 0}, {0.999, 0.998}};
-        push(new app::ResizeObjects(drawing_, selection, {{0, 0}, {1, 1}}, to));
+        push(new app::ResizeObjects(document_, selection, {{0, 0}, {1, 1}}, to));
     }
     void restyle(const Selection& selection, double width)
     {
         const auto widen = [width](app::Style& style) { style.width = width; };
-        push(new app::SetStyle(drawing_, selection, widen, QStringLiteral("Width")));
+        push(new app::SetStyle(document_, selection, widen, QStringLiteral("Width")));
     }
-    void remove(const Selection& selection) { push(new app::RemoveObjects(drawing_, selection)); }
+    void remove(const Selection& selection) { push(new app::RemoveObjects(document_, selection)); }
     void undo() { history_.undo(); }
     void redo() { history_.redo(); }
     void forgetHistory() { history_.clear(); }
 
     /// What autosave and export work on while editing goes on.
-    auto snapshot() const { return std::make_unique<app::Sheet>(sheetOf(document_)); }
+    auto snapshot() const { return std::make_unique<app::Document>(document_.snapshot()); }
 
 private:
     static app::Sheet sheetOf(Drawn drawn, std::size_t segments)

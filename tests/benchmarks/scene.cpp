@@ -147,7 +147,7 @@ public:
     void frames()
     {
         ::load(document_, sheetOf(objects_));
-        array_ = std::make_unique<app::Scene>(drawing_);
+        array_ = std::make_unique<app::Scene>(document_);
         QTextStream(stdout)
             << "Share of the page; ms of clipping, one array -> blocks; of the call\n";
         for (const char* key : {"exact", "matthes-drakopoulos", "cohen-sutherland"})

@@ -74,7 +74,7 @@ public:
     {
         const app::Sheet& sheet = session().sheet();
         const auto& selection = session().selection();
-        if (sheet.layers.empty() || session().pen.layer >= sheet.layers.size())
+        if (!session().now().containers().contains(session().pen.layer))
             return "the pen is on no layer";
         if (!std::ranges::is_sorted(sheet.shapes, {}, &app::Shape::layer)
             || (!sheet.shapes.empty() && sheet.shapes.back().layer >= sheet.layers.size()))

@@ -65,14 +65,14 @@ private slots:
         options.algorithm = &clipping::findAlgorithm("exact")->corrected;
         options.window = before.window;
         options.reach = app::Reach::Editable;
-        app::CropToWindow crop(drawing, options);
+        app::CropToWindow crop(document, options);
         QCOMPARE(crop.counts().cut, 1u);
         QCOMPARE(crop.counts().leftLocked, 1u);
         QCOMPARE(crop.counts().leftHidden, 3u);
         QCOMPARE(app::cutText(crop.counts()), "shapes 1 cut. Left alone on locked layers: 1. Left "
                                               "alone because hidden: 3.");
         crop.redo();
-        const auto& after = sheetOf(document).shapes;
+        const auto after = sheetOf(document).shapes;
         QCOMPARE(after.size(), before.shapes.size());
         for (std::size_t i = 0; i < after.size(); ++i)
             QCOMPARE(after[i] == before.shapes[i], i != 1);
@@ -172,9 +172,10 @@ private slots:
     {
         app::EditedDocument document(app::documentOf(sheet(2)));
         app::History history;
-        auto* add = new app::AddShapes(drawing, {line({0, 0}, {9, 9}, 1)}, "Add");
+        auto* add = static_cast<app::AddObjects*>(
+            addShapes(document, {line({0, 0}, {9, 9}, 1)}, "Add"));
         history.push(add);
-        QCOMPARE(add->shapes(), app::ObjectRanges{4});
+        QCOMPARE(add->place(), (app::ObjectRange{4, 5}));
         QCOMPARE(sheetOf(document).shapes[4].layer, 1U);
     }
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/add_objects.h"
 #include "app/commands/catalogue.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
@@ -33,7 +32,7 @@ inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
 class RandomCommands {
 public:
     explicit RandomCommands(app::EditedDocument& document, std::uint64_t seed = 7)
-        : drawing_(drawing), random_(seed)
+        : document_(document), random_(seed)
     {
     }
 
@@ -68,6 +67,7 @@ private:
 
     double number() { return double(random_() % 1000) / 16; }
     std::uint32_t layer() { return std::uint32_t(random_() % sheetOf(document_).layers.size()); }
+    app::ContainerId layerId() { return document_.now().containers().childrenOf(0)[layer()]; }
     app::ObjectRanges some()
     {
         app::ObjectRanges chosen;
@@ -84,20 +84,25 @@ private:
         options.algorithm = &clipping::algorithms().front().corrected;
         options.window = sheetOf(document_).window;
         options.reach = app::Reach::Editable;
-        return new app::CropToWindow(drawing_, options);
+        return new app::CropToWindow(document_, options);
     }
     app::UndoCommand* addLayer()
     {
-        auto layers = sheetOf(document_).layers;
-        layers.push_back({"new"});
-        layers.front().locked = !layers.front().locked;
-        return new app::SetLayers(drawing_, layers, "Layers");
+        const app::Containers& containers = document_.now().containers();
+        app::Container first = containers[containers.childrenOf(0).front()];
+        first.locked = !first.locked;
+        const std::size_t top = containers.objects();
+        return new app::SetContainers(
+            document_,
+            *containers.with(first).inserted({.name = "new"}, 0, containers.childrenOf(0).size(),
+                                             {top, top}),
+            "Layers");
     }
     app::UndoCommand* addTwo()
     {
         const std::uint32_t to = layer();
-        return new app::AddShapes(
-            drawing_, {line({1, 1}, {number(), 2}, to), line({3, number()}, {4, 4}, to)}, "Add");
+        return addShapes(
+            document_, {line({1, 1}, {number(), 2}, to), line({3, number()}, {4, 4}, to)}, "Add");
     }
 
     app::EditedDocument& document_;
@@ -106,34 +111,34 @@ private:
 };
 
 inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
-    {"add-shapes", [](RandomCommands& r) { return r.addTwo(); }},
-    {"remove-shapes",
+    {"add-objects", [](RandomCommands& r) { return r.addTwo(); }},
+    {"remove-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::RemoveObjects(r.drawing_, r.some());
+         return new app::RemoveObjects(r.document_, r.some());
      }},
-    {"move-shapes",
+    {"move-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::MoveObjects(r.drawing_, r.some(), {r.number(), r.number()});
+         return new app::MoveObjects(r.document_, r.some(), {r.number(), r.number()});
      }},
-    {"resize-shapes",
+    {"resize-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::ResizeObjects(r.drawing_, r.some(), {{0, 0}, {1, 0}},
+         return new app::ResizeObjects(r.document_, r.some(), {{0, 0}, {1, 0}},
                                       {{r.number(), 1}, {9, r.number()}});
      }},
     {"set-style",
      [](RandomCommands& r) -> app::UndoCommand* {
          const double width = r.number();
          return new app::SetStyle(
-             r.drawing_, r.some(), [&](app::Style& style) { style.width = width; }, "Width");
+             r.document_, r.some(), [&](app::Style& style) { style.width = width; }, "Width");
      }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::SetWindow(r.drawing_, {{0, 0}, {r.number(), 5}});
+         return new app::SetWindow(r.document_, {{0, 0}, {r.number(), 5}});
      }},
-    {"set-layers", [](RandomCommands& r) { return r.addLayer(); }},
+    {"set-containers", [](RandomCommands& r) { return r.addLayer(); }},
     {"remove-layer",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return r.sheetOf(document_).layers.size() > 1 ? new app::RemoveLayer(r.drawing_, r.layer())
+         return sheetOf(r.document_).layers.size() > 1 ? new app::RemoveLayer(r.document_, r.layerId())
                                                      : nullptr;
      }},
     {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},

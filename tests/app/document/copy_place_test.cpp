@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/move_objects.h"
 #include "app/document/copy_place.h"
+#include "app/document/path_points.h"
 
 #include <QTest>
 
@@ -45,6 +45,12 @@ private slots:
     }
 
 private:
+    static Shape moved(Shape shape, const Point& by)
+    {
+        for (Subpath& path : shape.paths)
+            forEachPoint(path, [&](Point& point) { point += by; });
+        return shape;
+    }
     static Shape line(const Point& a, const Point& b)
     {
         Shape shape;

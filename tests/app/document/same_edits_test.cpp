@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same edits, done to a sheet through Drawing and to a document through Edit.
-#include "app/document/drawing.h"
+// The same edits, done to a sheet without more ado and to a document through Edit.
 #include "app/document/edited_document.h"
 #include "app/document/legacy.h"
 
@@ -8,6 +7,7 @@
 
 #include <map>
 
+#include "tests/app/document/plain_drawing.h"
 #include "tests/app/document/random_sheets.h"
 
 using namespace app;
@@ -115,7 +115,7 @@ public:
     }
     std::size_t steps() const { return undo_.size(); }
 
-    Drawing drawing;
+    PlainDrawing drawing;
     EditedDocument document;
 
 private:

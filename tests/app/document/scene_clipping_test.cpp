@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/block_scene.h"
-#include "app/document/scene.h"
 #include "app/document/scene_clipping.h"
 #include "clipping/outside.h"
 
@@ -13,7 +12,6 @@
 #include <set>
 
 #include "tests/app/document/twin_document.h"
-#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -110,12 +108,12 @@ Pieces folded(std::span<const Segment> lines, const ClipRegion& region, app::Cli
 /// A document, today's scene of it, and the new one.
 class Scenes {
 public:
-    explicit Scenes(std::uint64_t seed) : document(seed), scene(document.document) {}
+    explicit Scenes(std::uint64_t seed) : document(seed), scene(document.drawing) {}
 
     void follow()
     {
         blocks.update(document.objects, document.hidden,
-                      app::usualTolerance(document.sheetOf(document).page));
+                      app::usualTolerance(document.drawing.sheet().page));
     }
     Window randomWindow()
     {
@@ -150,7 +148,7 @@ public:
     bool agree(const Window& window, const app::Variant& variant)
     {
         const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
-        const app::Frame old = scene.clip(uses, window, app::Scene::Removed::Kept);
+        const PlainScene::Frame old = scene.clip(uses, window);
         for (const Keep keep : {Keep::Inside, Keep::Outside}) {
             const auto operation =
                 document.random() % 2 ? WindowOperation::Add : WindowOperation::Intersect;
@@ -158,14 +156,14 @@ public:
             const app::SceneFrame frame = blocks.clip(region, variant);
             const Pieces all = expanded(frame);
             if (!same(all, keep == Keep::Inside ? old.inside : old.outside) || !settled(frame)
-                || frame.total != old.total || frame.visible != linesOf(all))
+                || frame.total != scene.segments().size() || frame.visible != linesOf(all))
                 return false;
         }
         return true;
     }
 
     TwinDocument document;
-    app::Scene scene;
+    PlainScene scene;
     app::BlockScene blocks;
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/scene.h"
 #include "app/document/scene_block_cache.h"
 #include "app/document/scene_lines.h"
 
@@ -9,7 +8,6 @@
 #include <limits>
 
 #include "tests/app/document/twin_document.h"
-#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -24,7 +22,7 @@ bool sameBits(std::span<const Segment> a, std::span<const Segment> b)
 }
 
 /// What differs from the scene of the same drawing; nothing if nothing does.
-const char* difference(const SceneLines& lines, const app::Scene& scene, std::size_t objects)
+const char* difference(const SceneLines& lines, const PlainScene& scene, std::size_t objects)
 {
     if (lines.size() != scene.segments().size())
         return "number of lines";
@@ -177,8 +175,8 @@ private slots:
     void afterRandomEditsTheyAreThoseOfTheWholeDrawing()
     {
         TwinDocument document(1);
-        const app::Scene scene(document.drawing);
-        const double tolerance = app::usualTolerance(document.sheetOf(document).page);
+        const PlainScene scene(document.drawing);
+        const double tolerance = app::usualTolerance(document.drawing.sheet().page);
         for (int i = 0; i < 40; ++i)
             document.append(polyline(1500));
         Incremental incremental;
@@ -280,7 +278,7 @@ private slots:
         app::ObjectBlock block; // of all, although such a path would get one of its own
         for (std::size_t i = 0; i < document.size(); ++i)
             block.append(document.objects[i].row());
-        const app::Scene scene(document.drawing);
+        const PlainScene scene(document.drawing);
         const SceneLines lines(app::sceneBlocksOf(block, {}, 1));
         if (const char* what = difference(lines, scene, document.size()))
             QFAIL(what);
@@ -308,8 +306,8 @@ private slots:
             curve.paths.push_back({{0, 0}, {{{far, 0}, {0, far}, {far, far}, true}}, false});
         }
         document.splice(0, 0, shapes);
-        const app::Scene scene(document.drawing);
-        const double tolerance = app::usualTolerance(document.sheetOf(document).page);
+        const PlainScene scene(document.drawing);
+        const double tolerance = app::usualTolerance(document.drawing.sheet().page);
         const SceneLines lines = app::linesOf(document.objects, document.hidden, tolerance);
         QCOMPARE(document.objects.blocks().size(), std::size_t(1));
         QVERIFY(lines.blocks().size() > 3);

@@ -85,10 +85,10 @@ private slots:
     {
         std::mt19937_64 random(1);
         app::EditedDocument document;
-        const app::Scene spliced(drawing);
+        const app::Scene spliced(document);
         for (int round = 0; round < 500; ++round) {
-            editAtRandom(drawing, random);
-            const app::Scene fresh(drawing);
+            editAtRandom(document, random);
+            const app::Scene fresh(document);
             QVERIFY(std::ranges::equal(fresh.segments(), spliced.segments()));
             for (std::size_t i = 0; i <= sheetOf(document).shapes.size(); ++i)
                 QCOMPARE(spliced.firstSegmentOf(i), fresh.firstSegmentOf(i));
@@ -113,7 +113,7 @@ private slots:
             if (round % 50 == 49)
                 ::setLayers(document, {{.name = "layer", .visible = round % 100 == 99}});
             if (round % 150 == 149)
-                editAtRandom(drawing, random);
+                editAtRandom(document, random);
             const app::Point a(number(random), number(random)), b(number(random), number(random));
             const clipping::Window window{glm::min(a, b), glm::max(a, b)};
             for (const auto& algorithm : clipping::algorithms())

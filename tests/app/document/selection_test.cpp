@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_objects.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_containers.h"
@@ -89,7 +88,7 @@ private slots:
                 session.history.push(new app::MoveObjects(session.document, some, {1, 2}));
                 break;
             case 2:
-                session.history.push(new app::AddShapes(
+                session.history.push(addShapes(
                     session.document, {line({0, 0}, {9, 9}, 1), line({3, 0}, {9, 9}, 1)}, "Add"));
                 break;
             case 3:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/edited_document.h"
+#include "app/commands/add_objects.h"
+#include "app/commands/set_containers.h"
 #include "app/document/legacy.h"
 
 // Edits of a document in the words of a sheet.
@@ -67,4 +68,24 @@ inline void setPage(app::EditedDocument& document, const app::Page& page)
     app::Edit edit;
     edit.page = page;
     document.apply(edit);
+}
+
+/// The command that adds shapes of one layer.
+inline app::UndoCommand* addShapes(app::EditedDocument& document,
+                                   const std::vector<app::Shape>& shapes, const QString& text)
+{
+    const auto layers = document.now().containers().childrenOf(0);
+    return new app::AddObjects(document, objectsOf(document.now().objects(), shapes),
+                               layers.at(shapes.front().layer), text);
+}
+
+/// The command that adds a layer above all others.
+inline app::UndoCommand* addLayer(app::EditedDocument& document, const QString& name)
+{
+    const app::Containers& containers = document.now().containers();
+    const std::size_t top = containers.objects();
+    return new app::SetContainers(
+        document,
+        *containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top}),
+        QStringLiteral("Add layer"));
 }

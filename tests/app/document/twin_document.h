@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/drawing.h"
 #include "app/document/objects.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "tests/app/document/plain_drawing.h"
 
 /// A drawing as a sheet of shapes and as objects, which are edited together.
 class TwinDocument {
@@ -36,7 +37,7 @@ public:
             added.append({app::Path(shape.paths), shape.style, {}, shape.hidden});
         }
         objects.splice(first, removed, added);
-        drawing.splice(first, removed, std::move(shapes));
+        drawing.splice(first, removed, shapes);
         followLayers();
     }
     void append(app::Shape shape) { splice(size(), 0, {std::move(shape)}); }
@@ -91,7 +92,7 @@ public:
         return shape;
     }
 
-    app::Drawing drawing;
+    PlainDrawing drawing;
     app::Objects objects;
     app::ObjectRanges hidden; ///< those on layers that are not visible
     std::mt19937_64 random;

@@ -233,8 +233,8 @@ private slots:
 
     void aDrawingIsASubjectWithItsLinesAndWindow()
     {
-        app::Drawing empty;
-        QVERIFY(!app::drawingSubject("empty", app::Scene(empty), empty.sheet()));
+        app::EditedDocument empty;
+        QVERIFY(!app::drawingSubject("empty", app::Scene(empty), app::Sheet()));
         app::Sheet sheet;
         sheet.page.size = {100, 80};
         sheet.window = {{10, 10}, {50, 50}};

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -53,6 +54,12 @@ Sheet sheetOf(int lines)
     return sheet;
 }
 
+ObjectInHand inHand(const EditedDocument& document, const Shape& shape)
+{
+    return {{.path = Path(shape.paths), .style = shape.style},
+            document.now().containers().childrenOf(0)[shape.layer]};
+}
+
 } // namespace
 
 class UnsavedWorkTest : public QObject {
@@ -70,18 +77,18 @@ private slots:
         for (const int lines : {0, 1, 3})
             for (std::uint32_t layer = 0; layer < 4; ++layer)
                 for (const bool changed : {false, true}) {
-                    const EditedDocument document(documentOf(sheetOf(lines)));
-                    UnsavedWork work(document);
+                    const EditedDocument edited(documentOf(sheetOf(lines)));
+                    UnsavedWork work(edited);
                     auto known = document(changed);
-                    known.inHand = line(-5, layer);
-                    known.inHand->style.dashes = {1, 2};
+                    Shape added = line(-5, layer);
+                    added.style.dashes = {1, 2};
+                    known.inHand = inHand(edited, added);
                     work.tell(known);
                     const auto written = work.write();
                     QVERIFY2(written.unsaved && !written.error, qPrintable(*written.error));
-                    Sheet expected = sheetOf(document);
-                    expected.shapes.insert(expected.shapes.begin()
-                                               + std::ptrdiff_t(drawing.endOfLayer(layer)),
-                                           *known.inHand);
+                    Sheet expected = app::sheetOf(edited.now());
+                    const auto end = std::ranges::upper_bound(expected.shapes, layer, {}, &Shape::layer);
+                    expected.shapes.insert(end, added);
                     const auto read = readFile(known.file);
                     QVERIFY2(read, qPrintable(read.error));
                     QVERIFY2(read.value->sheet == expected, qPrintable(QString::number(layer)));
@@ -90,8 +97,8 @@ private slots:
     }
     void whatIsSavedIsNotWritten()
     {
-        const EditedDocument document(documentOf(sheetOf(1)));
-        UnsavedWork work(document);
+        const EditedDocument edited(documentOf(sheetOf(1)));
+        UnsavedWork work(edited);
         work.tell(document(false));
         QVERIFY(!work.write().unsaved);
         QVERIFY(!QFile::exists(document(false).file));
@@ -100,9 +107,9 @@ private slots:
     void aShapeInHandCostsNoCopyOfTheDrawing()
     {
         constexpr int lines = 5'000;
-        const EditedDocument document(documentOf(sheetOf(lines)));
-        UnsavedWork work(document);
-        const auto taken = [&](std::optional<Shape> inHand) {
+        const EditedDocument edited(documentOf(sheetOf(lines)));
+        UnsavedWork work(edited);
+        const auto taken = [&](std::optional<ObjectInHand> inHand) {
             auto known = document(true);
             known.inHand = std::move(inHand);
             work.tell(std::move(known));
@@ -111,7 +118,7 @@ private slots:
             return written.unsaved && !written.error ? allocations - before : 0;
         };
         taken({}); // what is made once
-        const std::size_t without = taken({}), with = taken(line(-5, 0));
+        const std::size_t without = taken({}), with = taken(inHand(edited, line(-5, 0)));
         QVERIFY(without > 0 && with > 0);
         QVERIFY2(with < without + lines / 10,
                  qPrintable(QStringLiteral("%1 and %2").arg(without).arg(with)));

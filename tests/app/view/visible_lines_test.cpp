@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/usual_algorithm.h"
+#include "app/document/legacy.h"
 #include "app/view/visible_lines.h"
 
 #include <QTest>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_objects.h"
 #include "ui/dialogs/questions.h"
 
 #include <QDir>
@@ -9,6 +8,7 @@
 
 #include "tests/app/formats/failing_disk.h"
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -68,7 +68,7 @@ private slots:
         app::Session& session = test.window->session();
         const app::Shape line{
             {{{1, 2}, {{{3, 4}}}, false}}, {.stroke = app::Colour{}}, {}, 0, false};
-        session.history.push(new app::AddShapes(session.document, {line}, "Draw line"));
+        session.history.push(addShapes(session.document, {line}, "Draw line"));
         QVERIFY(test.window->isWindowModified());
         const auto read = [&] {
             QFile now(file);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_objects.h"
 #include "ui/tools/tool.h"
 
 #include <QAction>
@@ -8,6 +7,7 @@
 
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 // A polyline in hand: Undo and Redo go by corners, and nothing that ends it loses what is drawn.
 class PolylineTest : public QObject {
@@ -18,7 +18,7 @@ private slots:
     {
         Hand hand;
         hand.window.session().history.push(
-            new app::AddShapes(hand.window.session().document, {line({0, 0}, {5, 5})}, "line"));
+            addShapes(hand.window.session().document, {line({0, 0}, {5, 5})}, "line"));
         hand.click(3);
         hand.undo();
         QCOMPARE(hand.t.action("redo")->text(), "&Redo Place corner");
@@ -42,14 +42,14 @@ private slots:
     {
         Hand hand;
         app::Session& session = hand.window.session();
-        session.history.push(new app::AddShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
+        session.history.push(addShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
         hand.click(2);
         for (int i = 0; i < 3; ++i)
             hand.undo();
         QVERIFY(hand.shapes().empty());
         hand.redo();
         QCOMPARE(hand.shapes().size(), std::size_t(1));
-        QVERIFY(!hand.window.canvas().shapeInHand());
+        QVERIFY(!hand.window.canvas().objectInHand());
         hand.redo();
         hand.redo();
         hand.key(Qt::Key_Return);
@@ -63,7 +63,7 @@ private slots:
             session.history.setLimit(limit); // 0: as many steps as before, but not the same
             const auto step = [&session] {
                 session.history.push(
-                    new app::AddShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
+                    addShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
             };
             step();
             hand.click(1);
@@ -105,7 +105,7 @@ private slots:
                 QCOMPARE(hand.window.session().history.count(), int(kept));
                 if (kept)
                     QVERIFY2(hand.corners(0) == hand.placed(count), qPrintable(name));
-                QVERIFY2(!hand.window.canvas().shapeInHand(), qPrintable(name));
+                QVERIFY2(!hand.window.canvas().objectInHand(), qPrintable(name));
             }
     }
     void savingAndClosingSeeIt()
@@ -133,7 +133,7 @@ private slots:
              {"line", "rectangle", "ellipse", "pencil", "window", "select"}) {
             Stage stage(ui::Backend::Raster);
             stage.session.history.push(
-                new app::AddShapes(stage.session.document, {line({20, 20}, {40, 40})}, "line"));
+                addShapes(stage.session.document, {line({20, 20}, {40, 40})}, "line"));
             const app::Sheet before = stage.session.sheet();
             stage.canvas->setTool(tool);
             stage.move({100, 50});
@@ -172,9 +172,9 @@ private slots:
             stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
         QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
         QTRY_VERIFY(told.count() > 0); // while the hand rests
-        QCOMPARE(stage.canvas->shapeInHand()->paths[0].segments.size(), std::size_t(moves));
+        QCOMPARE(stage.canvas->objectInHand()->object.path.subpaths()[0].segments.size(), std::size_t(moves));
         stage.release({100, 60});
-        QVERIFY(!stage.canvas->shapeInHand());
+        QVERIFY(!stage.canvas->objectInHand());
     }
     void theHintSaysSo()
     {

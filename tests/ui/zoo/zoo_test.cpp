@@ -10,6 +10,7 @@
 
 #include "tests/not_empty.h"
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -170,9 +171,7 @@ private slots:
     {
         Visit visit;
         app::Session& session = visit.test.window->session();
-        auto layers = session.sheet().layers;
-        layers.push_back({"Something"});
-        session.history.push(new app::SetLayers(session.document, layers, "Add layer"));
+        session.history.push(addLayer(session.document, "Something"));
         visit.test.answers->answer = Questions::Answer::Cancel;
         const auto before = visit.test.window->session().sheet();
         visit.zoo->choose(theCase("one-decimal"));
