@@ -4,8 +4,11 @@
 #include "app/document/container_marks.h"
 #include "app/document/container_table.h"
 #include "app/document/object_ranges.h"
+#include "app/document/splice.h"
 
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -56,6 +59,11 @@ public:
     /// objects of so many are removed.
     Containers spliced(std::size_t first, std::size_t removed, std::size_t added,
                        ContainerId into) const;
+    /// The same at many places, ascending and numbered as before. What a splice adds goes to the
+    /// container of the first object that it removes; where it removes none, into `into`. As many
+    /// as go, all of one container, leave the tree as it is. O(splices · containers / 256), and
+    /// never more than O(splices + containers).
+    Containers spliced(std::span<const Splice> splices, ContainerId into = 0) const;
     /// With a new container in `parent`, above the first `at` of the containers directly in it. It
     /// takes over the parent's objects [range.first, range.end) and the containers among them:
     /// those from `at` on that begin before range.end. An empty range says where among the objects
@@ -91,6 +99,9 @@ private:
     template <class Holds>
     ObjectRanges rangesWhere(const Holds& holds) const;
 
+    std::pair<At, At> touching(std::size_t first, std::size_t end) const;
+    template <class Edit>
+    Containers splicedWhere(const std::pair<At, At>& where, const Edit& edit) const;
     void spreadLabels();
     void giveLabels(ContainerId id, const At& opening, const At& closing);
     void insertAt(const At& at, std::size_t object, ContainerMark mark);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/container_splicing.h"
 #include "app/document/containers.h"
 
 #include <algorithm>
@@ -15,84 +16,6 @@ ContainerMark withObjects(ContainerMark mark, std::size_t objects)
     return mark;
 }
 
-/// What happens to the marks around a place where objects leave and come.
-class Splicing {
-public:
-    explicit Splicing(std::vector<ContainerMark> marks)
-        : marks_(std::move(marks)), lost_(marks_.size())
-    {
-    }
-
-    // `before`: how many objects come before the first of the marks.
-    void remove(std::size_t before, std::size_t first, std::size_t count)
-    {
-        for (std::size_t i = 0; i < marks_.size(); ++i) {
-            const std::size_t end = before + marks_[i].objects;
-            const std::size_t from = std::max(before, first), to = std::min(end, first + count);
-            if (from < to) {
-                marks_[i].objects -= std::uint32_t(to - from);
-                lost_[i] = true;
-            }
-            before = end;
-        }
-    }
-
-    template <class Owner>
-    void add(std::size_t count, ContainerId into, const Owner& ownerOf)
-    {
-        const auto last =
-            std::find_if(marks_.rbegin(), marks_.rend(),
-                         [&](const ContainerMark& mark) { return ownerOf(mark) == into; });
-        assert(last != marks_.rend()); // it neither has nor touches the place
-        last->objects += std::uint32_t(count);
-    }
-
-    // The marks without groups that have lost their last object; calls gone(id) for these and those
-    // in them.
-    template <class IsGroup, class Gone>
-    std::vector<ContainerMark> withoutEmptied(const IsGroup& isGroup, const Gone& gone) const
-    {
-        struct Open {
-            std::size_t at;            // in `left`
-            std::size_t objects, lost; // how many objects, and marks that lost some, came before
-        };
-        std::vector<ContainerMark> left;
-        std::vector<Open> open;
-        std::size_t objects = 0, lost = 0;
-        for (std::size_t i = 0; i < marks_.size(); ++i) {
-            const ContainerMark& mark = marks_[i];
-            if (!mark.closes)
-                open.push_back({left.size(), objects, lost});
-            left.push_back(mark);
-            if (mark.closes && !open.empty()) {
-                const Open opened = open.back();
-                open.pop_back();
-                if (isGroup(mark.id) && opened.objects == objects && opened.lost < lost)
-                    drop(opened.at, left, gone);
-            }
-            objects += mark.objects;
-            lost += lost_[i];
-        }
-        return left;
-    }
-
-private:
-    // The last of `left` closes what the one at `at` opens. Its objects are of the one around it.
-    template <class Gone>
-    static void drop(std::size_t at, std::vector<ContainerMark>& left, const Gone& gone)
-    {
-        const std::uint32_t objects = left.back().objects;
-        for (std::size_t i = at; i < left.size(); ++i)
-            if (!left[i].closes)
-                gone(ContainerId(left[i].id));
-        left.resize(at);
-        left.back().objects += objects;
-    }
-
-    std::vector<ContainerMark> marks_;
-    std::vector<bool> lost_; ///< objects of each
-};
-
 } // namespace
 
 Containers Containers::with(const Container& changed) const
@@ -107,24 +30,53 @@ Containers Containers::spliced(std::size_t first, std::size_t removed, std::size
                                ContainerId into) const
 {
     assert(first + removed <= objects() && (into != 0 || added == 0));
-    // All marks that touch the place, up to the first that keeps objects above it.
-    const At from = first > 0 ? marks_.before(first - 1) : marks_.begin();
-    const At to =
-        first + removed < objects() ? marks_.next(marks_.before(first + removed)) : marks_.end();
-    std::vector<ContainerMark> around;
-    for (At at = from; at != to; at = marks_.next(at))
-        around.push_back(marks_[at]);
-    Splicing splicing(std::move(around));
-    splicing.remove(marks_.objectsBefore(from), first, removed);
-    if (added > 0)
-        splicing.add(added, into, [this](const ContainerMark& mark) { return ownerOf(mark); });
+    return splicedWhere(touching(first, first + removed), [&](ContainerSplicing& marks) {
+        marks.exchange(first, removed, added, into);
+    });
+}
 
+Containers Containers::spliced(std::span<const Splice> splices, ContainerId into) const
+{
+    if (splices.empty())
+        return *this;
+    const Splice& last = splices.back();
+    const auto [from, to] = touching(splices.front().first, std::size_t(last.first) + last.removed);
+    if (splices.size() > 1 && splices.size() < to.block - from.block) { // most blocks stay
+        Containers tree = *this;
+        for (std::size_t i = splices.size(); i-- > 0;)
+            tree = tree.spliced(splices.subspan(i, 1), into);
+        return tree;
+    }
+    return splicedWhere({from, to}, [&](ContainerSplicing& marks) {
+        for (std::size_t i = splices.size(); i-- > 0;)
+            marks.splice(splices[i], into);
+    });
+}
+
+// All marks that touch the objects [first, end), up to the first that keeps objects above them.
+std::pair<Containers::At, Containers::At> Containers::touching(std::size_t first,
+                                                               std::size_t end) const
+{
+    return {first > 0 ? marks_.before(first - 1) : marks_.begin(),
+            end < objects() ? marks_.next(marks_.before(end)) : marks_.end()};
+}
+
+template <class Edit>
+Containers Containers::splicedWhere(const std::pair<At, At>& where, const Edit& edit) const
+{
+    const auto& [from, to] = where;
+    std::vector<ContainerMark> marks;
+    for (At at = from; at != to; at = marks_.next(at))
+        marks.push_back(marks_[at]);
+    ContainerSplicing splicing(table_, std::move(marks), marks_.objectsBefore(to));
+    edit(splicing);
     Containers tree = *this;
-    const auto isGroup = [this](ContainerId id) {
-        return (*this)[id].kind == Container::Kind::Group;
-    };
-    const auto left = splicing.withoutEmptied(isGroup, [&](ContainerId id) { tree.forget(id); });
-    tree.marks_.replace(from, to, left);
+    if (!splicing.changed())
+        return tree;
+    std::vector<ContainerId> gone;
+    tree.marks_.replace(from, to, splicing.take(gone));
+    for (const ContainerId id : gone)
+        tree.forget(id);
     return tree;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/edit.h"
 
-#include <algorithm>
-
 namespace app {
 namespace {
 
@@ -35,28 +33,6 @@ std::vector<Splice> inverse(std::span<const Splice> splices)
         added += s.added;
     }
     return back;
-}
-
-// Exchanging as many objects in one container leaves its tree as it is.
-static bool changesTree(const Containers& containers, const Splice& s)
-{
-    if (s.removed != s.added)
-        return true;
-    for (std::uint32_t i = 1; i < s.removed; ++i)
-        if (containers.containerOf(s.first + i) != containers.containerOf(s.first))
-            return true;
-    return false;
-}
-
-Containers spliced(Containers containers, std::span<const Splice> splices, ContainerId into)
-{
-    // From the last one to the first, so that the numbers before it stay.
-    std::for_each(splices.rbegin(), splices.rend(), [&](const Splice& s) {
-        if (changesTree(containers, s))
-            containers = containers.spliced(s.first, s.removed, s.added,
-                                            s.removed > 0 ? containers.containerOf(s.first) : into);
-    });
-    return containers;
 }
 
 } // namespace app

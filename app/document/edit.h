@@ -30,8 +30,11 @@ struct Edit {
 /// The splices that put back what those exchanged, numbered as after them.
 std::vector<Splice> inverse(std::span<const Splice> splices);
 
-/// The tree after the splices. What a splice adds goes to the container of the first object that it
-/// removes; where it removes none, into `into`, which must have or touch that place.
-Containers spliced(Containers containers, std::span<const Splice> splices, ContainerId into = 0);
+/// `containers.spliced(splices, into)`.
+inline Containers spliced(const Containers& containers, std::span<const Splice> splices,
+                          ContainerId into = 0)
+{
+    return containers.spliced(splices, into);
+}
 
 } // namespace app

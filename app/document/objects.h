@@ -2,16 +2,11 @@
 #pragma once
 
 #include "app/document/object_view.h"
+#include "app/document/splice.h"
 
 #include <memory>
 
 namespace app {
-
-/// `removed` objects from number `first` on make room for `added` ones.
-struct Splice {
-    std::uint32_t first = 0, removed = 0, added = 0;
-    friend bool operator==(const Splice&, const Splice&) = default;
-};
 
 /// Any number of objects (fewer than 2^32) in painting order: blocks that are shared between
 /// documents, snapshots and the history. Copying one costs a list of 12 bytes a block, reading an

@@ -215,6 +215,56 @@ Containers deep(int levels)
     return builder.take();
 }
 
+/// Layers and groups at random, of up to three objects between their ends; some are empty.
+Containers nestedTree(Random& random, int most)
+{
+    ContainersBuilder builder;
+    std::vector<Kind> open;
+    for (int i = random.whole(1, most); i > 0 || !open.empty(); --i) {
+        if (i > 0 && (open.empty() || random.whole(0, 1))) {
+            const bool group = !open.empty() && (open.back() == Kind::Group || random.whole(0, 1));
+            open.push_back(group ? Kind::Group : Kind::Layer);
+            builder.open({.kind = open.back()});
+        } else {
+            builder.close();
+            open.pop_back();
+        }
+        if (!open.empty())
+            builder.addObjects(std::size_t(std::max(0, random.whole(-2, 3))));
+    }
+    return builder.take();
+}
+
+/// Each takes some objects; many of them follow each other at once.
+std::vector<Splice> splicesOf(const Containers& tree, Random& random)
+{
+    std::vector<Splice> splices;
+    const int farthest = random.whole(0, 1) ? random.whole(0, 300) : 2;
+    for (std::size_t at = 0; at < tree.objects();) {
+        at += std::size_t(std::max(0, random.whole(-farthest, farthest)));
+        if (at >= tree.objects())
+            break;
+        const auto removed = random.whole(1, std::min(4, int(tree.objects() - at)));
+        const int added = random.whole(0, 2) ? random.whole(0, 3) : removed;
+        splices.push_back({std::uint32_t(at), std::uint32_t(removed), std::uint32_t(added)});
+        at += std::size_t(removed);
+    }
+    return splices;
+}
+
+Containers oneByOne(Containers tree, const std::vector<Splice>& splices)
+{
+    for (std::size_t i = splices.size(); i-- > 0;) {
+        const auto& [first, removed, added] = splices[i];
+        std::set<ContainerId> from;
+        for (std::size_t k = first; k < std::size_t(first) + removed; ++k)
+            from.insert(tree.containerOf(k));
+        if (removed != added || from.size() > 1)
+            tree = tree.spliced(first, removed, added, tree.containerOf(first));
+    }
+    return tree;
+}
+
 std::size_t stepsOf(const auto& question)
 {
     ContainerMarks::steps = 0;
@@ -293,6 +343,31 @@ private slots:
         QCOMPARE(tree.spliced(0, 3, 0, layer).inOrder(), std::vector<ContainerId>{layer});
         QCOMPARE(tree.spliced(2, 1, 0, layer).size(), 4u); // one that was empty before stays
         QVERIFY(!tree.spliced(0, 2, 0, layer).contains(empty));
+    }
+    // At many places at once is the same as at one after the other, from the last.
+    void manySplicesAreThoseOneByOne()
+    {
+        Random random(11);
+        for (int round = 0; round < 3'000; ++round) {
+            const Containers tree = nestedTree(random, round % 10 == 0 ? 900 : 20);
+            const auto splices = splicesOf(tree, random);
+            const Containers expected = oneByOne(tree, splices);
+            const Containers after = tree.spliced(splices);
+            QVERIFY2(after == expected, std::to_string(round).c_str());
+            QCOMPARE(after.size(), after.inOrder().size());
+            for (const ContainerId id : tree.inOrder())
+                QCOMPARE(after.contains(id), expected.contains(id));
+        }
+    }
+    void whatNothingGoesForComesInto()
+    {
+        const Containers tree = wide(2); // objects 0 to 2 and 3 to 5
+        const std::vector<Splice> splices{{1, 1, 2}, {3, 0, 4}, {3, 1, 0}, {6, 0, 0}};
+        QCOMPARE(tree.spliced(splices, 1).rangeOf(2), (ObjectRange{0, 4}));
+        QCOMPARE(tree.spliced(splices, 1).rangeOf(3), (ObjectRange{8, 10}));
+        QCOMPARE(tree.spliced(splices, 2).rangeOf(2), (ObjectRange{0, 8}));
+        QCOMPARE(tree.spliced(splices, 3).rangeOf(3), (ObjectRange{4, 10}));
+        QVERIFY(tree.spliced(std::span<const Splice>()) == tree);
     }
     void treesAreEqualHoweverTheyWereMade()
     {
@@ -387,6 +462,24 @@ private slots:
         QVERIFY(stepsOf([&] { tree.hiddenRanges(); }) < 2 * all);
         QVERIFY(stepsOf([&] { QCOMPARE(tree.spliced(0, tree.objects(), 0, 1).size(), 1u); })
                 < 5 * all);
+    }
+    // A few splices look at a few blocks, many at each mark a few times.
+    void stepsOfManySplicesAreBounded()
+    {
+        const std::size_t groups = Containers::mostContainers - 1;
+        const Containers tree = wide(groups);
+        const auto splicesOf = [&](std::size_t count) {
+            std::vector<Splice> splices;
+            for (std::size_t i = 0; i < count; ++i)
+                splices.push_back({std::uint32_t(tree.objects() / count * i), 1, 0});
+            return splices;
+        };
+        const std::size_t all = 2 * groups;
+        constexpr std::size_t block = ContainerMarks::mostInBlock;
+        const auto few = splicesOf(10), many = splicesOf(groups);
+        QVERIFY(stepsOf([&] { tree.spliced(few); }) < few.size() * (6 * block + all / block * 2));
+        QVERIFY(stepsOf([&] { tree.spliced(many); }) < 5 * all);
+        QCOMPARE(tree.spliced(many).objects(), 2 * groups);
     }
     // New layers on top, at the bottom, in the middle: labels run out at times, and are made anew.
     void manyInsertionsAtOnePlaceStayCheap()

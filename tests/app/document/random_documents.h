@@ -111,7 +111,7 @@ private:
         }
         for (; added > 0; --added)
             edit.objects.append(object());
-        tree = app::spliced(std::move(tree), edit.splices, into);
+        tree = tree.spliced(edit.splices, into);
     }
 
     // With all that is in it.

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace app {
+
+/// `removed` objects from number `first` on make room for `added` ones.
+struct Splice {
+    std::uint32_t first = 0, removed = 0, added = 0;
+    friend bool operator==(const Splice&, const Splice&) = default;
+};
+
+} // namespace app
