@@ -45,6 +45,7 @@ public:
     void setContainer(Container container); ///< of that id
     ContainerId add(Container container, ContainerId parent);
     void remove(ContainerId id) { own(id) = {}; } ///< it is not given again
+    void startIdsAt(ContainerId id); ///< `add` gives this one next, unless it is beyond it
 
 private:
     static constexpr std::size_t size = 256;

@@ -80,6 +80,8 @@ public:
     Containers removed(ContainerId id) const;
     /// The id that `inserted` gives: above all that this tree has, or its predecessors had.
     ContainerId nextId() const { return table_.end(); }
+    /// The next id is at least this one.
+    void startIdsAt(ContainerId id) { table_.startIdsAt(id); }
 
     /// The same containers with the same ids, objects and order.
     friend bool operator==(const Containers& a, const Containers& b);

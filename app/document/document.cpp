@@ -37,11 +37,14 @@ Edit Document::apply(const Edit& edit)
 {
     DocumentParts& parts = parts_.own();
     Edit back;
-    Edit by{{}, {}, edit.containers, edit.windows, edit.page}; // what follows cannot fail
+    Edit by{{}, {}, edit.containers, edit.windows, edit.page};
+    if (by.containers)
+        by.containers->startIdsAt(parts.containers.nextId());
     if (!edit.splices.empty()) {
         back.splices = inverse(edit.splices);
         back.objects = parts.objects.splice(edit.splices, edit.objects);
     }
+    // What follows cannot fail.
     back.containers = exchange(parts.containers, std::move(by.containers));
     back.windows = exchange(parts.windows, std::move(by.windows));
     back.page = exchange(parts.page, std::move(by.page));

@@ -37,8 +37,9 @@ public:
     bool editable(std::size_t object) const;
 
     /// The only way to change a document. Gives the edit that undoes it: after both, the document
-    /// equals what it was. Costs a list of 12 bytes a block of objects, and the blocks touched;
-    /// other owners, and the blocks that they have, are left as they are.
+    /// equals what it was, but ids of containers that were undone are not given again. Costs a list
+    /// of 12 bytes a block of objects, and the blocks touched; other owners, and the blocks that
+    /// they have, are left as they are.
     Edit apply(const Edit& edit);
 
     /// They have the same contents, not just equal ones.

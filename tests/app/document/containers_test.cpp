@@ -397,6 +397,20 @@ private slots:
         }
         QCOMPARE(tree.size(), 1u);
     }
+    void idsCanStartHigher()
+    {
+        Containers tree;
+        for (const ContainerId next : {ContainerId(3), ContainerId(256), ContainerId(1'000'000)}) {
+            const Containers before = tree;
+            tree.startIdsAt(next);
+            tree.startIdsAt(2);
+            QCOMPARE(tree.nextId(), next);
+            QVERIFY(tree == before && !tree.contains(next - 1));
+            tree = *tree.inserted({}, 0, 1, {0, 0});
+            QVERIFY(tree.contains(next) && !tree.contains(next - 1) && !before.contains(next));
+        }
+        QCOMPARE(tree.inOrder(), (std::vector<ContainerId>{1, 1'000'000, 256, 3}));
+    }
     void treesAreNotTooDeep()
     {
         {

@@ -145,6 +145,22 @@ private slots:
         }
     }
 
+    void idsOfUndoneContainersAreNotGivenAgain()
+    {
+        Document document = threeLayers();
+        const auto insert = [&] {
+            const Containers& tree = document.containers();
+            return document.apply({.containers = tree.inserted({}, 0, 0, {0, 0})});
+        };
+        const ContainerId first = document.containers().nextId();
+        const Edit back = insert();
+        document.apply(back);
+        QVERIFY(document == threeLayers());
+        insert();
+        QVERIFY(!document.containers().contains(first));
+        QVERIFY(document.containers().contains(first + 1));
+    }
+
     void copiesStayAsTheyWere()
     {
         RandomDocuments random(4);
