@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/container_marks.h"
 
+#include "app/document/heap_bytes.h"
+#include "app/document/shared_list.h"
+
 #include <algorithm>
 #include <bit>
 #include <iterator>
@@ -82,6 +85,15 @@ void ContainerMarks::replace(const At& from, const At& to, std::span<const Conta
             Block(in(all, all.size() * i / count), in(all, all.size() * (i + 1) / count)));
     exchangeBlocks(first, last, std::move(blocks));
     steps += all.size() + blocks_.size();
+}
+
+std::size_t ContainerMarks::bytesNotIn(const ContainerMarks& other) const
+{
+    std::size_t sum = heapBytes(blocks_) + heapBytes(before_);
+    forEachNotIn(other.blocks_, blocks_, [&](std::size_t i) {
+        sum += heapBlock(Shared<Block>::allocated()) + heapBytes(*blocks_[i]);
+    });
+    return sum;
 }
 
 void ContainerMarks::exchangeBlocks(std::size_t first, std::size_t last,

@@ -51,6 +51,9 @@ public:
     /// Puts `marks` in the place of [from, to). O(their number + blocks).
     void replace(const At& from, const At& to, std::span<const ContainerMark> marks);
 
+    /// Bytes of the heap that they keep alive and `other` does not.
+    std::size_t bytesNotIn(const ContainerMarks& other) const;
+
     /// How many marks, and blocks as such, this thread has looked at: for tests of how many steps
     /// something takes.
     inline static thread_local std::size_t steps = 0;

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/container_table.h"
 
+#include "app/document/heap_bytes.h"
+#include "app/document/shared_list.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace app {
+
+// With the counts of std::make_shared.
+static std::size_t heapBytesOf(const Container& container)
+{
+    return heapBlock(sizeof container + 16) + heapBytes(container.name) + heapBytes(container.svgId)
+           + heapBytes(container.title) + heapBytes(container.description);
+}
+
+const Shared<ContainerTable::Block>& ContainerTable::unused()
+{
+    static const Shared<Block> entries{Block(size)};
+    return entries;
+}
 
 ContainerTable::ContainerTable() { add({}, 0); }
 
@@ -18,17 +34,33 @@ ContainerId ContainerTable::add(Container container, ContainerId parent)
 {
     container.id = end_;
     if (end_ == blocks_.size() * size)
-        blocks_.emplace_back(std::vector<Entry>(size));
+        blocks_.push_back(unused());
     own(end_).parent = parent;
     setContainer(std::move(container));
     return end_++;
 }
 
+// What both have stands under the same id.
+std::size_t ContainerTable::bytesNotIn(const ContainerTable& other) const
+{
+    std::size_t sum = heapBytes(blocks_);
+    forEachNotIn(other.blocks_, blocks_, [&](std::size_t i) {
+        if (sameAddress(blocks_[i], unused()))
+            return;
+        sum += heapBlock(Shared<Block>::allocated()) + heapBytes(*blocks_[i]);
+        for (std::size_t k = 0; k < size; ++k) {
+            const auto& mine = (*blocks_[i])[k].container;
+            if (mine && (i >= other.blocks_.size() || (*other.blocks_[i])[k].container != mine))
+                sum += heapBytesOf(*mine);
+        }
+    });
+    return sum;
+}
+
 void ContainerTable::startIdsAt(ContainerId id)
 {
-    static const Shared<std::vector<Entry>> none{std::vector<Entry>(size)};
     end_ = std::max(end_, id);
-    blocks_.resize(std::max(blocks_.size(), (end_ + size - 1) / size), none);
+    blocks_.resize(std::max(blocks_.size(), (end_ + size - 1) / size), unused());
 }
 
 } // namespace app

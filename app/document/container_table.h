@@ -45,12 +45,17 @@ public:
     void setContainer(Container container); ///< of that id
     ContainerId add(Container container, ContainerId parent);
     void remove(ContainerId id) { own(id) = {}; } ///< it is not given again
+    /// Bytes of the heap that it keeps alive and `other`, of the same document, does not.
+    std::size_t bytesNotIn(const ContainerTable& other) const;
     void startIdsAt(ContainerId id); ///< `add` gives this one next, unless it is beyond it
 
 private:
     static constexpr std::size_t size = 256;
+    using Block = std::vector<Entry>; ///< of `size` entries
 
-    std::vector<Shared<std::vector<Entry>>> blocks_; ///< of `size` entries
+    static const Shared<Block>& unused(); ///< of ids that were never given, or not by this one
+
+    std::vector<Shared<Block>> blocks_;
     ContainerId end_ = 0;
 };
 

@@ -83,6 +83,12 @@ public:
     /// The next id is at least this one.
     void startIdsAt(ContainerId id) { table_.startIdsAt(id); }
 
+    /// Bytes of the heap that it keeps alive and `other`, of the same document, does not.
+    std::size_t bytesNotIn(const Containers& other) const
+    {
+        return marks_.bytesNotIn(other.marks_) + table_.bytesNotIn(other.table_);
+    }
+
     /// The same containers with the same ids, objects and order.
     friend bool operator==(const Containers& a, const Containers& b);
 

@@ -1,24 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/edit.h"
 
+#include "app/document/heap_bytes.h"
+
+#include <cassert>
+
 namespace app {
 namespace {
 
-std::size_t ownBytesOf(const ClipWindow& window)
+// Copies of the list share the names of windows, and nothing else.
+std::size_t bytesNotIn(const ClipWindows& windows, const ClipWindows& other)
 {
-    const auto* polygon = std::get_if<PolygonShape>(&window.shape);
-    return sizeof window + std::size_t(window.name.capacity()) * sizeof(QChar)
-           + (polygon ? polygon->corners.capacity() * sizeof polygon->corners[0] : 0);
+    std::size_t sum = heapBytes(windows.list);
+    for (std::size_t i = 0; i < windows.list.size(); ++i) {
+        const ClipWindow& window = windows.list[i];
+        if (i >= other.list.size() || other.list[i].name.constData() != window.name.constData())
+            sum += heapBytes(window.name);
+        if (const auto* polygon = std::get_if<PolygonShape>(&window.shape))
+            sum += heapBytes(polygon->corners);
+    }
+    return sum;
 }
 
 } // namespace
 
-std::size_t Edit::ownBytes() const
+std::size_t Edit::bytesNotIn(const Edit& opposite) const
 {
-    std::size_t sum = sizeof *this + splices.capacity() * sizeof splices[0] + objects.ownBytes();
+    std::size_t sum = heapBytes(splices) + objects.bytesNotIn(opposite.objects);
+    assert(containers.has_value() == opposite.containers.has_value());
+    assert(windows.has_value() == opposite.windows.has_value());
+    if (containers)
+        sum += containers->bytesNotIn(*opposite.containers);
     if (windows)
-        for (const ClipWindow& window : windows->list)
-            sum += ownBytesOf(window);
+        sum += app::bytesNotIn(*windows, *opposite.windows);
     return sum;
 }
 

@@ -22,9 +22,10 @@ struct Edit {
     std::optional<ClipWindows> windows{};
     std::optional<Page> page{};
 
-    /// Bytes that only this edit keeps alive, without those of its tree, which shares nearly all
-    /// with the tree of the document.
-    std::size_t ownBytes() const;
+    /// Bytes of the heap that the history holds with this edit: those that it keeps alive and
+    /// `opposite` does not, which the document has just applied to give this one. So what many
+    /// edits of a history share counts once: for the one whose opposite took it from the document.
+    std::size_t bytesNotIn(const Edit& opposite) const;
 };
 
 /// The splices that put back what those exchanged, numbered as after them.

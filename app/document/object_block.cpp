@@ -74,8 +74,6 @@ void toPaths(ObjectBlock& block)
     block.lines = {};
 }
 
-std::size_t textBytes(const QString& text) { return std::size_t(text.capacity()) * sizeof(QChar); }
-
 } // namespace
 
 std::uint32_t weight(const Path& path)
@@ -95,18 +93,27 @@ std::uint32_t ObjectBlock::pointsOf(std::size_t first, std::size_t count) const
     return sum;
 }
 
-std::size_t ObjectBlock::ownBytes() const
+std::size_t ObjectBlock::heapBytes() const
 {
-    std::size_t sum = lines.capacity() * sizeof lines[0] + paths.capacity() * sizeof paths[0]
-                      + styles.capacity() * sizeof styles[0] + hidden.capacity()
-                      + particulars.capacity() * sizeof particulars[0];
-    for (const Path& path : paths)
-        sum += path.ownBytes();
-    for (const Shared<Particulars>& own : particulars)
-        if (!own.isShared())
-            sum += sizeof *own + textBytes(own->id) + textBytes(own->title)
-                   + textBytes(own->description);
-    return sum;
+    return app::heapBytes(lines) + app::heapBytes(paths) + app::heapBytes(styles)
+           + app::heapBytes(hidden) + app::heapBytes(particulars);
+}
+
+HeapPart ObjectBlock::pathPart(std::size_t i) const
+{
+    return paths.empty() ? HeapPart{} : paths[i].heapPart();
+}
+
+HeapPart ObjectBlock::particularsPart(std::size_t i) const
+{
+    const Shared<Particulars>& own = particularsOf(i);
+    if (sameAddress(own, noParticulars()))
+        return {};
+    std::size_t bytes = heapBlock(Shared<Particulars>::allocated()) + app::heapBytes(own->id)
+                        + app::heapBytes(own->title) + app::heapBytes(own->description);
+    if (const auto* text = std::get_if<TextRecipe>(&own->recipe))
+        bytes += app::heapBytes(text->text) + app::heapBytes(text->font);
+    return {&*own, bytes, own.isShared()};
 }
 
 void ObjectBlock::append(const clipping::Segment& line, StyleIndex style)

@@ -29,7 +29,9 @@ struct ObjectBlock {
         return particulars.empty() ? noParticulars() : particulars[i];
     }
     std::uint32_t pointsOf(std::size_t first, std::size_t count) const;
-    std::size_t ownBytes() const; ///< of the heap, without what its paths and particulars share
+    std::size_t heapBytes() const; ///< of its columns
+    HeapPart pathPart(std::size_t i) const;
+    HeapPart particularsPart(std::size_t i) const;
 
     void append(const clipping::Segment& line, StyleIndex style);
     void append(const ObjectRow& row);

@@ -205,13 +205,4 @@ void Objects::withStylesOf(const Objects& others)
     styles_ = others.styles_;
 }
 
-std::size_t Objects::ownBytes() const
-{
-    std::size_t sum = blocks_.capacity() * sizeof blocks_[0] + first_.capacity() * sizeof first_[0];
-    for (const Shared<ObjectBlock>& block : blocks_)
-        if (!block.isShared())
-            sum += sizeof *block + block->ownBytes();
-    return sum;
-}
-
 } // namespace app

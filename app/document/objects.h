@@ -42,9 +42,8 @@ public:
     /// Calls visit(i, ObjectView) for each of `count` objects from `first` on.
     template <class Visit>
     void forEach(std::size_t first, std::size_t count, const Visit& visit) const;
-    /// Bytes of the heap that are freed with it: what others share does not count, nor do the
-    /// styles.
-    std::size_t ownBytes() const;
+    /// Bytes of the heap that it keeps alive and `other` does not, without the styles.
+    std::size_t bytesNotIn(const Objects& other) const;
     /// The same objects, however they lie in blocks and whatever their styles' numbers are.
     friend bool operator==(const Objects& a, const Objects& b);
 

@@ -144,10 +144,11 @@ bool Path::hasArea() const
               }));
 }
 
-std::size_t Path::ownBytes() const
+HeapPart Path::heapPart() const
 {
-    const bool alone = data_ && !isLine() && data_->owners.load(std::memory_order_acquire) == 1;
-    return alone ? data_->bytes() : 0;
+    if (!data_ || isLine())
+        return {};
+    return {data_, heapBlock(data_->bytes()), data_->owners.load(std::memory_order_acquire) != 1};
 }
 
 Path Path::placed(const Placement& where) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/flatten.h"
+#include "app/document/heap_bytes.h"
 #include "app/document/placement.h"
 
 #include <array>
@@ -31,8 +32,7 @@ public:
     std::size_t pointCount() const; ///< those that are stored, controls too; 2 for a single line
     bool straight() const;          ///< without curves
     bool hasArea() const;           ///< more than a line or a point: something to fill
-    /// Bytes of the heap that no other path shares.
-    std::size_t ownBytes() const;
+    HeapPart heapPart() const;      ///< where its points are
 
     /// The path at another place: its points through its own placement and then `where`. O(1), but
     /// for a single line, whose ends are calculated (one whose ends then coincide is a point).

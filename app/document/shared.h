@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -30,6 +31,9 @@ public:
         if (at_ && at_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1)
             delete at_;
     }
+
+    /// The size of the allocation that owners share.
+    static constexpr std::size_t allocated() { return sizeof(Counted); }
 
     const T& operator*() const { return at_->value; }
     const T* operator->() const { return &at_->value; }

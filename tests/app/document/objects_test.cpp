@@ -332,24 +332,29 @@ private slots:
     void bytesOfItsOwn()
     {
         Objects lines = loneLines(100'000);
-        QVERIFY(lines.ownBytes() < 33 * 100'000);
+        QVERIFY(lines.bytesNotIn({}) > 32 * 100'000);
+        QVERIFY(lines.bytesNotIn({}) < 33 * 100'000);
         const Objects copy = lines;
-        QVERIFY(lines.ownBytes() < 1000);
+        QVERIFY(copy.bytesNotIn(lines) < 1000);
+        QVERIFY(lines.bytesNotIn(lines.slice(50'000, 50'000)) < 17 * 100'000);
 
         const Path path = polyline(100, 0);
-        const std::size_t alone = Path(path.subpaths()).ownBytes();
+        const std::size_t alone = Path(path.subpaths()).heapPart().bytes;
         Objects paths;
         for (int i = 0; i < 1000; ++i)
             paths.append({Path(path.subpaths()), Style{}});
-        QVERIFY(paths.ownBytes() > 1000 * alone);
-        QVERIFY(paths.ownBytes() < 1000 * (alone + 60));
+        QVERIFY(paths.bytesNotIn({}) > 1000 * alone);
+        QVERIFY(paths.bytesNotIn({}) < 1000 * (alone + 60));
         Objects moved = paths.slice(0, 0);
         paths.forEach(0, 1000, [&](std::size_t, const ObjectView& object) {
             ObjectRow row = object.row();
             row.path = row.path.placed({{1, 1}, {5, 5}});
             moved.append(row);
         });
-        QVERIFY(moved.ownBytes() < 1000 * 60); // a move costs its placements
+        QVERIFY(moved.bytesNotIn(paths) < 1000 * 60); // a move costs its placements
+        QVERIFY(moved.bytesNotIn(paths.slice(1, 999)) < 1000 * 60 + 2 * alone);
+        moved.append(moved.slice(0, 1000)); // which counts the points once
+        QVERIFY(moved.bytesNotIn({}) < 1000 * (alone + 2 * 60));
     }
 };
 

@@ -221,25 +221,25 @@ private slots:
     }
     void sizes()
     {
-        QCOMPARE(Path(clipping::Segment{{0, 0}, {1, 2}}).ownBytes(), std::size_t(0));
-        QVERIFY(lines(100).ownBytes() <= 16 * 101 + 20);
+        QCOMPARE(Path(clipping::Segment{{0, 0}, {1, 2}}).heapPart().bytes, std::size_t(0));
+        QVERIFY(lines(100).heapPart().bytes <= 16 * 101 + 20);
         Subpath curve{{0, 0}, {}, true};
         for (int i = 0; i < 100; ++i)
             curve.segments.push_back({Point(i, 1), Point(1, i), Point(i, i), true});
-        QVERIFY(Path({&curve, 1}).ownBytes() <= (3 * 16 + 1) * 100 + 16 + 20);
+        QVERIFY(Path({&curve, 1}).heapPart().bytes <= (3 * 16 + 1) * 100 + 16 + 20);
     }
     void copiesAndPlacedOnesShareThePoints()
     {
         const Path path = lines(100);
-        QVERIFY(path.ownBytes() > 0);
+        QVERIFY(path.heapPart().address && !path.heapPart().shared);
         Path copy = path;
-        QCOMPARE(path.ownBytes(), std::size_t(0));
+        QVERIFY(path.heapPart().shared && path.heapPart().address == copy.heapPart().address);
         copy = path.placed({{2, 2}, {3, 3}});
-        QCOMPARE(copy.ownBytes(), std::size_t(0));
+        QVERIFY(copy.heapPart().shared && path.heapPart().address == copy.heapPart().address);
         copy = copy.baked();
-        QVERIFY(copy.ownBytes() > 0 && path.ownBytes() > 0);
+        QVERIFY(!copy.heapPart().shared && !path.heapPart().shared);
         const Path taken = std::move(copy);
-        QVERIFY(taken.ownBytes() > 0);
+        QVERIFY(!taken.heapPart().shared && taken.heapPart().address);
         copy = Path(clipping::Segment{{0, 0}, {1, 2}});
         copy = Path(copy);
         QVERIFY(copy.singleLine());
