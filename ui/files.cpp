@@ -4,6 +4,7 @@
 #include "app/commands/crop_to_window.h"
 #include "app/comparison/cut_text.h"
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/in_background.h"
 
@@ -70,14 +71,14 @@ void Files::show(app::Imported imported, const QString& path, const QString& tit
 void Files::startNew()
 {
     if (mayClose())
-        show({emptySheet(), {}}, {}, {});
+        show({app::documentOf(emptySheet()), {}}, {}, {});
 }
 
-bool Files::openMade(app::Sheet sheet, const QString& title)
+bool Files::openMade(const app::Sheet& sheet, const QString& title)
 {
     if (!mayClose())
         return false;
-    show({std::move(sheet), {}}, {}, title);
+    show({app::documentOf(sheet), {}}, {}, title);
     return true;
 }
 
@@ -189,7 +190,7 @@ Exported exported(const app::Sheet& sheet, const app::CutOptions& options, const
         const app::Cut cut = app::cut(
             options.keepContacts ? app::flattened(sheet, app::usualTolerance(sheet.page)) : sheet,
             options);
-        return {app::writeFile(cut.sheet, path, writing), cut.counts};
+        return {app::writeFile(app::documentOf(cut.sheet), path, writing), cut.counts};
     } catch (const std::bad_alloc&) {
         return {Files::tr("Cannot export %1: there is not enough memory. Close other programs, or "
                           "export a part of the drawing.")

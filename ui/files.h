@@ -26,7 +26,8 @@ public:
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
-    bool openMade(app::Sheet sheet, const QString& title); ///< made by the program; false: kept
+    /// Made by the program; false: kept.
+    bool openMade(const app::Sheet& sheet, const QString& title);
     bool save();                                           ///< true: saved
     bool saveAs();
     void exportCut();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look_icon.h"
 
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/view/painter_path.h"
 #include "ui/look.h"
@@ -56,7 +57,7 @@ private:
             const app::Format* svg = app::findFormat(u"svg");
             if (svg && svg->read && file.open(QIODevice::ReadOnly))
                 if (auto imported = svg->read(file))
-                    sheet_ = std::move(imported.value->sheet);
+                    sheet_ = app::sheetOf(imported.value->document);
         }
         return *sheet_;
     }

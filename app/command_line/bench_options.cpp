@@ -54,9 +54,10 @@ void takeDrawing(const QString& path, ExperimentOptions& options)
     const auto imported = readFile(path);
     if (!imported)
         throw Failure{imported.error};
-    const EditedDocument document(documentOf(imported.value->sheet));
+    const EditedDocument document(imported.value->document);
     const Scene scene(document);
-    const auto subject = drawingSubject(QFileInfo(path).fileName(), scene, imported.value->sheet);
+    const auto subject =
+        drawingSubject(QFileInfo(path).fileName(), scene, sheetOf(document.now()));
     if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;

@@ -6,6 +6,7 @@
 #include "app/document/contents.h"
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 
 #include <algorithm>
@@ -34,16 +35,17 @@ CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Outp
     CutOptions options{&usesOf(given), windowOf(given, imported)};
     options.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0 ? Keep::Inside
                                                                                     : Keep::Outside;
-    options.tolerance = toleranceOf(given, imported.sheet.page);
+    options.tolerance = toleranceOf(given, imported.document.page());
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
 }
 
 // A cut that leaves nothing, or nothing visible, is rarely what was wanted: says why.
-void sayNothingIsLeft(const Imported& imported, const CutOptions& options, const Cut& result)
+void sayNothingIsLeft(const Imported& imported, const Sheet& sheet, const CutOptions& options,
+                      const Cut& result)
 {
     const bool allGone = result.sheet.shapes.empty(), inside = options.keep == Keep::Inside;
-    const auto bounds = contentsOf(allGone ? imported.sheet : withoutHidden(imported.sheet)).bounds;
+    const auto bounds = contentsOf(allGone ? sheet : withoutHidden(sheet)).bounds;
     if (!bounds)
         return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
                            : Commands::tr("Nothing visible is left: every shape is hidden."));
@@ -59,9 +61,9 @@ void sayNothingIsLeft(const Imported& imported, const CutOptions& options, const
     say(why.arg(placeText(*bounds, imported)));
 }
 
-void report(const Imported& imported, const CutCounts& counts)
+void report(const Imported& imported, const Sheet& sheet, const CutCounts& counts)
 {
-    const std::size_t hidden = hiddenIn(imported.sheet); // the cut reached all of them
+    const std::size_t hidden = hiddenIn(sheet); // the cut reached all of them
     sayLosses(imported);
     QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
@@ -131,15 +133,16 @@ void clip(const Given& given)
     const QString input = given.operands().first();
     Output output = outputOf(given, input);
     Stopwatch stopwatch;
-    Imported imported = readDrawing(given, input);
+    const Imported imported = readDrawing(given, input);
     refuseLossInPlace(given, imported, input, output);
     stopwatch.lap(Commands::tr("read"));
 
     const CutOptions options = cutOptionsOf(given, imported, output);
-    const std::size_t dropped = dropHidden(given, output, imported.sheet);
+    Sheet sheet = sheetOf(imported.document);
+    const std::size_t dropped = dropHidden(given, output, sheet);
     if (output.format->holds == Holds::SeparateLines)
-        imported.sheet = flattened(std::move(imported.sheet), options.tolerance);
-    Cut result = cut(imported.sheet, options);
+        sheet = flattened(std::move(sheet), options.tolerance);
+    Cut result = cut(sheet, options);
     result.sheet.window = options.window;
     stopwatch.lap(Commands::tr("cut"));
 
@@ -147,15 +150,15 @@ void clip(const Given& given)
     output.options.sources = rowsOf(imported, result);
     if (options.keep == Keep::Inside)
         output.options.bounds = options.window;
-    writeDrawing(result.sheet, output);
+    writeDrawing(documentOf(result.sheet), output);
     stopwatch.lap(Commands::tr("write"));
 
     if (!given.has(QStringLiteral("quiet"))) {
-        report(imported, result.counts);
+        report(imported, sheet, result.counts);
         sayDropped(given, output, dropped);
         say(windowText(given, imported, options.window));
         if (hiddenIn(result.sheet) == result.sheet.shapes.size())
-            sayNothingIsLeft(imported, options, result);
+            sayNothingIsLeft(imported, sheet, options, result);
     }
     if (given.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")

@@ -97,7 +97,7 @@ void compare(const Given& given)
     const Comparison comparison = comparisonOf(given);
     const TableOutput output = tableOutput(given);
     const Imported imported = readDrawing(given, given.operands().first());
-    const EditedDocument document(documentOf(imported.sheet));
+    const EditedDocument document(imported.document);
     const Scene scene(document);
     const Differences found = extended({windowOf(given, imported)}, comparison, scene.segments(),
                                        scene.segments().size());

@@ -2,6 +2,7 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/document/legacy.h"
 
 namespace app {
 namespace {
@@ -13,13 +14,13 @@ void convert(const Given& given)
     const Imported imported = readDrawing(given, input);
     refuseLossInPlace(given, imported, input, output);
     output.options.sources = imported.rows;
-    output.options.tolerance = toleranceOf(given, imported.sheet.page);
-    writeDrawing(imported.sheet, output);
+    output.options.tolerance = toleranceOf(given, imported.document.page());
+    writeDrawing(imported.document, output);
     if (given.has(QStringLiteral("quiet")))
         return;
     sayLosses(imported);
     if (output.format->hides == Hides::No)
-        sayHiddenLeftOut(hiddenIn(imported.sheet), *output.format);
+        sayHiddenLeftOut(hiddenIn(sheetOf(imported.document)), *output.format);
 }
 
 } // namespace

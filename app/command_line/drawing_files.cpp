@@ -176,15 +176,15 @@ Output outputOf(const Given& given, const QString& input)
     return output;
 }
 
-void writeDrawing(const Sheet& sheet, const Output& output)
+void writeDrawing(const Document& document, const Output& output)
 {
     if (output.path != standardStream) {
         const Unfinished guard(output.path);
-        if (const auto error = writeFile(sheet, output.path, output.options, output.format))
+        if (const auto error = writeFile(document, output.path, output.options, output.format))
             throw Failure{*error};
         return;
     }
-    printWith([&](QIODevice& out) { return output.format->write(sheet, out, output.options); });
+    printWith([&](QIODevice& out) { return output.format->write(document, out, output.options); });
 }
 
 QStringList losses(const Imported& imported)

@@ -41,7 +41,7 @@ struct Output {
 Output outputOf(const Given& given, const QString& input);
 
 /// Throws Failure; what is there is lost only to a whole new file.
-void writeDrawing(const Sheet& sheet, const Output& output);
+void writeDrawing(const Document& document, const Output& output);
 
 /// Throws Failure if that would lose what the import could not keep: writing over the input.
 void refuseLossInPlace(const Given& given, const Imported& imported, const QString& input,

@@ -5,6 +5,7 @@
 #include "app/command_line/window_options.h"
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
@@ -55,7 +56,7 @@ std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
 
 std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
 {
-    const Sheet& sheet = imported.sheet;
+    const Sheet sheet = sheetOf(imported.document);
     Contents all;
     std::vector<Contents> layers(sheet.layers.size());
     const double tolerance = usualTolerance(sheet.page);

@@ -2,6 +2,7 @@
 #include "app/command_line/window_options.h"
 
 #include "app/command_line/refusal.h"
+#include "app/document/compared_window.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
@@ -15,7 +16,7 @@ namespace {
 // Where lengths with a unit count from.
 Point cornerOf(const Imported& imported)
 {
-    return imported.paged ? imported.sheet.page.min : Point{};
+    return imported.paged ? imported.document.page().min : Point{};
 }
 
 bool isBare(const Length& length) { return length.unit == Unit::User; }
@@ -55,12 +56,12 @@ std::vector<Option> windowOptions()
 
 clipping::Window windowOf(const Given& given, const Imported& imported)
 {
-    const Sheet& sheet = imported.sheet;
-    const double unit = sheet.page.millimetresPerUnit();
+    const Page& page = imported.document.page();
+    const double unit = page.millimetresPerUnit();
     const auto margin = given.length(QStringLiteral("margin"));
     if (margin && !given.has(QStringLiteral("page")))
         throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
-    clipping::Window window = sheet.window;
+    clipping::Window window = comparedWindow(imported.document.windows(), page).window;
     if (const auto r = given.rectangle(QStringLiteral("window"))) {
         if (given.has(QStringLiteral("page")))
             throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
@@ -72,7 +73,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
         window = {{place(0), place(1)}, {place(2), place(3)}};
     } else if (given.has(QStringLiteral("page"))) {
         const double less = margin ? toUserUnits(*margin, unit) : 0;
-        window = {sheet.page.min + less, sheet.page.min + sheet.page.size - less};
+        window = {page.min + less, page.min + page.size - less};
     }
     for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y})
         if (!std::isfinite(number))
@@ -87,7 +88,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
 QString windowText(const Given& given, const Imported& imported, const clipping::Window& window)
 {
     const bool isThePage =
-        !imported.windowSaved && imported.paged && window == imported.sheet.page.rectangle();
+        !imported.windowSaved && imported.paged && window == imported.document.page().rectangle();
     QString source;
     if (given.has(QStringLiteral("window")))
         source = Commands::tr("given");
@@ -107,7 +108,7 @@ QString placeText(const clipping::Window& rectangle, const Imported& imported)
     const QString text =
         Commands::tr("%1 in the drawing's coordinates").arg(rectangleText(rectangle));
     const bool inMillimetres =
-        imported.sheet.page.millimetresPerUnit() == 1 && cornerOf(imported) == Point{};
+        imported.document.page().millimetresPerUnit() == 1 && cornerOf(imported) == Point{};
     return inMillimetres ? text : text + QStringLiteral(", ") + millimetreText(rectangle, imported);
 }
 
@@ -115,7 +116,7 @@ QString millimetreText(const clipping::Window& rectangle, const Imported& import
 {
     constexpr int decimals = 3; // a micrometre
     constexpr double most = std::numeric_limits<double>::max();
-    const double unit = imported.sheet.page.millimetresPerUnit();
+    const double unit = imported.document.page().millimetresPerUnit();
     const Point corner = cornerOf(imported);
     const Point min = (rectangle.min - corner) * unit, max = (rectangle.max - corner) * unit;
     std::string numbers;

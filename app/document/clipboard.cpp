@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/clipboard.h"
 
+#include "app/document/legacy.h"
 #include "app/document/path_points.h"
 #include "app/formats/format.h"
 
@@ -34,7 +35,7 @@ std::unique_ptr<QMimeData> copied(const Sheet& sheet, const ObjectRanges& shapes
     QBuffer svg;
     svg.open(QIODevice::WriteOnly);
     auto data = std::make_unique<QMimeData>();
-    if (formats().front().write(some, svg, {}))
+    if (formats().front().write(documentOf(some), svg, {}))
         return data;
     data->setData(svgType, svg.data());
     data->setText(QString::fromUtf8(svg.data()));
@@ -51,9 +52,10 @@ std::vector<Shape> pasted(const QMimeData& data, const Page& page, std::uint32_t
     const auto read = formats().front().read(svg);
     if (!read)
         return {};
-    const double factor = read.value->sheet.page.millimetresPerUnit() / page.millimetresPerUnit();
+    const Sheet sheet = sheetOf(read.value->document);
+    const double factor = sheet.page.millimetresPerUnit() / page.millimetresPerUnit();
     std::vector<Shape> shapes;
-    for (const Shape& shape : read.value->sheet.shapes) {
+    for (const Shape& shape : sheet.shapes) {
         shapes.push_back(factor == 1 ? shape : scaled(shape, factor));
         shapes.back().layer = layer;
         shapes.back().id.clear();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/samples.h"
 
+#include "app/document/legacy.h"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -27,9 +29,10 @@ bool isOnlyLookedAt(const QString& key, const Sheet& sheet)
 {
     for (const Sample& sample : samples())
         if (sample.key == key)
-            if (auto fresh = readFile(sample.file)) {
-                fresh.value->sheet.window = sheet.window;
-                return fresh.value->sheet == sheet;
+            if (const auto fresh = readFile(sample.file)) {
+                Sheet known = sheetOf(fresh.value->document);
+                known.window = sheet.window;
+                return known == sheet;
             }
     return false;
 }

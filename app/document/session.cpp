@@ -93,12 +93,20 @@ void Session::setPreview(const Preview& preview)
     emit previewChanged();
 }
 
+// For now there is always a clip window.
+static Document withWindow(Document document)
+{
+    if (document.windows().list.empty())
+        document.apply({.windows = ClipWindows{{{.shape = RectangleShape{document.page().rectangle()}}}}});
+    return document;
+}
+
 void Session::load(Imported imported, const QString& path)
 {
     losses_ = std::move(imported.report);
     path_ = path;
     history.clear();
-    document.load(documentOf(imported.sheet));
+    document.load(withWindow(std::move(imported.document)));
     Display display = display_;
     display.unit = sheet().page.usualUnit();
     setDisplay(display);
@@ -116,7 +124,7 @@ std::optional<QString> Session::save(const QString& path)
 {
     {
         const Unfinished guard(path);
-        if (auto error = writeFile(sheet(), path))
+        if (auto error = writeFile(now(), path))
             return error;
     }
     path_ = path;

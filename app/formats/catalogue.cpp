@@ -72,7 +72,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
     }
 }
 
-std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
+std::optional<QString> writeFile(const Document& document, const QString& path,
                                  const WriteOptions& options, const Format* format)
 {
     const auto failure = [&](const QString& why) {
@@ -83,7 +83,7 @@ std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
         return failure(
             QCoreApplication::translate("formats", "this type of file is not written here."));
     const auto error = replaceFile(path, [&](QIODevice& out) {
-        auto wrong = format->write(sheet, out, options);
+        auto wrong = format->write(document, out, options);
         if (!wrong && options.stop.stop_requested())
             wrong = QCoreApplication::translate("formats", "it was cancelled.");
         return wrong;

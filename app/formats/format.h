@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/document.h"
 #include "app/result.h"
 
 #include <QIODevice>
@@ -24,15 +24,18 @@ struct Loss {
 
 /// A drawing as it came out of a file, with what the document could not hold.
 struct Imported {
-    Sheet sheet;
+    Document document;
     std::vector<Loss> report;
-    /// CSV: the 0-based data row that each shape of the sheet came from; else empty.
+    /// CSV: the 0-based data row that each object came from; else empty.
     std::vector<std::uint32_t> rows{};
     /// Whether the file has a page of its own. Else (CSV) the page is what is drawn, and lengths
     /// with a unit count from the user origin as bare numbers do.
     bool paged = true;
-    /// Whether the sheet's window was saved in the file. Else it is the page, or what is drawn.
+    /// Whether the clip window was saved in the file. Else it is the page, or what is drawn.
     bool windowSaved = false;
+    /// Of a file without a page of its own: all that is drawn, with the page. Where nothing else is
+    /// said, this is clipped.
+    std::optional<clipping::Window> drawn{};
     bool lossy() const; ///< any that is not a remark: Save becomes Save as
 };
 
@@ -43,7 +46,7 @@ struct WriteOptions {
     /// With a limited precision, numbers are rounded and then moved inward so that the decimals
     /// themselves lie in this rectangle.
     std::optional<clipping::Window> bounds{};
-    /// CSV: the column `source`, one number for each shape of the sheet, and the rows in its order;
+    /// CSV: the column `source`, one number for each object, and the rows in its order;
     /// empty: no such column, and the rows in drawing order.
     std::vector<std::uint32_t> sources{};
     /// Asked to stop before all is written: nothing on disk changes.
@@ -62,9 +65,9 @@ struct Format {
     std::string_view key; ///< "svg": the file name's ending and --from/--to
     QString name;         ///< "SVG drawing", translated
     Result<Imported> (*read)(QIODevice& in);
-    /// Nothing, or the sentence that says what went wrong. Hidden shapes and layers are left out
+    /// Nothing, or the sentence that says what went wrong. Hidden objects and layers are left out
     /// unless the format `hides`.
-    std::optional<QString> (*write)(const Sheet& sheet, QIODevice& out,
+    std::optional<QString> (*write)(const Document& document, QIODevice& out,
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
     Hides hides = Hides::No;
@@ -82,7 +85,7 @@ Result<Imported> readFile(const QString& path, const Format* format = nullptr);
 
 /// Writes a file, of the format that its ending says unless one is given. An existing file is
 /// replaced only by a whole new one (QSaveFile); a device or a pipe is written to.
-std::optional<QString> writeFile(const Sheet& sheet, const QString& path,
+std::optional<QString> writeFile(const Document& document, const QString& path,
                                  const WriteOptions& options = {}, const Format* format = nullptr);
 
 } // namespace app

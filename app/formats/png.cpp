@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/formats/paper.h"
 #include "app/formats/seen_part.h"
@@ -88,9 +89,9 @@ std::optional<QString> tooLarge(const Point& pixels, double dpi)
              fits >= 1 ? number(std::floor(fits)) : QString::number(fits, 'g', 2));
 }
 
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    const Paper paper = paperOf(sheet.page);
+    const Paper paper = paperOf(document.page());
     const Point pixels =
         glm::max(Point{1, 1}, glm::round(paper.millimetres / millimetresPerInch * options.dpi));
     if (auto sentence = tooLarge(pixels, options.dpi))
@@ -108,7 +109,7 @@ std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOpti
     const double scale = options.dpi / millimetresPerInch * paper.millimetresPerUnit;
     painter.scale(scale, scale);
     painter.translate(-paper.corner.x, -paper.corner.y);
-    for (const Shape& shape : seenPart(sheet).shapes)
+    for (const Shape& shape : seenPart(sheetOf(document)).shapes)
         paint(painter, shape, scale);
     painter.end();
 

@@ -84,8 +84,8 @@ QString leftoverFolder()
 #endif
 }
 
-std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file,
-                                     const std::optional<Shape>& inHand)
+std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
+                                     const QString& file, const std::optional<Shape>& inHand)
 {
     const QDir folder = QFileInfo(file).dir();
     constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
@@ -97,7 +97,7 @@ std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, c
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
         if (auto wrong =
-                inHand ? svg::writeWith(*inHand, sheet, out, {}) : svg::write(sheet, out, {}))
+                inHand ? svg::writeWith(*inHand, document, out, {}) : svg::write(document, out, {}))
             return wrong;
         const QByteArray end = instruction(origin, QDateTime::currentDateTime());
         return writeAll(out, {end.constData(), std::size_t(end.size())})

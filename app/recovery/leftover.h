@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/document.h"
 #include "app/document/sheet.h"
 
 #include <QDateTime>
@@ -36,7 +37,8 @@ QString leftoverFolder();
 
 /// Writes a file for a drawing, whole or not at all, and makes the folder; only the user can read
 /// either of them. `inHand` is one more shape, the last of its layer. Nothing, or the error.
-std::optional<QString> writeLeftover(const Sheet& sheet, const Origin& origin, const QString& file,
+std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
+                                     const QString& file,
                                      const std::optional<Shape>& inHand = std::nullopt);
 
 /// A name in `folder` that no other process uses.

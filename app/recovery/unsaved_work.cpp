@@ -25,7 +25,7 @@ UnsavedWork::Written UnsavedWork::write() const
         objects.append(document_.inHand->object);
         document.apply(adding(document, objects, document_.inHand->into));
     }
-    return {true, writeLeftover(sheetOf(document), document_.origin, document_.file)};
+    return {true, writeLeftover(document, document_.origin, document_.file)};
 }
 
 } // namespace app

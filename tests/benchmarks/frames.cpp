@@ -3,6 +3,7 @@
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
 #include "app/comparison/live_race.h"
+#include "app/document/legacy.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -38,7 +39,7 @@ app::Sheet shortLines(int count)
 app::Imported drawingOf(const QString& argument)
 {
     if (const int lines = argument.toInt(); lines > 0)
-        return {shortLines(lines), {}};
+        return {app::documentOf(shortLines(lines)), {}};
     auto read = app::readFile(argument);
     if (!read)
         qFatal("%s", qPrintable(read.error));

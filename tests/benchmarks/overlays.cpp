@@ -2,6 +2,7 @@
 // Measures what it costs to show what an algorithm sees while the pointer moves, at 1280 x 800 on
 // many scattered lines, and paints every algorithm's overlay for lines of every kind:
 // overlays [LINES] [FOLDER [light|dark]]
+#include "app/document/legacy.h"
 #include "ui/canvas/canvas.h"
 #include "ui/look.h"
 
@@ -107,7 +108,7 @@ void paintAll(app::Session& session, ui::Canvas& canvas, const QDir& folder)
     app::Sheet lines = sheet();
     for (const Kind& kind : kinds)
         lines.shapes.push_back(shapeOf(kind.line, {90, 90, 90}));
-    session.load({std::move(lines), {}});
+    session.load({app::documentOf(lines), {}});
     app::Display display = session.display();
     display.overlay = true;
     for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
@@ -155,7 +156,7 @@ int main(int argc, char** argv)
     QTextStream out(stdout);
     app::Session session;
     const int lines = argc > 1 ? QByteArray(argv[1]).toInt() : 100'000;
-    session.load({shortLines(lines), {}});
+    session.load({app::documentOf(shortLines(lines)), {}});
     ui::Canvas canvas(session, ui::Backend::Raster);
     canvas.resize(1280 + 20, 800 + 20);
     canvas.show();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QDir>
@@ -70,7 +71,7 @@ private slots:
         QVERIFY2(read, qPrintable(read.error));
         QVERIFY(read.value->report.empty());
 
-        const app::Sheet& sheet = read.value->sheet;
+        const app::Sheet sheet = app::sheetOf(read.value->document);
         const auto page = sheet.page.rectangle();
         QVERIFY(page.min.x < sheet.window.min.x && sheet.window.max.x < page.max.x);
         QVERIFY(page.min.y < sheet.window.min.y && sheet.window.max.y < page.max.y);

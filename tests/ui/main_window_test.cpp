@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
+#include "app/document/legacy.h"
 #include "app/lessons/lesson.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
@@ -157,7 +158,7 @@ private slots:
         t.answers->answer = Questions::Answer::Save;
         QVERIFY(t.window->close());
         const auto again = app::readFile(t.path("two.svg"));
-        QCOMPARE(again.value->sheet.window, middle);
+        QCOMPARE(app::sheetOf(again.value->document).window, middle);
     }
     void dontSaveLeavesTheFile()
     {
@@ -167,7 +168,7 @@ private slots:
         t.answers->answer = Questions::Answer::DontSave;
         t.window->files().startNew();
         QVERIFY(t.window->session().sheet().shapes.empty());
-        QVERIFY(app::readFile(t.path("two.svg")).value->sheet.window != middle);
+        QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
     }
     void savingOverSomebodyElsesChangeIsAsked()
     {
@@ -222,7 +223,7 @@ private slots:
         QVERIFY2(t.answers->proposed.endsWith("two-cut.svg"), qPrintable(t.answers->proposed));
         QVERIFY2(t.window->message().contains("Exported out.svg"), qPrintable(t.window->message()));
         const auto cut = app::readFile(t.path("out.svg"));
-        const app::EditedDocument document(app::documentOf(cut.value->sheet));
+        const app::EditedDocument document(cut.value->document);
         const app::Scene scene(document);
         QCOMPARE(scene.segments().size(), std::size_t(1));
         QCOMPARE(scene.segments()[0], (clipping::Segment{{25, 50}, {75, 50}}));
@@ -265,7 +266,7 @@ private slots:
         QCOMPARE(session.history.limit(), std::size_t(2'000'000));
         app::Sheet sheet;
         sheet.shapes.resize(10'000);
-        session.load({std::move(sheet), {}});
+        session.load({app::documentOf(sheet), {}});
         const auto restyle = [&session] {
             const app::ObjectRanges all(app::ObjectRange{0, session.sheet().shapes.size()});
             session.history.push(new app::SetStyle(
@@ -284,7 +285,7 @@ private slots:
         QCOMPARE(session.history.forgotten(), 2);
         QCoreApplication::processEvents();
         QVERIFY(t.window->message().isEmpty());
-        session.load({app::Sheet(session.sheet()), {}}); // another drawing: said again
+        session.load({app::documentOf(session.sheet()), {}}); // another drawing: said again
         restyle();
         restyle();
         QTRY_VERIFY(!t.window->message().isEmpty());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/unfinished.h"
 #include "app/recovery/leftover.h"
 #include "ui/editor.h"
@@ -248,7 +249,7 @@ private slots:
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left[0].origin.name, "plan.svg");
         QCOMPARE(left[0].origin.path, home.drawing());
-        const auto sheet = app::readFile(left[0].file).value->sheet;
+        const auto sheet = app::sheetOf(app::readFile(left[0].file).value->document);
         QCOMPARE(int(sheet.shapes.size()), shapes);
         if (scenario == "polyline")
             QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
@@ -293,14 +294,16 @@ private slots:
             QCOMPARE(editor.endedBy(SIGTERM), SIGTERM); // one file, the newer work
             const auto left = app::claimLeftovers(home.leftovers());
             QCOMPARE(left.size(), std::size_t(1));
-            QCOMPARE(app::readFile(left[0].file).value->sheet.shapes.size(), std::size_t(3));
+            QCOMPARE(app::sheetOf(app::readFile(left[0].file).value->document).shapes.size(),
+                     std::size_t(3));
         }
         {
             Editor editor(home, "recover and save", {});
             QVERIFY(editor.waitsUntilReady());
             QVERIFY2(editor.said.contains("3 shapes, plan.svg, saved"), qPrintable(editor.said));
             QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
-            QCOMPARE(app::readFile(home.drawing()).value->sheet.shapes.size(), std::size_t(3));
+            QCOMPARE(app::sheetOf(app::readFile(home.drawing()).value->document).shapes.size(),
+                     std::size_t(3));
         }
         Editor editor(home, "recover", {});
         QVERIFY(editor.waitsUntilReady());

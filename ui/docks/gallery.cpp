@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/gallery.h"
 
+#include "app/document/legacy.h"
 #include "app/view/thumbnail.h"
 #include "ui/look.h"
 #include "ui/widgets/sample_button.h"
@@ -23,7 +24,8 @@ QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
                  const app::ThumbnailColours& colours)
 {
     const auto imported = app::readFile(sample.file);
-    return imported ? app::thumbnail(imported.value->sheet, points, ratio, colours) : QImage();
+    return imported ? app::thumbnail(sheetOf(imported.value->document), points, ratio, colours)
+                    : QImage();
 }
 
 constexpr int behindTheCanvas = -1; // in the queue for a thread; the usual is 0

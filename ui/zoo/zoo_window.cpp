@@ -108,7 +108,7 @@ void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Variant& va
 void ZooWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
     auto sheet = app::sheetOf(hard);
-    if (!sheet || !window_.files().openMade(std::move(*sheet.value), hard.title))
+    if (!sheet || !window_.files().openMade(*sheet.value, hard.title))
         return;
     app::Display display = window_.session().display();
     display.algorithm = variant.algorithm;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/reader.h"
 
+#include "app/document/legacy.h"
 #include "app/document/page_around.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/text.h"
@@ -135,7 +136,7 @@ private:
         if (a != b)
             shape.paths.front().segments.push_back({b});
         imported_.rows.push_back(std::uint32_t(imported_.rows.size()));
-        imported_.sheet.shapes.push_back(std::move(shape));
+        sheet_.shapes.push_back(std::move(shape));
     }
 
     std::string_view field(const Record& record, Column column) const
@@ -199,27 +200,27 @@ private:
     void finish()
     {
         imported_.paged = false;
-        Sheet& sheet = imported_.sheet;
-        const QString usualName = sheet.layers.front().name;
-        sheet.layers.resize(std::max<std::size_t>(1, layers_.size()));
+        const QString usualName = sheet_.layers.front().name;
+        sheet_.layers.resize(std::max<std::size_t>(1, layers_.size()));
         for (const auto& [name, index] : layers_)
-            sheet.layers[index].name = name.empty() ? usualName : QString::fromStdString(name);
+            sheet_.layers[index].name = name.empty() ? usualName : QString::fromStdString(name);
         if (tooManyLayers_ > 0)
             imported_.report.push_back(
                 {tr("layers beyond the first %1, on lines").arg(mostLayers), tooManyLayers_});
         sortByLayer();
-        sheet.page = pageAround(sheet.shapes);
-        if (!sheet.shapes.empty()) {
-            sheet.page.width = {sheet.page.size.x, Unit::Px};
-            sheet.page.height = {sheet.page.size.y, Unit::Px};
+        sheet_.page = pageAround(sheet_.shapes);
+        if (!sheet_.shapes.empty()) {
+            sheet_.page.width = {sheet_.page.size.x, Unit::Px};
+            sheet_.page.height = {sheet_.page.size.y, Unit::Px};
         }
-        sheet.window = sheet.page.rectangle();
+        sheet_.window = sheet_.page.rectangle();
+        imported_.document = documentOf(sheet_);
     }
 
     // A sheet holds its shapes layer by layer; `rows` remembers where they were.
     void sortByLayer()
     {
-        auto& shapes = imported_.sheet.shapes;
+        auto& shapes = sheet_.shapes;
         if (std::ranges::is_sorted(shapes, {}, &Shape::layer))
             return;
         std::ranges::stable_sort(imported_.rows, {}, [&](auto row) { return shapes[row].layer; });
@@ -236,6 +237,7 @@ private:
     std::size_t mostFields_ = columnNames.size();
     std::map<std::string, std::uint32_t, std::less<>> layers_;
     int tooManyLayers_ = 0;
+    Sheet sheet_;
     Imported imported_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/document/cut.h"
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/text.h"
@@ -108,8 +109,9 @@ private:
 
 } // namespace
 
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
+    const Sheet sheet = sheetOf(document);
     return Writer(sheet, out, options).write();
 }
 

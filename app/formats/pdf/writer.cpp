@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/pdf/writer.h"
 
+#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
@@ -82,9 +83,9 @@ std::string pageObject(const Point& size, double userUnit, const std::string& re
 
 } // namespace
 
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    const Paper paper = paperOf(sheet.page);
+    const Paper paper = paperOf(document.page());
     const Point points = paper.millimetres * pointsPerMillimetre;
     const double userUnit = std::max(1.0, std::max(points.x, points.y) / largestPage);
     const Point size = points / userUnit;
@@ -92,7 +93,7 @@ std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOpti
 
     Content content(options);
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
-    for (const Shape& shape : seenPart(sheet).shapes)
+    for (const Shape& shape : seenPart(sheetOf(document)).shapes)
         content.paint(shape);
 
     Objects objects(out);

@@ -9,6 +9,6 @@ namespace app::pdf {
 /// digits, curves are curves, dashes are dashes and see-through inks are see-through; the same
 /// drawing gives the same bytes. (QPdfWriter rounds the page to whole points and turns strokes
 /// with alpha into filled outlines.)
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
 } // namespace app::pdf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/reader.h"
 
+#include "app/document/legacy.h"
 #include "app/document/page_around.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
@@ -28,7 +29,7 @@ Imported import(const Tree& tree)
 {
     Imported imported;
     Report report;
-    Sheet& sheet = imported.sheet;
+    Sheet sheet;
     const RootPage root = readPage(tree);
     Walk walk(tree, sheet, report, usualTolerance(root.page));
     try {
@@ -43,6 +44,7 @@ Imported import(const Tree& tree)
     imported.windowSaved = saved.has_value();
     sheet.window = saved.value_or(usualWindow(root, sheet));
     sheet.about = tree.about();
+    imported.document = documentOf(sheet);
     imported.report = report.losses();
     return imported;
 }

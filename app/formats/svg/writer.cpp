@@ -2,6 +2,7 @@
 #include "app/formats/svg/writer.h"
 
 #include "app/document/cut.h"
+#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
@@ -159,15 +160,15 @@ private:
 
 } // namespace
 
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    return Writer(out, options).write(sheet, nullptr);
+    return Writer(out, options).write(sheetOf(document), nullptr);
 }
 
-std::optional<QString> writeWith(const Shape& added, const Sheet& sheet, QIODevice& out,
+std::optional<QString> writeWith(const Shape& added, const Document& document, QIODevice& out,
                                  const WriteOptions& options)
 {
-    return Writer(out, options).write(sheet, &added);
+    return Writer(out, options).write(sheetOf(document), &added);
 }
 
 } // namespace app::svg

@@ -5,13 +5,13 @@
 
 namespace app::svg {
 
-/// Writes a sheet so that read() gives the same sheet bit for bit (unless the precision is
-/// limited): layers as Inkscape's, runs of shapes of one style in a group that carries the style,
+/// Writes a document so that read() gives an equal one, bit for bit (unless the precision is
+/// limited): layers as Inkscape's, runs of objects of one style in a group that carries the style,
 /// the clip window in the metadata. Nothing, or the sentence that says what went wrong.
-std::optional<QString> write(const Sheet& sheet, QIODevice& out, const WriteOptions& options);
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
-/// The same with one more shape, as the last of its layer: without a copy of the sheet.
-std::optional<QString> writeWith(const Shape& added, const Sheet& sheet, QIODevice& out,
+/// The same with one more shape, as the last of its layer.
+std::optional<QString> writeWith(const Shape& added, const Document& document, QIODevice& out,
                                  const WriteOptions& options);
 
 } // namespace app::svg

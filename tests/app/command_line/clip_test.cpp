@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/window_options.h"
 #include "app/document/cut.h"
+#include "app/document/legacy.h"
 #include "app/experiment/paper_scene.h"
 #include "app/formats/format.h"
 #include "app/formats/number.h"
@@ -57,7 +58,7 @@ app::Sheet sheetOf(QByteArray svg)
     QBuffer buffer(&svg);
     buffer.open(QIODevice::ReadOnly);
     auto imported = app::findFormat(u"svg")->read(buffer);
-    return imported ? imported.value->sheet : app::Sheet();
+    return imported ? app::sheetOf(imported.value->document) : app::Sheet();
 }
 
 } // namespace
@@ -274,7 +275,7 @@ private slots:
             QVERIFY(imported);
             auto options = usual;
             options.window = app::windowOf(given, *imported.value);
-            const auto cut = app::cut(imported.value->sheet, options);
+            const auto cut = app::cut(app::sheetOf(imported.value->document), options);
             QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
         }
     }

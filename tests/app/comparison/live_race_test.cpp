@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
 #include "app/comparison/live_race.h"
+#include "app/document/legacy.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -57,7 +58,7 @@ struct Track {
 
     explicit Track(int lines)
     {
-        session.load({sheetOf(lines), {}});
+        session.load({app::documentOf(sheetOf(lines)), {}});
         race.setVariants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
         calls.clear();
     }
@@ -200,7 +201,7 @@ private slots:
         Track t(100'000);
         t.race.start();
         QTRY_VERIFY(!calls.empty());
-        t.session.load({sheetOf(3000), {}});
+        t.session.load({app::documentOf(sheetOf(3000)), {}});
         calls.clear();
         QTRY_VERIFY(t.race.upToDate()); // what was found before is shown until then
         QVERIFY(std::ranges::all_of(calls, [](const Call& call) { return call.lines == 3000; }));
@@ -235,4 +236,6 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(LiveRaceTest)
+#include "app/document/legacy.h"
+
 #include "live_race_test.moc"

@@ -66,9 +66,9 @@ private slots:
         QFETCH(QString, path);
         const auto read = readText(contentOf(path));
         QVERIFY2(read, qPrintable(read.error));
-        const Document document = documentOf(read.value->sheet);
-        QCOMPARE(document.objects().size(), read.value->sheet.shapes.size());
-        QVERIFY(sheetOf(document) == read.value->sheet);
+        const Sheet sheet = sheetOf(read.value->document);
+        QCOMPARE(sheet.shapes.size(), read.value->document.objects().size());
+        QVERIFY(documentOf(sheet) == read.value->document);
     }
 
     void randomSheets()

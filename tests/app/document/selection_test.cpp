@@ -4,6 +4,7 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_window.h"
 #include "app/document/bounds.h"
+#include "app/document/legacy.h"
 #include "app/document/session.h"
 
 #include <QTest>
@@ -31,7 +32,7 @@ private slots:
     void boundsAreKeptWhileNothingChanges()
     {
         app::Session session;
-        session.load({threeLayers(4), {}});
+        session.load({app::documentOf(threeLayers(4)), {}});
         session.select({1, 6, 9});
         QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
         setMark(session);
@@ -46,7 +47,7 @@ private slots:
     void eachChangeCalculatesThemAnew()
     {
         app::Session session;
-        session.load({threeLayers(4), {}});
+        session.load({app::documentOf(threeLayers(4)), {}});
         session.select({1, 6, 9});
         const auto changed = [&](const std::function<void()>& change) {
             setMark(session);
@@ -67,13 +68,13 @@ private slots:
         QVERIFY(changed([&] { session.select({}); }));
         QCOMPARE(session.selectionBounds(), std::nullopt);
         session.select({1});
-        QVERIFY(changed([&] { session.load({threeLayers(2), {}}); }));
+        QVERIFY(changed([&] { session.load({app::documentOf(threeLayers(2)), {}}); }));
     }
     void boundsAreThoseOfTheSelectionAfterAnyEdits()
     {
         std::mt19937_64 random(3);
         app::Session session;
-        session.load({threeLayers(8), {}});
+        session.load({app::documentOf(threeLayers(8)), {}});
         for (int round = 0; round < 500; ++round) {
             const std::size_t count = session.sheet().shapes.size();
             app::ObjectRanges some;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
@@ -15,11 +16,11 @@ app::Result<app::Imported> read(QByteArray text)
     return app::findFormat(u"csv")->read(buffer);
 }
 
-QByteArray written(const app::Sheet& sheet, const app::WriteOptions& options = {})
+QByteArray written(const app::Document& document, const app::WriteOptions& options = {})
 {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    const auto error = app::findFormat(u"csv")->write(sheet, buffer, options);
+    const auto error = app::findFormat(u"csv")->write(document, buffer, options);
     return error ? error->toUtf8() : buffer.data();
 }
 
@@ -35,7 +36,7 @@ private slots:
     {
         const auto read1 = read("1,2,3,4\n-5.5,1e2,0,0,walls,#102030,2.5,99\n7,7,7,7,,#01020304\n");
         QVERIFY2(read1, qPrintable(read1.error));
-        const app::Sheet& sheet = read1.value->sheet;
+        const app::Sheet sheet = app::sheetOf(read1.value->document);
         QCOMPARE(sheet.shapes.size(), 3u);
         QCOMPARE(sheet.layers.size(), 2u);
         QCOMPARE(sheet.layers[0].name, QStringLiteral("Drawing"));
@@ -55,7 +56,7 @@ private slots:
         const auto read1 =
             read("colour, Y2 ,x2,y1,X1,speed\n#ff0000,4,3,2,1,9\n\"#00ff00\",8,7,6,5\n");
         QVERIFY2(read1, qPrintable(read1.error));
-        const auto& shapes = read1.value->sheet.shapes;
+        const auto& shapes = app::sheetOf(read1.value->document).shapes;
         QCOMPARE(shapes.size(), 2u);
         QCOMPARE(shapes[0].paths[0], line({1, 2}, {3, 4}));
         QCOMPARE(shapes[1].paths[0], line({5, 6}, {7, 8}));
@@ -68,7 +69,7 @@ private slots:
         const auto read1 = read("\xef\xbb\xbf# made by hand\r\nx1,y1,x2,y2,layer\r\n\r\n"
                                 "1,2,3,4,\"a \"\"b\"\",\r\nc\"\r\n#1,1,1,1\n5,6,7,8,d");
         QVERIFY2(read1, qPrintable(read1.error));
-        const app::Sheet& sheet = read1.value->sheet;
+        const app::Sheet sheet = app::sheetOf(read1.value->document);
         QCOMPARE(sheet.shapes.size(), 2u);
         QCOMPARE(sheet.layers[0].name, QStringLiteral("a \"b\",\r\nc"));
         QCOMPARE(sheet.layers[1].name, QStringLiteral("d"));
@@ -127,8 +128,8 @@ private slots:
     {
         const auto result = read("");
         QVERIFY(result);
-        QVERIFY(result.value->sheet.shapes.empty());
-        QCOMPARE(written(result.value->sheet), "x1,y1,x2,y2,layer,colour,width\n");
+        QVERIFY(result.value->document.objects().empty());
+        QCOMPARE(written(result.value->document), "x1,y1,x2,y2,layer,colour,width\n");
     }
 
     void comesBackBitForBit()
@@ -143,13 +144,13 @@ private slots:
             sheet.shapes.push_back(
                 {{line({number(), number()}, {-number(), number()})}, style, {}, i / 1000, false});
         }
-        const QByteArray text = written(sheet);
+        const QByteArray text = written(app::documentOf(sheet));
         const auto back = read(text);
         QVERIFY2(back, qPrintable(back.error));
-        QCOMPARE(back.value->sheet.shapes, sheet.shapes);
-        QCOMPARE(back.value->sheet.layers, sheet.layers);
-        QCOMPARE(written(back.value->sheet), text);
-        QCOMPARE(read(written(back.value->sheet)).value->sheet, back.value->sheet);
+        QCOMPARE(app::sheetOf(back.value->document).shapes, sheet.shapes);
+        QCOMPARE(app::sheetOf(back.value->document).layers, sheet.layers);
+        QCOMPARE(written(back.value->document), text);
+        QCOMPARE(read(written(back.value->document)).value->document, back.value->document);
     }
 
     void writesWhatIsSeen()
@@ -159,11 +160,12 @@ private slots:
         sheet.shapes = {{{corner}, {.fill = app::Colour{255, 0, 0, 128}}, {}, 0, false},
                         {{corner}, {.stroke = app::Colour{}}, {}, 0, true},
                         {{corner}, {}, {}, 0, false}};
-        QCOMPARE(written(sheet), "x1,y1,x2,y2,layer,colour,width\n0,0,1,0,Drawing,#ff000080,1\n"
-                                 "1,0,1,1,Drawing,#ff000080,1\n1,1,0,0,Drawing,#ff000080,1\n");
+        QCOMPARE(written(app::documentOf(sheet)),
+                 "x1,y1,x2,y2,layer,colour,width\n0,0,1,0,Drawing,#ff000080,1\n"
+                 "1,0,1,1,Drawing,#ff000080,1\n1,1,0,0,Drawing,#ff000080,1\n");
         app::WriteOptions options;
         options.sources = {7, 8, 9};
-        QVERIFY(written(sheet, options)
+        QVERIFY(written(app::documentOf(sheet), options)
                     .endsWith(",source\n0,0,1,0,Drawing,#ff000080,1,7\n"
                               "1,0,1,1,Drawing,#ff000080,1,7\n"
                               "1,1,0,0,Drawing,#ff000080,1,7\n"));
@@ -176,7 +178,7 @@ private slots:
         app::WriteOptions options;
         options.precision = 1;
         options.bounds = {{0.34, 0}, {1.26, 5}};
-        QVERIFY(written(sheet, options).contains("\n1.2,2,0.4,1,"));
+        QVERIFY(written(app::documentOf(sheet), options).contains("\n1.2,2,0.4,1,"));
     }
 };
 

@@ -3,6 +3,7 @@
 #include "app/charts/record_chart.h"
 #include "app/command_line/command.h"
 #include "app/cost_map/files.h"
+#include "app/document/legacy.h"
 #include "app/document/session.h"
 #include "app/experiment/paper_tables.h"
 #include "app/formats/format.h"
@@ -86,10 +87,12 @@ std::vector<Writer> madeWriters()
     std::vector<Writer> all;
     for (const Format& format : formats())
         if (format.write) {
-            all.push_back({"drawing", latin(format.key),
-                           [](const QString& path) { return writeFile(twoLines(), path); }});
-            all.push_back({"long drawing", latin(format.key),
-                           [](const QString& path) { return writeFile(twoLines(400), path); }});
+            all.push_back({"drawing", latin(format.key), [](const QString& path) {
+                               return writeFile(app::documentOf(twoLines()), path);
+                           }});
+            all.push_back({"long drawing", latin(format.key), [](const QString& path) {
+                               return writeFile(app::documentOf(twoLines(400)), path);
+                           }});
         }
     all.push_back({"session", "svg", [](const QString& path) {
                        Session session;
@@ -222,7 +225,7 @@ private slots:
             if (!format.read)
                 continue;
             const QString file = folder_.filePath(QStringLiteral("read.") + latin(format.key));
-            QVERIFY(!writeFile(twoLines(2000), file));
+            QVERIFY(!writeFile(app::documentOf(twoLines(2000)), file));
             QVERIFY(readFile(file));
             const auto size = std::size_t(QFileInfo(file).size());
             for (const std::size_t room :
@@ -246,7 +249,7 @@ private slots:
     {
         for (const auto step : {disk::Step::Write, disk::Step::Sync, disk::Step::Rename}) {
             const disk::Failing failing(step);
-            QVERIFY(writeFile(twoLines(), folder_.filePath("asked.svg")));
+            QVERIFY(writeFile(app::documentOf(twoLines()), folder_.filePath("asked.svg")));
             QVERIFY(failing.failures() > 0);
         }
         QVERIFY(!QFile::exists(folder_.filePath("asked.svg")));
@@ -259,7 +262,7 @@ private slots:
         QVERIFY(QFile::link("a.svg", folder_.filePath("b.svg")));
         for (const char* name : {"self.svg", "a.svg", "b.svg"}) {
             const QString path = folder_.filePath(name);
-            const auto error = writeFile(twoLines(), path);
+            const auto error = writeFile(app::documentOf(twoLines()), path);
             QVERIFY2(error && error->contains("a link that leads to itself"),
                      qPrintable(error.value_or("written")));
             QVERIFY2(QFileInfo(path).isSymLink(), name);
@@ -273,8 +276,8 @@ private slots:
         writeText(folder_.filePath("real.svg"), "old");
         QVERIFY(QFile::link("real.svg", folder_.filePath("link.svg")));
         QVERIFY(QFile::link("new.svg", folder_.filePath("nowhere.svg")));
-        QVERIFY(!writeFile(twoLines(), folder_.filePath("link.svg")));
-        QVERIFY(!writeFile(twoLines(), folder_.filePath("nowhere.svg")));
+        QVERIFY(!writeFile(app::documentOf(twoLines()), folder_.filePath("link.svg")));
+        QVERIFY(!writeFile(app::documentOf(twoLines()), folder_.filePath("nowhere.svg")));
         QVERIFY(QFileInfo(folder_.filePath("link.svg")).isSymLink());
         for (const char* name : {"real.svg", "new.svg"})
             QVERIFY(contentOf(folder_.filePath(name)).startsWith("<?xml"));
@@ -287,13 +290,13 @@ private slots:
     {
         const QString lost = folder_.filePath(QStringLiteral("caf") + QChar::ReplacementCharacter
                                               + QStringLiteral(".svg"));
-        const auto error = writeFile(twoLines(), lost);
+        const auto error = writeFile(app::documentOf(twoLines()), lost);
         QVERIFY2(error && error->endsWith(": its name is not UTF-8. Give it another name."),
                  qPrintable(error.value_or("written")));
         QVERIFY(!QFile::exists(lost));
         QVERIFY(readFile(lost).error.endsWith(": its name is not UTF-8. Give it another name."));
         writeText(lost, "old"); // but one that is really named so
-        QVERIFY(!writeFile(twoLines(), lost));
+        QVERIFY(!writeFile(app::documentOf(twoLines()), lost));
         QVERIFY(QFile::remove(lost));
     }
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
@@ -81,7 +82,7 @@ class PaperTest : public QObject {
 
     QImage byLibrsvg(const app::Sheet& sheet)
     {
-        if (const auto error = app::writeFile(sheet, path("a.svg")))
+        if (const auto error = app::writeFile(app::documentOf(sheet), path("a.svg")))
             qWarning("%s", qPrintable(*error));
         const auto resolution = QString::number(dpi);
         const auto run =
@@ -92,7 +93,7 @@ class PaperTest : public QObject {
 
     QImage byPoppler(const app::Sheet& sheet)
     {
-        if (const auto error = app::writeFile(sheet, path("a.pdf")))
+        if (const auto error = app::writeFile(app::documentOf(sheet), path("a.pdf")))
             qWarning("%s", qPrintable(*error));
         const auto run =
             runProgram("pdftocairo", {"-png", "-singlefile", "-r", QString::number(dpi),
@@ -104,7 +105,7 @@ class PaperTest : public QObject {
     {
         app::WriteOptions options;
         options.dpi = dpi;
-        if (const auto error = app::writeFile(sheet, path("a.png"), options))
+        if (const auto error = app::writeFile(app::documentOf(sheet), path("a.png"), options))
             qWarning("%s", qPrintable(*error));
         return onRgb(QImage(path("a.png")));
     }
@@ -134,13 +135,13 @@ private slots:
     void thePageHasItsSizeOnPaper()
     {
         app::Sheet sheet;
-        QVERIFY(!app::writeFile(sheet, path("a4.pdf")));
+        QVERIFY(!app::writeFile(app::documentOf(sheet), path("a4.pdf")));
         const auto info = runProgram("pdfinfo", {path("a4.pdf")});
         QVERIFY2(info.out.contains("841.89 x 595.276 pts (A4)"), info.out.constData());
         QCOMPARE(info.err, "");
         app::WriteOptions options;
         options.dpi = 300;
-        QVERIFY(!app::writeFile(sheet, path("a4.png"), options));
+        QVERIFY(!app::writeFile(app::documentOf(sheet), path("a4.png"), options));
         const QImage image(path("a4.png"));
         QCOMPARE(image.size(), QSize(3508, 2480));
         QCOMPARE(image.dotsPerMeterX(), 11811);
@@ -155,7 +156,7 @@ private slots:
         for (QByteArray& one : bytes) {
             QBuffer buffer(&one);
             buffer.open(QIODevice::WriteOnly);
-            QVERIFY(!app::findFormat(u"pdf")->write(sheet, buffer, {}));
+            QVERIFY(!app::findFormat(u"pdf")->write(app::documentOf(sheet), buffer, {}));
         }
         QCOMPARE(bytes[0], bytes[1]);
         const auto begin = bytes[0].indexOf("stream\n") + 7;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/recovery/leftover.h"
 
@@ -29,7 +30,8 @@ private slots:
                                            QString::fromUtf8("/x/%?>\"ü"), time},
                                           {QString(4000, u'ü'), "/" + QString(4000, u'ü'), time}};
         for (const Origin& origin : origins)
-            QCOMPARE(writeLeftover(sheet(), origin, folder + QString("/%1.svg").arg(++files_)),
+            QCOMPARE(writeLeftover(app::documentOf(sheet()), origin,
+                                   folder + QString("/%1.svg").arg(++files_)),
                      std::nullopt);
         auto found = claimLeftovers(folder);
         QCOMPARE(found.size(), origins.size());
@@ -38,7 +40,7 @@ private slots:
             QVERIFY2(same != found.end(), qPrintable(origin.name.left(40)));
             const auto read = readFile(same->file);
             QVERIFY2(read, qPrintable(read.error));
-            QVERIFY(read.value->sheet == sheet() && !read.value->lossy());
+            QVERIFY(app::sheetOf(read.value->document) == sheet() && !read.value->lossy());
             QVERIFY(same->ended.secsTo(QDateTime::currentDateTime()) < 3600);
         }
         QVERIFY(std::ranges::is_sorted(found, std::greater(), &Leftover::ended));
@@ -55,7 +57,7 @@ private slots:
         QCOMPARE(::mkdir(folder.constData(), 0755), 0);
         QCOMPARE(::chmod(folder.constData(), 0755), 0); // whatever the umask is
         const QString path = QFile::decodeName(folder) + "/x.svg";
-        QCOMPARE(writeLeftover(sheet(), {"x", {}, {}}, path), std::nullopt);
+        QCOMPARE(writeLeftover(app::documentOf(sheet()), {"x", {}, {}}, path), std::nullopt);
         struct stat found {};
         for (const QByteArray& each : {folder, QFile::encodeName(path)}) {
             QCOMPARE(::stat(each.constData(), &found), 0);
@@ -65,7 +67,8 @@ private slots:
     void onlyOneProcessOffersIt()
     {
         const QTemporaryDir folder;
-        QCOMPARE(writeLeftover(sheet(), {"x", {}, {}}, folder.filePath("x.svg")), std::nullopt);
+        QCOMPARE(writeLeftover(app::documentOf(sheet()), {"x", {}, {}}, folder.filePath("x.svg")),
+                 std::nullopt);
         {
             const auto mine = claimLeftovers(folder.path());
             QCOMPARE(mine.size(), std::size_t(1));
@@ -87,7 +90,7 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString whole = folder.filePath("whole.svg");
-        QCOMPARE(writeLeftover(sheet(), {"whole", {}, {}}, whole), std::nullopt);
+        QCOMPARE(writeLeftover(app::documentOf(sheet()), {"whole", {}, {}}, whole), std::nullopt);
         QFile file(whole);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray bytes = file.readAll();
@@ -122,7 +125,7 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath("x.svg");
-        QCOMPARE(writeLeftover(sheet(), {"x", {}, {}}, path), std::nullopt);
+        QCOMPARE(writeLeftover(app::documentOf(sheet()), {"x", {}, {}}, path), std::nullopt);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadWrite));
         file.write("garbage"); // the end still says what it was
@@ -136,7 +139,8 @@ private slots:
     }
     void whereItCannotBeWrittenItSaysSo()
     {
-        const auto error = writeLeftover(sheet(), {"x", {}, {}}, "/dev/null/unsaved/x.svg");
+        const auto error =
+            writeLeftover(app::documentOf(sheet()), {"x", {}, {}}, "/dev/null/unsaved/x.svg");
         QVERIFY(error && error->startsWith("Cannot write /dev/null/unsaved/x.svg: "));
         QVERIFY(claimLeftovers("/dev/null/unsaved").empty());
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/recovery/unsaved_work.h"
 
@@ -91,7 +92,8 @@ private slots:
                     expected.shapes.insert(end, added);
                     const auto read = readFile(known.file);
                     QVERIFY2(read, qPrintable(read.error));
-                    QVERIFY2(read.value->sheet == expected, qPrintable(QString::number(layer)));
+                    QVERIFY2(app::sheetOf(read.value->document) == expected,
+                             qPrintable(QString::number(layer)));
                     QVERIFY(QFile::remove(known.file));
                 }
     }

@@ -2,6 +2,7 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_window.h"
+#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/format.h"
 #include "app/teaching/drawn_line.h"
@@ -36,7 +37,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({inside, half, across}), {}});
+        session.load({app::documentOf(sheetOf({inside, half, across})), {}});
         drawn.look();
         QVERIFY(session.microscope.isOpen());
         QCOMPARE(drawn.line(), std::size_t(2));
@@ -55,12 +56,12 @@ private slots:
             sheet.shapes[shape].layer = 1;
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheet, {}});
+        session.load({app::documentOf(sheet), {}});
         drawn.look();
         QCOMPARE(session.microscope.specimen().line, half);
         session.microscope.close();
         sheet.layers[1].locked = true; // all are
-        session.load({sheet, {}});
+        session.load({app::documentOf(sheet), {}});
         drawn.look();
         QCOMPARE(session.microscope.specimen().line, across);
     }
@@ -82,7 +83,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({}), {}});
+        session.load({app::documentOf(sheetOf({})), {}});
         drawn.look();
         QVERIFY(session.microscope.isOpen());
         QVERIFY(!drawn.line());
@@ -94,7 +95,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across, half}), {}});
+        session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(0);
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         QCOMPARE(session.microscope.specimen().window, (clipping::Window{{0, 0}, {8, 8}}));
@@ -113,7 +114,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across, half}), {}});
+        session.load({app::documentOf(sheetOf({across, half})), {}});
         const app::Sheet before = session.sheet();
         drawn.look(0);
         app::Specimen specimen = session.microscope.specimen();
@@ -134,7 +135,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across}), {}});
+        session.load({app::documentOf(sheetOf({across})), {}});
         drawn.look(0);
         session.history.push(new app::RemoveObjects(session.document, {0}));
         QCOMPARE(session.microscope.specimen().line, across);
@@ -146,7 +147,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across, half}), {}});
+        session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(0);
         const app::Specimen lesson{.variant = {clipping::findAlgorithm("cs")},
                                    .line = {{0, 0}, {3, 3}},
@@ -168,7 +169,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across}), {}});
+        session.load({app::documentOf(sheetOf({across})), {}});
         drawn.look(0);
         drawn.choose({clipping::findAlgorithm("cs"), clipping::Form::Published});
         QCOMPARE(session.display().algorithm, clipping::findAlgorithm("cs"));
@@ -179,7 +180,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({inside, across, half}), {}});
+        session.load({app::documentOf(sheetOf({inside, across, half})), {}});
         drawn.look(0);
         drawn.go(-1);
         QCOMPARE(drawn.line(), std::size_t(2));
@@ -190,7 +191,7 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        session.load({sheetOf({across, half}), {}});
+        session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(1);
         const app::Specimen specimen = session.microscope.specimen();
         session.microscope.close();

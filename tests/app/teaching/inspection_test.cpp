@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/teaching/inspection.h"
 
 #include <QTest>
@@ -26,7 +27,7 @@ app::Inspection inspected(const char* algorithm, const clipping::Segment& line,
                           clipping::Form form = clipping::Form::Corrected)
 {
     app::Session session;
-    session.load({sheetOf({line}), {}});
+    session.load({app::documentOf(sheetOf({line})), {}});
     session.setDisplay({.algorithm = clipping::findAlgorithm(algorithm), .form = form});
     return app::inspect(session, 0);
 }
@@ -49,10 +50,10 @@ private slots:
     void classesOfLines()
     {
         app::Session session;
-        session.load({sheetOf({{{1, 1}, {2, 2}},
-                               {{-5, -1}, {15, -1}},
-                               {{-10, 5}, {10, 5}},
-                               {{-8, 5}, {5, 18.5}}}),
+        session.load({app::documentOf(sheetOf({{{1, 1}, {2, 2}},
+                                               {{-5, -1}, {15, -1}},
+                                               {{-10, 5}, {10, 5}},
+                                               {{-8, 5}, {5, 18.5}}})),
                       {}});
         const auto classOf = [&](std::size_t i) { return app::inspect(session, i).lineClass; };
         QCOMPARE(classOf(0), app::LineClass::Inside);
@@ -63,7 +64,7 @@ private slots:
     void outcodesOfStepsAreThoseOfTheRegions()
     {
         app::Session session;
-        session.load({sheetOf({{{-5, -5}, {15, 5}}}), {}});
+        session.load({app::documentOf(sheetOf({{{-5, -5}, {15, 5}}})), {}});
         app::Display display = session.display();
         display.algorithm = clipping::findAlgorithm("cs");
         session.setDisplay(display);
@@ -75,7 +76,7 @@ private slots:
     void whatIsLeftAndWhatItCosts()
     {
         app::Session session;
-        session.load({sheetOf({{{-10, 5}, {10, 5}}}), {}});
+        session.load({app::documentOf(sheetOf({{{-10, 5}, {10, 5}}})), {}});
         for (const auto& algorithm : clipping::algorithms()) {
             app::Display display = session.display();
             display.algorithm = &algorithm;
@@ -173,7 +174,7 @@ private slots:
     void whatDiffersIsExplainedByA()
     {
         app::Session session;
-        session.load({sheetOf({{{1, 1}, {2, 2}}, {{5, 4}, {5.05, 9}}}), {}});
+        session.load({app::documentOf(sheetOf({{{1, 1}, {2, 2}}, {{5, 4}, {5.05, 9}}})), {}});
         const auto kwc = *app::findVariant("kwc:published");
         const auto look = [&](const app::Variant& a, const app::Variant& b) {
             session.differences.ask(app::Comparison{a, b});
@@ -192,7 +193,9 @@ private slots:
     void anExhibitHasNoSteps()
     {
         app::Session session;
-        session.load({sheetOf({{{-3, 4}, {17, 9}}, {{-5, 2}, {7, 12}}, {{2, -6}, {9, 14}}}), {}});
+        session.load(
+            {app::documentOf(sheetOf({{{-3, 4}, {17, 9}}, {{-5, 2}, {7, 12}}, {{2, -6}, {9, 14}}})),
+             {}});
         session.differences.ask(app::Comparison{*app::findVariant("md-step-2")});
         session.differences.finish();
         QVERIFY(!session.differences.found().list.empty());

@@ -2,6 +2,7 @@
 #include "tests/benchmarks/clip/map.h"
 
 #include "app/document/flatten.h"
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <glm/common.hpp>
@@ -16,7 +17,7 @@ Map read()
     if (!imported)
         return {"no map: " + imported.error.toStdString() + " (Debian: openclipart-svg)", {}, {}};
     Map map{std::string(file) + " (Debian: openclipart-svg)", {}, {}};
-    const app::Sheet& sheet = imported.value->sheet;
+    const app::Sheet sheet = app::sheetOf(imported.value->document);
     std::vector<app::Chord> chords;
     for (const app::Shape& shape : sheet.shapes)
         for (const app::Subpath& path : shape.paths)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
+
 #include <QThreadPool>
 
 #include <random>
@@ -75,7 +77,7 @@ private slots:
             QTRY_VERIFY(frames > 0);
             QVERIFY(painting);
             if (i == 0)
-                stage.session.load({stage.session.sheet(), {}});
+                stage.session.load({app::documentOf(stage.session.sheet()), {}});
         }
         stage.canvas.reset();
         QVERIFY(QThreadPool::globalInstance()->waitForDone(120'000));

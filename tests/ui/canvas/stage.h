@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/legacy.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -30,7 +31,7 @@ public:
         sheet.page = {{0, 0}, {200, 100}, {200, app::Unit::Px}, {100, app::Unit::Px}};
         sheet.window = {{50, 20}, {150, 80}};
         sheet.shapes = std::move(shapes);
-        session.load({std::move(sheet), {}});
+        session.load({app::documentOf(sheet), {}});
         canvas = std::make_unique<ui::Canvas>(session, backend);
         canvas->resize(820, 620);
         canvas->show();

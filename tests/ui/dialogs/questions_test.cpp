@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "ui/dialogs/questions.h"
 
 #include <QDir>
@@ -76,7 +77,7 @@ private slots:
         };
         const QByteArray old = read();
         const QString other = test.path("other.svg");
-        QVERIFY(!app::writeFile(test.window->session().sheet(), other));
+        QVERIFY(!app::writeFile(app::documentOf(test.window->session().sheet()), other));
         const auto size = std::size_t(QFileInfo(other).size());
         QVERIFY(size > 100 && QFile::remove(other));
         QString told;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
@@ -213,7 +214,7 @@ private slots:
         for (std::size_t i = 0; i < many.segments.size(); ++i)
             many.segments[i].to = {double(i % 100), double(i % 77)};
         sheet.shapes.emplace_back().paths.push_back(std::move(many));
-        session.load({std::move(sheet), {}});
+        session.load({app::documentOf(sheet), {}});
         AlgorithmPanel& panel = t.window->algorithmPanel();
         const auto labels = panel.findChildren<QLabel*>();
         const auto verdict = std::ranges::find(labels, "Agreement", &QLabel::accessibleName);
@@ -274,7 +275,7 @@ private slots:
             app::Sheet sheet;
             sheet.page.min = corner;
             sheet.window = {window, window + 50.0};
-            t.window->session().load({sheet, {}});
+            t.window->session().load({app::documentOf(sheet), {}});
             app::Display display = t.window->session().display();
             display.unit = unit;
             t.window->session().setDisplay(display);
@@ -317,7 +318,7 @@ private slots:
         QCOMPARE(model->rowCount(), 1);
         while (session.history.canUndo())
             session.history.undo();
-        QCOMPARE(session.sheet(), app::readFile(t.path("two.svg")).value->sheet);
+        QCOMPARE(session.sheet(), app::sheetOf(app::readFile(t.path("two.svg")).value->document));
     }
     void layersAreAddedAndDeletedByButtonsThatAreSeen()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/legacy.h"
 #include "ui/tools/tool.h"
 
 #include <QAction>
@@ -114,7 +115,8 @@ private slots:
         hand.click(3);
         hand.t.answers->save = hand.t.path("polyline.svg");
         hand.t.action("save")->trigger();
-        QCOMPARE(app::readFile(hand.t.answers->save).value->sheet.shapes.size(), std::size_t(1));
+        QCOMPARE(app::sheetOf(app::readFile(hand.t.answers->save).value->document).shapes.size(),
+                 std::size_t(1));
         hand.click(2);
         QVERIFY(!hand.window.close()); // it asks; the answer is Cancel
         QCOMPARE(hand.t.answers->asked, 1);
@@ -124,7 +126,7 @@ private slots:
     {
         Hand hand;
         hand.click(3);
-        hand.window.session().load({app::Sheet(), {}});
+        hand.window.session().load({app::documentOf(app::Sheet()), {}});
         QVERIFY(hand.shapes().empty() && hand.window.session().history.isClean());
     }
     void undoInTheMiddleOfADragDropsTheDragAlone()
@@ -187,7 +189,7 @@ private:
     struct Hand {
         Hand() : window(*t.window)
         {
-            window.session().load({app::Sheet(), {}});
+            window.session().load({app::documentOf(app::Sheet()), {}});
             t.show();
             window.canvas().setTool("polyline");
             window.canvas().setSnapping(app::SnapTo::Nothing);

@@ -88,10 +88,10 @@ private slots:
                 continue;
             }
             ++read;
-            const QByteArray copy = textOf(first.value->sheet);
+            const QByteArray copy = textOf(first.value->document);
             const auto second = readText(copy);
             QVERIFY2(second, text);
-            QVERIFY2(second.value->sheet == first.value->sheet, text);
+            QVERIFY2(second.value->document == first.value->document, text);
         }
         QVERIFY(read > casesPerFile / 20 && read < casesPerFile); // both happen
     }

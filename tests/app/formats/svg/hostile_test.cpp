@@ -148,9 +148,9 @@ private slots:
         const QByteArray doctype =
             "<!DOCTYPE svg [<!ENTITY x SYSTEM 'file://" + secret.fileName().toUtf8() + "'>]>";
         const auto inText = readText(doctype + drawing("<style>&x;</style><path d='M0 0L1 1'/>"));
-        QVERIFY(!inText || !textOf(inText.value->sheet).contains("7"));
+        QVERIFY(!inText || !textOf(inText.value->document).contains("7"));
         const auto inAttribute = readText(doctype + drawing("<path d='&x;'/>"));
-        QVERIFY(!inAttribute || inAttribute.value->sheet.shapes.empty());
+        QVERIFY(!inAttribute || inAttribute.value->document.objects().empty());
     }
 
     void entitiesOfTheFileAreExpanded()
@@ -158,7 +158,7 @@ private slots:
         const auto result =
             readText("<!DOCTYPE svg [<!ENTITY d 'M 0 0 L 7 7'>]>" + drawing("<path d='&d;'/>"));
         QVERIFY2(result, qPrintable(result.error));
-        QCOMPARE(result.value->sheet.shapes.size(), 1u);
+        QCOMPARE(result.value->document.objects().size(), 1u);
     }
 
     void damagedShapesAreKeptAsFarAsTheyAreClear()
@@ -206,7 +206,8 @@ private slots:
             data += i % 2 ? "l1 1" : "l1-1";
         const auto result = readText(drawing("<path d='" + data + "'/>"));
         QVERIFY2(result, qPrintable(result.error));
-        QCOMPARE(result.value->sheet.shapes.at(0).paths.at(0).segments.size(), 1'000'000u);
+        QCOMPARE(app::sheetOf(result.value->document).shapes.at(0).paths.at(0).segments.size(),
+                 1'000'000u);
     }
 
     void thousandsOfLayersBecomeOne()
@@ -215,7 +216,7 @@ private slots:
                                "style='display:none'><path d='M0 0h1'/></g>";
         const auto result = readText(drawing(one.repeated(5000)));
         QVERIFY2(result, qPrintable(result.error));
-        const app::Sheet& sheet = result.value->sheet;
+        const app::Sheet sheet = app::sheetOf(result.value->document);
         QCOMPARE(sheet.shapes.size(), 10'000u);
         QCOMPARE(sheet.layers.size(), 1000u);
         for (std::size_t i = 0; i < sheet.shapes.size(); ++i)

@@ -78,7 +78,7 @@ private slots:
         QVERIFY2(read, qPrintable(read.error));
         const QImage expected = picture(original);
         QVERIFY(!expected.isNull());
-        const Difference found = difference(expected, picture(textOf(read.value->sheet)));
+        const Difference found = difference(expected, picture(textOf(read.value->document)));
         const auto said = QStringLiteral("mean %1, strong %2").arg(found.mean).arg(found.strong);
         QVERIFY2(found.mean < smallMean && found.strong < fewStrong, qPrintable(said));
     }
@@ -86,11 +86,12 @@ private slots:
     // The comparison can fail: one line less is seen.
     void aMissingLineIsSeen()
     {
-        auto read = readText(contentOf(SOURCE_DIR "/tests/app/formats/data/groups.svg"));
+        const auto read = readText(contentOf(SOURCE_DIR "/tests/app/formats/data/groups.svg"));
         QVERIFY(read);
-        const QImage whole = picture(textOf(read.value->sheet));
-        read.value->sheet.shapes.pop_back();
-        QVERIFY(difference(whole, picture(textOf(read.value->sheet))).strong > fewStrong);
+        const QImage whole = picture(textOf(read.value->document));
+        app::Sheet less = app::sheetOf(read.value->document);
+        less.shapes.pop_back();
+        QVERIFY(difference(whole, picture(textOf(less))).strong > fewStrong);
     }
 };
 

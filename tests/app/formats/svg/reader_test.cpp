@@ -9,7 +9,7 @@ namespace {
 app::Sheet sheetOf(const QByteArray& text)
 {
     const auto result = readText(text);
-    return result ? result.value->sheet : app::Sheet{};
+    return result ? app::sheetOf(result.value->document) : app::Sheet{};
 }
 
 app::Page page(const QByteArray& attributes)
@@ -323,7 +323,7 @@ private slots:
             readText(drawing("<clipPath id='c'><rect width='50' height='100'/></clipPath><rect "
                              "id='r' x='40' y='10' width='20' "
                              "height='20' fill='red' stroke='blue' clip-path='url(#c)'/>"));
-        const auto& shapes = result.value->sheet.shapes;
+        const auto& shapes = app::sheetOf(result.value->document).shapes;
         QCOMPARE(shapes.size(), 2u);
         QCOMPARE(text(shapes[0].paths), "40,10 50,10 50,30 40,30 z");
         QVERIFY(shapes[0].style.fill && !shapes[0].style.stroke && shapes[0].id == "r");
@@ -413,11 +413,11 @@ private slots:
         const auto result = readText(drawing(elements));
         QVERIFY2(result, qPrintable(result.error));
         QVERIFY(result.value->report.empty());
-        const app::About& read = result.value->sheet.about;
+        const app::About& read = result.value->document.about();
         QCOMPARE(read.title, about.title);
         QCOMPARE(read.description, about.description);
         QCOMPARE(read.metadata, about.metadata);
-        const QByteArray text = textOf(result.value->sheet);
+        const QByteArray text = textOf(result.value->document);
         QVERIFY2(sheetOf(text).about == read, text.constData());
         QCOMPARE(textOf(sheetOf(text)), text);
     }
@@ -456,7 +456,7 @@ private slots:
         const QByteArray elements = "<g><title>A</title><desc><b>B</b></desc><title> </title>"
                                     "<path d='M0 0h1'><title/></path></g>";
         QCOMPARE(reportOf(elements), "2 titles or descriptions of single objects");
-        QCOMPARE(readText(drawing(elements)).value->sheet.about, app::About{});
+        QCOMPARE(readText(drawing(elements)).value->document.about(), app::About{});
     }
 
     void tooMuchMetadataIsALoss()

@@ -25,12 +25,12 @@ private slots:
         QFETCH(QString, path);
         const auto first = readText(contentOf(path));
         QVERIFY2(first, qPrintable(first.error));
-        const QByteArray text = textOf(first.value->sheet);
+        const QByteArray text = textOf(first.value->document);
         const auto second = readText(text);
         QVERIFY2(second, qPrintable(second.error));
-        QVERIFY(second.value->sheet == first.value->sheet);
+        QVERIFY(second.value->document == first.value->document);
         QVERIFY(second.value->report.empty());
-        QCOMPARE(textOf(second.value->sheet), text);
+        QCOMPARE(textOf(second.value->document), text);
     }
 
     void randomSheets()
@@ -41,8 +41,8 @@ private slots:
             const QByteArray text = textOf(sheet);
             const auto again = readText(text);
             QVERIFY2(again, qPrintable(again.error));
-            QCOMPARE(textOf(again.value->sheet), text);
-            QVERIFY2(canonical(sheet) == again.value->sheet, text);
+            QCOMPARE(textOf(again.value->document), text);
+            QVERIFY2(canonical(sheet) == app::sheetOf(again.value->document), text);
         }
     }
 

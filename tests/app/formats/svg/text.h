@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
 #include <QFile>
 
-// Between SVG texts and sheets, through the catalogue's row.
+// Between SVG texts and drawings, through the catalogue's row.
 
 inline app::Result<app::Imported> readText(const QByteArray& text)
 {
@@ -16,12 +17,17 @@ inline app::Result<app::Imported> readText(const QByteArray& text)
     return app::findFormat(u"svg")->read(buffer);
 }
 
-inline QByteArray textOf(const app::Sheet& sheet, const app::WriteOptions& options = {})
+inline QByteArray textOf(const app::Document& document, const app::WriteOptions& options = {})
 {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    const auto error = app::findFormat(u"svg")->write(sheet, buffer, options);
+    const auto error = app::findFormat(u"svg")->write(document, buffer, options);
     return error ? QByteArray() : buffer.data();
+}
+
+inline QByteArray textOf(const app::Sheet& sheet, const app::WriteOptions& options = {})
+{
+    return textOf(app::documentOf(sheet), options);
 }
 
 inline QByteArray contentOf(const QString& path)
@@ -43,8 +49,9 @@ inline QByteArray drawing(const QByteArray& elements)
 inline app::Shape shapeOf(const QByteArray& elements)
 {
     const auto result = readText(drawing(elements));
-    return result && result.value->sheet.shapes.size() == 1 ? result.value->sheet.shapes.front()
-                                                            : app::Shape();
+    return result && result.value->document.objects().size() == 1
+               ? app::sheetOf(result.value->document).shapes.front()
+               : app::Shape();
 }
 
 /// What an import of the elements lost, as "3 texts; 1 masks".

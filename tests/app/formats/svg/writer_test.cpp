@@ -120,7 +120,7 @@ private slots:
             const QByteArray text = textOf(sheetWith(shapes), options);
             const auto read = readText(text);
             QVERIFY(read);
-            for (const app::Shape& shape : read.value->sheet.shapes)
+            for (const app::Shape& shape : app::sheetOf(read.value->document).shapes)
                 for (const app::Point& p : {shape.paths[0].start, shape.paths[0].segments[0].to})
                     QVERIFY2(p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y
                                  && p.y <= window.max.y,
@@ -133,13 +133,13 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath("a.svg");
         const auto sheet = sheetWith(std::vector<app::Shape>(20'000, lineShape({0, 0}, {1, 1})));
-        QVERIFY(!app::writeFile(sheet, path));
+        QVERIFY(!app::writeFile(app::documentOf(sheet), path));
         const auto size = std::size_t(QFileInfo(path).size());
         QVERIFY(size > 500'000);
         for (const std::size_t room : {std::size_t(0), size / 2, size - 16385, size - 1}) {
             QVERIFY(QFile(path).resize(3));
             const disk::Failing failing(disk::Step::Write, room);
-            const auto error = app::writeFile(sheet, path);
+            const auto error = app::writeFile(app::documentOf(sheet), path);
             QCOMPARE(error.value_or(""), "Cannot write " + path + ": No space left on device.");
             QCOMPARE(QFileInfo(path).size(), 3);
         }
