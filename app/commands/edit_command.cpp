@@ -2,6 +2,7 @@
 #include "app/commands/edit_command.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -16,6 +17,13 @@ bool samePlaces(const Edit& first, const Edit& second)
 }
 
 } // namespace
+
+void EditCommand::exchange()
+{
+    Edit back = document_.apply(next_);
+    editBytes_ = back.bytesNotIn(next_);
+    next_ = std::move(back);
+}
 
 bool EditCommand::mergeWith(const UndoCommand& next)
 {

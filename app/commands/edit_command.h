@@ -3,6 +3,7 @@
 
 #include "app/commands/undo_command.h"
 #include "app/document/edited_document.h"
+#include "app/document/heap_bytes.h"
 
 #include <functional>
 
@@ -18,16 +19,19 @@ public:
     {
     }
 
-    void redo() final { next_ = document_.apply(next_); }
-    void undo() final { next_ = document_.apply(next_); }
+    void redo() final { exchange(); }
+    void undo() final { exchange(); }
     /// If both exchange objects in the same places, or both the clip windows alone, undoing this
     /// one undoes both.
     bool mergeWith(const UndoCommand& next) final;
-    std::size_t bytes() const final { return sizeof *this + next_.ownBytes(); }
+    std::size_t bytes() const final { return heapBlock(sizeof *this) + editBytes_; }
 
 private:
+    void exchange();
+
     EditedDocument& document_;
     Edit next_;
+    std::size_t editBytes_ = 0;
 };
 
 /// What changes the objects of some ranges, one by one, and leaves their number and their

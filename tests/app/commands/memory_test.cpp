@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/history.h"
-#include "app/commands/memory.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_style.h"
@@ -53,15 +52,6 @@ class MemoryTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theHeapIsCounted()
-    {
-        QCOMPARE(app::heapBlock(0), std::size_t(0));
-        QCOMPARE(app::heapBlock(1), std::size_t(32));
-        QCOMPARE(app::heapBlock(56), std::size_t(64));
-        QCOMPARE(app::heapBlock(57), std::size_t(80));
-        QCOMPARE(app::heapBytes(QStringLiteral("of the program")), std::size_t(0));
-    }
-
     // What a step says is what the allocator gets back when it is forgotten, to 1 %.
     void aStepKeepsWhatItSays_data()
     {

@@ -222,11 +222,11 @@ private slots:
     void sizes()
     {
         QCOMPARE(Path(clipping::Segment{{0, 0}, {1, 2}}).heapPart().bytes, std::size_t(0));
-        QVERIFY(lines(100).heapPart().bytes <= 16 * 101 + 20);
+        QVERIFY(lines(100).heapPart().bytes <= 16 * 101 + 40);
         Subpath curve{{0, 0}, {}, true};
         for (int i = 0; i < 100; ++i)
             curve.segments.push_back({Point(i, 1), Point(1, i), Point(i, i), true});
-        QVERIFY(Path({&curve, 1}).heapPart().bytes <= (3 * 16 + 1) * 100 + 16 + 20);
+        QVERIFY(Path({&curve, 1}).heapPart().bytes <= (3 * 16 + 1) * 100 + 16 + 40);
     }
     void copiesAndPlacedOnesShareThePoints()
     {
