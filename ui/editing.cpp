@@ -89,7 +89,7 @@ bool paste(app::Session& session)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const auto shapes =
-        data ? app::pasted(*data, session.sheet().page, 0) : std::vector<app::Shape>();
+        data ? app::pasted(*data, session.now().page(), 0) : std::vector<app::Shape>();
     if (shapes.empty())
         return false;
     std::vector<app::ObjectInHand> copies;
@@ -113,6 +113,6 @@ void deleteSelection(app::Session& session)
     session.select({});
 }
 
-void selectAll(app::Session& session) { session.select(app::editableObjects(session.sheet())); }
+void selectAll(app::Session& session) { session.select(app::editableObjects(session.now())); }
 
 } // namespace ui

@@ -62,7 +62,7 @@ void Files::show(app::Imported imported, const QString& path, const QString& tit
     title_ = title;
     sample_.clear();
     session_.load(std::move(imported), path);
-    session_.pen.style.width = newPenMillimetres / session_.sheet().page.millimetresPerUnit();
+    session_.pen.style.width = newPenMillimetres / session_.now().page().millimetresPerUnit();
     seen_ = QFileInfo(path).lastModified();
     emit nameChanged();
     emit told({});
@@ -253,7 +253,7 @@ void Files::crop()
 bool Files::mayClose()
 {
     emit documentWanted();
-    if (session_.history.isClean() || app::isOnlyLookedAt(sample_, session_.sheet()))
+    if (session_.history.isClean() || app::isOnlyLookedAt(sample_, session_.now()))
         return true;
     switch (questions_->saveChanges(name())) {
     case Questions::Answer::Save:

@@ -21,18 +21,18 @@ public:
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
-        const app::Sheet& drawing = sheet();
+        const app::Document& drawing = document();
         const Look& look = lookOf(QApplication::palette());
-        const double scale = rect.width() / drawing.page.size.x;
+        const double scale = rect.width() / drawing.page().size.x;
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         if (mode == QIcon::Disabled)
             painter->setOpacity(painter->opacity() * 0.45);
         painter->translate(rect.topLeft());
         painter->scale(scale, scale);
-        painter->translate(-drawing.page.min.x, -drawing.page.min.y);
-        for (const app::Shape& shape : drawing.shapes)
-            paint(*painter, shape, look);
+        painter->translate(-drawing.page().min.x, -drawing.page().min.y);
+        for (std::size_t i = 0; i < drawing.objects().size(); ++i)
+            paint(*painter, drawing.objects()[i], look);
         painter->restore();
     }
 
@@ -48,18 +48,18 @@ public:
     QIconEngine* clone() const override { return new Engine(*this); }
 
 private:
-    const app::Sheet& sheet()
+    const app::Document& document()
     {
-        if (!sheet_) {
-            sheet_.emplace();
-            sheet_->page.size = {20, 20};
+        if (!document_) {
+            document_.emplace();
+            document_->apply({.page = app::Page{.size = {20, 20}}});
             QFile file(path_);
             const app::Format* svg = app::findFormat(u"svg");
             if (svg && svg->read && file.open(QIODevice::ReadOnly))
                 if (auto imported = svg->read(file))
-                    sheet_ = app::sheetOf(imported.value->document);
+                    document_ = imported.value->document;
         }
-        return *sheet_;
+        return *document_;
     }
 
     static QColor shown(const app::Colour& ink, const Look& look)
@@ -68,18 +68,18 @@ private:
         return black ? look.text : look.accent;
     }
 
-    static void paint(QPainter& painter, const app::Shape& shape, const Look& look)
+    static void paint(QPainter& painter, const app::ObjectView& object, const Look& look)
     {
-        const app::Style& style = shape.style;
+        const app::Style& style = object.style();
         painter.setPen(style.stroke ? QPen(shown(*style.stroke, look), style.width, Qt::SolidLine,
                                            Qt::RoundCap, Qt::RoundJoin)
                                     : QPen(Qt::NoPen));
         painter.setBrush(style.fill ? QBrush(shown(*style.fill, look)) : QBrush(Qt::NoBrush));
-        painter.drawPath(app::painterPath(shape));
+        painter.drawPath(app::painterPath(object));
     }
 
     QString path_;
-    std::optional<app::Sheet> sheet_;
+    std::optional<app::Document> document_;
 };
 
 } // namespace

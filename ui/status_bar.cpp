@@ -109,7 +109,7 @@ void StatusBar::showPosition(std::optional<app::Point> position)
 {
     if (!position)
         return position_->setText({});
-    const app::Page& page = session_.sheet().page;
+    const app::Page& page = session_.now().page();
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const app::Point place = *position - app::originOf(page, unit);
@@ -161,7 +161,7 @@ void StatusBar::keepRoom()
                                                          times_, renderer_, zoom_})
         if (cell && cell->font() != type)
             cell->setFont(type);
-    const auto& page = session_.sheet().page;
+    const auto& page = session_.now().page();
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const double farthest = -std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/editable.h"
 
-#include <algorithm>
-#include <functional>
-
 namespace app {
 
-// A layer is one range, apart from what is hidden in it.
-ObjectRanges editableObjects(const Sheet& sheet)
+// Those that are hidden themselves, whatever is around them.
+static ObjectRanges hiddenObjects(const Objects& objects)
 {
-    ObjectRanges editable;
-    const auto begin = sheet.shapes.begin();
-    auto first = begin;
-    for (std::uint32_t layer = 0; layer < sheet.layers.size(); ++layer) {
-        const auto end =
-            std::ranges::upper_bound(first, sheet.shapes.end(), layer, {}, &Shape::layer);
-        const bool open = sheet.layers[layer].visible && !sheet.layers[layer].locked;
-        while (open && first != end) {
-            const auto hidden = std::find_if(first, end, std::mem_fn(&Shape::hidden));
-            editable.insert(ObjectRange{std::size_t(first - begin), std::size_t(hidden - begin)});
-            first = std::find_if_not(hidden, end, std::mem_fn(&Shape::hidden));
-        }
-        first = end;
+    ObjectRanges hidden;
+    for (std::size_t block = 0; block < objects.blocks().size(); ++block) {
+        const ObjectBlock& some = *objects.blocks()[block];
+        for (std::size_t i = 0; i < some.hidden.size(); ++i)
+            if (some.isHidden(i))
+                hidden.insert(objects.firstOf(block) + i);
     }
+    return hidden;
+}
+
+ObjectRanges editableObjects(const Document& document)
+{
+    const Containers& containers = document.containers();
+    const ObjectRanges others = united(united(containers.hiddenRanges(), containers.lockedRanges()),
+                                       hiddenObjects(document.objects()));
+    ObjectRanges editable;
+    std::size_t next = 0;
+    for (const ObjectRange& range : others.ranges()) {
+        editable.insert(ObjectRange{next, range.first});
+        next = range.end;
+    }
+    editable.insert(ObjectRange{next, document.objects().size()});
     return editable;
 }
 

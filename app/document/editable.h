@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "app/document/sheet.h"
+#include "app/document/document.h"
 
 namespace app {
 
 /// The objects that may be selected and edited: they are shown, and their layers are not locked.
-ObjectRanges editableObjects(const Sheet& sheet);
+ObjectRanges editableObjects(const Document& document);
 
 } // namespace app

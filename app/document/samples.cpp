@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/samples.h"
 
-#include "app/document/legacy.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -25,14 +24,14 @@ std::vector<Sample> samples()
     return all;
 }
 
-bool isOnlyLookedAt(const QString& key, const Sheet& sheet)
+bool isOnlyLookedAt(const QString& key, const Document& document)
 {
     for (const Sample& sample : samples())
         if (sample.key == key)
             if (const auto fresh = readFile(sample.file)) {
-                Sheet known = sheetOf(fresh.value->document);
-                known.window = sheet.window;
-                return known == sheet;
+                Document known = fresh.value->document;
+                known.apply({.windows = document.windows()});
+                return known == document;
             }
     return false;
 }

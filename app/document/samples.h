@@ -17,8 +17,8 @@ struct Sample {
 /// All samples, in the order of the start panel; none where the resources are not linked in.
 std::vector<Sample> samples();
 
-/// Whether a drawing is the sample of that key of which nothing but the clip window was changed:
+/// Whether a drawing is the sample of that key of which nothing but the clip windows was changed:
 /// there is nothing to save.
-bool isOnlyLookedAt(const QString& key, const Sheet& sheet);
+bool isOnlyLookedAt(const QString& key, const Document& document);
 
 } // namespace app

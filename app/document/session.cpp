@@ -108,7 +108,7 @@ void Session::load(Imported imported, const QString& path)
     history.clear();
     document.load(withWindow(std::move(imported.document)));
     Display display = display_;
-    display.unit = sheet().page.usualUnit();
+    display.unit = now().page().usualUnit();
     setDisplay(display);
     emit fileChanged();
     emit loaded();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/unsaved_work.h"
 
-#include "app/document/legacy.h"
 #include "app/document/samples.h"
 
 namespace app {
@@ -17,7 +16,7 @@ UnsavedWork::Written UnsavedWork::write() const
     const std::lock_guard reading(lock_);
     app::Document document = edited_.snapshot();
     const bool changed =
-        document_.changed && !isOnlyLookedAt(document_.sample, sheetOf(document));
+        document_.changed && !isOnlyLookedAt(document_.sample, document);
     if (!changed && !document_.inHand)
         return {};
     if (document_.inHand) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/objects.h"
 
 #include <QPainterPath>
 
@@ -9,5 +9,6 @@ namespace app {
 
 /// The shape's outline in user units, curves as curves, with its fill rule.
 QPainterPath painterPath(const Shape& shape);
+QPainterPath painterPath(const ObjectView& object);
 
 } // namespace app

@@ -85,9 +85,9 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
 void WindowPanel::follow()
 {
     const clipping::Window& window = session_.window();
-    const double size = session_.sheet().page.millimetresPerUnit();
+    const double size = session_.now().page().millimetresPerUnit();
     const app::Point place =
-        window.min - app::originOf(session_.sheet().page, session_.display().unit);
+        window.min - app::originOf(session_.now().page(), session_.display().unit);
     const std::array values{place.x, place.y, window.max.x - window.min.x,
                             window.max.y - window.min.y};
     for (std::size_t i = 0; i < fields_.size(); ++i)
@@ -97,7 +97,7 @@ void WindowPanel::follow()
 void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
 {
     const clipping::Window& before = session_.sheet().window;
-    const app::Point origin = app::originOf(session_.sheet().page, session_.display().unit);
+    const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)

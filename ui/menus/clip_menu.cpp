@@ -82,7 +82,7 @@ void setRemoved(MainWindow& window)
 void windowToPage(MainWindow& window)
 {
     app::Session& session = window.session();
-    session.history.push(new app::SetWindow(session.document, session.sheet().page.rectangle()));
+    session.history.push(new app::SetWindow(session.document, session.now().page().rectangle()));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ void selectDiffering(MainWindow& window)
         shapes = united(shapes, treated);
     }
     window.tell({shapes.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
-    window.session().select(common(shapes, app::editableObjects(session.sheet())));
+    window.session().select(common(shapes, app::editableObjects(session.now())));
 }
 
 /// The next line, or the one before, in the inspector; from the first or last one on.

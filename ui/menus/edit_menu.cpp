@@ -133,7 +133,7 @@ MenuInfo editMenu()
                  Reach::Window,
                  {},
                  [](MainWindow& w) { selectAll(w.session()); },
-                 [](const MainWindow& w) { return !w.session().sheet().shapes.empty(); }},
+                 [](const MainWindow& w) { return !w.session().now().objects().empty(); }},
                 {"deselect",
                  tr("D&eselect"),
                  keys(K::Deselect, {K("Ctrl+Shift+A")}),

@@ -221,10 +221,11 @@ QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
     if (litSegment_ && *litSegment_ < session.scene.segments().size() && drag_ == Drag::None) {
-        const app::Shape& shape = session.sheet().shapes[session.scene.shapeOf(*litSegment_)];
+        const app::Containers& containers = session.now().containers();
+        const auto layer = containers.layerOf(session.scene.lines().objectOf(*litSegment_));
         return QCoreApplication::translate(
                    "Tools", "Line %1 in %2. Click selects it, Shift adds it, drag moves it.")
-            .arg(app::countText(*litSegment_ + 1), session.sheet().layers[shape.layer].name);
+            .arg(app::countText(*litSegment_ + 1), containers[layer].name);
     }
     const auto count = int(session.selection().size());
     return count == 0 ? QString()

@@ -81,7 +81,7 @@ app::Anchor anchorOf(Qt::KeyboardModifiers modifiers)
 double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers)
 {
     const double millimetres = modifiers & Qt::ShiftModifier ? 10 : 1;
-    return millimetres / bench.session.sheet().page.millimetresPerUnit();
+    return millimetres / bench.session.now().page().millimetresPerUnit();
 }
 
 } // namespace ui

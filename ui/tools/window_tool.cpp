@@ -57,7 +57,7 @@ private:
         const app::Point p = pointer.raw;
         const bool inside = p.x >= w.min.x && p.y >= w.min.y && p.x <= w.max.x && p.y <= w.max.y;
         // The whole page is a window that was not set yet: a drag in it draws one, and moves none.
-        const bool unset = w == bench.session.sheet().page.rectangle();
+        const bool unset = w == bench.session.now().page().rectangle();
         return inside && !unset ? std::optional(app::Grip{}) : std::nullopt;
     }
 

@@ -246,17 +246,17 @@ const app::Style& OptionBar::style() const
 {
     const auto& selection = session_.selection();
     return selection.empty() ? session_.pen.style
-                             : session_.sheet().shapes[selection.first()].style;
+                             : session_.now().objects()[selection.first()].style();
 }
 
 void OptionBar::followStyle()
 {
     const auto& selection = session_.selection();
-    if (!selection.empty() && selection.last() >= session_.sheet().shapes.size())
+    if (!selection.empty() && selection.last() >= session_.now().objects().size())
         return; // the selection is about to follow the drawing
     const app::Style& now = style();
     ink_->setIcon(inkIcon(now.stroke, lookOf(palette())));
-    width_->show(now.width, session_.display().unit, session_.sheet().page.millimetresPerUnit());
+    width_->show(now.width, session_.display().unit, session_.now().page().millimetresPerUnit());
     dashes_->setCurrentIndex(patternOf(now));
 }
 

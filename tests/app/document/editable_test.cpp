@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/editable.h"
+#include "app/document/legacy.h"
 
 #include <QTest>
 
@@ -14,13 +15,13 @@ private slots:
     void allThatMayBeEditedIsARangeALayer()
     {
         app::Sheet drawing = threeLayers(100'000);
-        QCOMPARE(app::editableObjects(drawing), app::ObjectRanges(app::ObjectRange{0, 300'000}));
+        QCOMPARE(app::editableObjects(app::documentOf(drawing)), app::ObjectRanges(app::ObjectRange{0, 300'000}));
         drawing.layers[1].locked = true;
-        QCOMPARE(app::editableObjects(drawing).ranges().size(), std::size_t(2));
+        QCOMPARE(app::editableObjects(app::documentOf(drawing)).ranges().size(), std::size_t(2));
         drawing.layers[0].visible = false;
-        QCOMPARE(app::editableObjects(drawing),
+        QCOMPARE(app::editableObjects(app::documentOf(drawing)),
                  app::ObjectRanges(app::ObjectRange{200'000, 300'000}));
-        QCOMPARE(app::editableObjects(app::Sheet{}), app::ObjectRanges{});
+        QCOMPARE(app::editableObjects(app::Document()), app::ObjectRanges{});
     }
     void whatIsHiddenIsNotEditable()
     {
@@ -35,7 +36,7 @@ private slots:
                 if (!drawing.shapes[i].hidden)
                     expected.insert(i);
             }
-            QCOMPARE(app::editableObjects(drawing), expected);
+            QCOMPARE(app::editableObjects(app::documentOf(drawing)), expected);
         }
     }
 };
