@@ -3,13 +3,12 @@
 
 namespace app {
 
-QPainterPath painterPath(const Shape& shape)
+static QPainterPath outlineOf(std::span<const Subpath> subpaths, FillRule rule)
 {
     const auto at = [](const Point& p) { return QPointF(p.x, p.y); };
     QPainterPath outline;
-    outline.setFillRule(shape.style.fillRule == FillRule::EvenOdd ? Qt::OddEvenFill
-                                                                  : Qt::WindingFill);
-    for (const Subpath& path : shape.paths) {
+    outline.setFillRule(rule == FillRule::EvenOdd ? Qt::OddEvenFill : Qt::WindingFill);
+    for (const Subpath& path : subpaths) {
         outline.moveTo(at(path.start));
         for (const PathSegment& segment : path.segments)
             if (segment.curved)
@@ -20,6 +19,16 @@ QPainterPath painterPath(const Shape& shape)
             outline.closeSubpath();
     }
     return outline;
+}
+
+QPainterPath painterPath(const Shape& shape)
+{
+    return outlineOf(shape.paths, shape.style.fillRule);
+}
+
+QPainterPath painterPath(const ObjectView& object)
+{
+    return outlineOf(object.path().subpaths(), object.style().fillRule);
 }
 
 } // namespace app
