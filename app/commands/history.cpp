@@ -18,7 +18,7 @@ void History::push(UndoCommand* command)
     const auto now = clock_();
     if (lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done)) {
         measure(steps_.back());
-        tell(false, forgetOldest());
+        notify(false, forgetOldest());
     } else {
         Step step{done->text()};
         step.commands.push_back(std::move(done));
@@ -47,7 +47,7 @@ void History::append(Step step)
     steps_.push_back(std::move(step));
     ++index_;
     measure(steps_.back());
-    tell(wasClean, forgetOldest());
+    notify(wasClean, forgetOldest());
 }
 
 // Commands keep other things in force than undone, so this follows every change.
@@ -74,7 +74,7 @@ int History::forgetOldest()
     return gone;
 }
 
-void History::tell(bool wasClean, int gone)
+void History::notify(bool wasClean, int gone)
 {
     emit indexChanged(index_);
     if (wasClean != isClean())
@@ -98,7 +98,7 @@ void History::setIndex(int index)
         undoOne();
     while (index_ < index)
         redoOne();
-    tell(wasClean);
+    notify(wasClean);
 }
 
 void History::undoOne()
@@ -166,7 +166,7 @@ void History::clear()
     index_ = macros_ = forgotten_ = 0;
     bytes_ = 0;
     clean_ = 0;
-    tell(wasClean);
+    notify(wasClean);
 }
 
 void History::setLimit(std::size_t bytes)
@@ -174,7 +174,7 @@ void History::setLimit(std::size_t bytes)
     const bool wasClean = isClean();
     limit_ = bytes;
     if (const int gone = forgetOldest(); gone > 0)
-        tell(wasClean, gone);
+        notify(wasClean, gone);
 }
 
 } // namespace app

@@ -63,7 +63,7 @@ public:
     void setLimit(std::size_t bytes);
     int forgotten() const { return forgotten_; } ///< how many steps have gone since clear()
 
-    /// For tests: what tells the time.
+    /// For tests: another clock.
     void setClock(Clock clock) { clock_ = std::move(clock); }
 
 signals:
@@ -84,7 +84,7 @@ private:
     void undoOne();
     void redoOne();
     int forgetOldest();
-    void tell(bool wasClean, int gone = 0);
+    void notify(bool wasClean, int gone = 0);
 
     std::deque<Step> steps_;
     int index_ = 0;

@@ -28,7 +28,7 @@ static Edit moved(const Document& document, const clipping::Window& window)
     edit.windows = document.windows();
     auto& list = edit.windows->list;
     const auto first = std::ranges::find_if(
-        list, [](const ClipWindow& w) { return w.visible && uprightBox(w.shape).has_value(); });
+        list, [](const ClipWindow& w) { return w.visible && axisAlignedBox(w.shape).has_value(); });
     if (first == list.end())
         list.push_back({.shape = RectangleShape{window}});
     else

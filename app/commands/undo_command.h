@@ -10,8 +10,8 @@ namespace app {
 
 /// A kind of undoable change: a row of the catalogue (app/commands/catalogue.h).
 struct CommandKind {
-    std::string_view key;     ///< for programs: "move-shapes"
-    std::string_view summary; ///< what it does, for those who read a log: "Moves shapes"
+    std::string_view key;     ///< for programs: "move-objects"
+    std::string_view summary; ///< what it does, for those who read a log: "Moves objects"
 };
 
 /// Whether a command may join the step before it: repeated keys, and steps of a spin box, that

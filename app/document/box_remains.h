@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What the boxes alone tell about each chunk of a block: Gone and Whole are what the row `exact`
+/// What the boxes alone say about each chunk of a block: Gone and Whole are what the row `exact`
 /// makes of all its lines, bit for bit. `remains` has an element for each chunk.
 void findRemains(const SceneBlock& block, const ClipRegion& region, std::span<Remains> remains);
 

@@ -51,7 +51,7 @@ struct ClipWindows {
 };
 
 /// The box of a rectangle that is not turned; nothing for any other shape.
-inline std::optional<clipping::Window> uprightBox(const WindowShape& shape)
+inline std::optional<clipping::Window> axisAlignedBox(const WindowShape& shape)
 {
     const auto* rectangle = std::get_if<RectangleShape>(&shape);
     if (!rectangle || rectangle->angle != 0)

@@ -6,7 +6,7 @@ namespace app {
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page)
 {
     for (const ClipWindow& window : windows.list)
-        if (const auto box = uprightBox(window.shape); box && window.visible)
+        if (const auto box = axisAlignedBox(window.shape); box && window.visible)
             return {*box, false};
     return {page.rectangle(), true};
 }

@@ -13,7 +13,7 @@ struct ComparedWindow {
     friend bool operator==(const ComparedWindow&, const ComparedWindow&) = default;
 };
 
-/// The first visible upright rectangle, whatever its operation; else the page.
+/// The first visible axis-aligned rectangle, whatever its operation; else the page.
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page);
 
 } // namespace app

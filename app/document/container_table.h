@@ -15,8 +15,8 @@ public:
     struct Entry {
         std::shared_ptr<const Container> container{}; ///< null: there is none of this id
         ContainerId parent = 0;
-        /// Numbers that ascend in painting order, of its two marks: they tell where these are,
-        /// wherever others come and go.
+        /// Numbers that ascend in painting order, of its two marks: these are found by
+        /// them, wherever others come and go.
         std::uint64_t opens = 0, closes = 0;
         /// The same container in the same place.
         friend bool operator==(const Entry& a, const Entry& b)

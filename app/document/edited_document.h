@@ -21,7 +21,7 @@ struct DocumentChange {
 
 /// The document that is being edited, by one thread. Only commands and `load` write to it. An edit
 /// works on a further owner, which is then published: the lock is held while two pointers are
-/// exchanged, never while something is edited, copied, freed or told.
+/// exchanged, never while something is edited, copied or freed, nor while listeners run.
 class EditedDocument : public QObject {
     Q_OBJECT
 
@@ -35,8 +35,8 @@ public:
 
     /// Another document altogether (New, Open).
     void load(Document document);
-    /// Changes the document, tells of it once, and gives the edit that undoes it. If memory runs
-    /// out, nothing has changed.
+    /// Changes the document, emits `changed` once, and gives the edit that undoes it. If memory
+    /// runs out, nothing has changed.
     Edit apply(const Edit& edit);
 
 signals:

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// Units of length. User: the drawing's own unit, whose size in millimetres the page tells.
+/// Units of length. User: the drawing's own unit, whose size in millimetres the page gives.
 enum class Unit { User, Px, Mm, Cm, Inch, Pt, Pc, Percent };
 
 /// One unit of the catalogue: its suffix in files and fields, its size and its usual decimals.

@@ -166,7 +166,7 @@ Path Path::placed(const Placement& where) const
 Path Path::baked() const
 {
     const Placement where = placement();
-    if (where.usual())
+    if (where.isIdentity())
         return *this;
     Path path;
     path.data_ = Data::of(data_->pointCount, data_->subpathCount, data_->kindCount);

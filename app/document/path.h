@@ -14,7 +14,7 @@ namespace app {
 
 /// The outline of an object: subpaths, packed and never changed. Copying it copies no points. A
 /// single line or point has no heap block of its own. Lines are runs of points (16 bytes each); a
-/// path with curves has a byte a segment more, and three points a curve. Fewer than 2^32 points.
+/// path with curves has a byte a segment more, and three points a curve. Fewer than 2^31 points.
 class Path {
 public:
     Path() = default;                             ///< no subpath
@@ -37,7 +37,7 @@ public:
     /// The path at another place: its points through its own placement and then `where`. O(1), but
     /// for a single line, whose ends are calculated (one whose ends then coincide is a point).
     Path placed(const Placement& where) const;
-    Path baked() const; ///< the same points, bit for bit, as its own: with the usual placement
+    Path baked() const; ///< the same points, bit for bit, as its own: placed by the identity
     /// Calls visit(Point) for every point, controls included, in order.
     template <class Visit>
     void forEachPoint(const Visit& visit) const

@@ -20,14 +20,14 @@ Point Placement::operator()(const Point& p) const { return p * scale + offset; }
 
 Placement Placement::then(const Placement& next) const
 {
-    if (usual() || next.usual())
-        return usual() ? next : *this;
+    if (isIdentity() || next.isIdentity())
+        return isIdentity() ? next : *this;
     return {scale * next.scale,
             {app::then(offset.x, next.scale.x, next.offset.x),
              app::then(offset.y, next.scale.y, next.offset.y)}};
 }
 
-bool Placement::usual() const
+bool Placement::isIdentity() const
 {
     return scale == Point(1, 1) && addsNothing(offset.x) && addsNothing(offset.y);
 }

@@ -49,7 +49,7 @@ struct Placed {
 
 Recipe placed(const Recipe& recipe, const Placement& where)
 {
-    if (where.usual())
+    if (where.isIdentity())
         return recipe;
     if (where.scale.x == 0 || where.scale.y == 0)
         return {};

@@ -65,7 +65,7 @@ ClipRegion regionOf(const ClipWindows& windows)
 {
     ClipRegion region{{}, windows.keep};
     for (const ClipWindow& window : windows.list)
-        if (const auto box = uprightBox(window.shape); box && window.visible)
+        if (const auto box = axisAlignedBox(window.shape); box && window.visible)
             region.steps.push_back({*box, window.operation});
     return region;
 }

@@ -43,10 +43,10 @@ struct ClipRegion {
     std::optional<clipping::Window> single() const;
 };
 
-/// The visible windows that are upright rectangles; other shapes are left out.
+/// The visible windows that are axis-aligned rectangles; other shapes are left out.
 ClipRegion regionOf(const ClipWindows& windows);
 
-/// What is kept of everything in a box; Pieces where only the lines themselves can tell.
+/// What is kept of everything in a box; Pieces where that depends on the lines themselves.
 enum class Remains : std::uint8_t { Gone, Whole, Pieces };
 
 /// Gone and Whole are never wrong: a line with both ends in the closed box is gone, or comes back

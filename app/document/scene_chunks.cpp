@@ -21,7 +21,7 @@ double areaOf(const FloatBox& box)
     return (double(box.maxX) - double(box.minX)) * (double(box.maxY) - double(box.minY));
 }
 
-// Whether two boxes tell little more than the one around both.
+// Whether the box around both is clearly smaller than the two together.
 bool cover(const FloatBox& a, const FloatBox& b)
 {
     return areaOf(united(a, b)) < 0.75 * (areaOf(a) + areaOf(b));

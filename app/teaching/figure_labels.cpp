@@ -99,15 +99,15 @@ std::vector<QRectF> placesAlong(const QLineF& line, const QSizeF& label, double 
 {
     const double gap = 2 * unit, inset = 7 * unit; // off the line, and off the border
     std::vector<QRectF> places;
-    const bool upright = std::abs(line.dx()) < std::abs(line.dy());
-    const double length = line.length() - (upright ? label.height() : label.width());
+    const bool vertical = std::abs(line.dx()) < std::abs(line.dy());
+    const double length = line.length() - (vertical ? label.height() : label.width());
     const QPointF origin(std::min(line.x1(), line.x2()), std::min(line.y1(), line.y2()));
-    const double first = before ? -gap - (upright ? label.width() : label.height()) : gap;
-    const double second = before ? gap : -gap - (upright ? label.width() : label.height());
+    const double first = before ? -gap - (vertical ? label.width() : label.height()) : gap;
+    const double second = before ? gap : -gap - (vertical ? label.width() : label.height());
     for (const double along : {1.0, 0.0, 0.9, 0.1, 0.8, 0.2, 0.7, 0.3, 0.6, 0.4, 0.5})
         for (const double off : {first, second}) {
             const double at = inset + along * (length - 2 * inset);
-            places.emplace_back(origin + (upright ? QPointF(off, at) : QPointF(at, off)), label);
+            places.emplace_back(origin + (vertical ? QPointF(off, at) : QPointF(at, off)), label);
         }
     return places;
 }

@@ -172,15 +172,15 @@ private:
 
     void edge(const QPointF& from, const QPointF& to, const QString& name)
     {
-        const bool upright = from.x() == to.x();
-        const double place = upright ? from.x() : from.y();
-        if (place < (upright ? area_.left() : area_.top())
-            || place > (upright ? area_.right() : area_.bottom()))
+        const bool vertical = from.x() == to.x();
+        const double place = vertical ? from.x() : from.y();
+        if (place < (vertical ? area_.left() : area_.top())
+            || place > (vertical ? area_.right() : area_.bottom()))
             return;
         painter_.setPen(QPen(look_.window, 2));
         painter_.drawLine(from, to);
-        label(upright ? QPointF(place + 5, area_.bottom() - 8)
-                      : QPointF(area_.right() - 6 - width(name), place - 5),
+        label(vertical ? QPointF(place + 5, area_.bottom() - 8)
+                       : QPointF(area_.right() - 6 - width(name), place - 5),
               name, look_.window);
     }
 

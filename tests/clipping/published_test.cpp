@@ -72,8 +72,8 @@ const std::array costs{
     Cost{"corner to corner", {{-200, -100}, {150, 150}}, {17, 12, 3, 3}, {16, 10, 4, 4}, {15, 30, 20, 4}, {10, 8, 4, 2}, {10, 17, 22, 4}, {11, 9, 4, 3}, {15, 12, 3, 3}, {10, 12, 3, 3}, {13, 11, 4, 2}},
     Cost{"past a corner", {{-200, 0}, {0, 200}}, {11, 4, 1, 1}, {13, 6, 0, 4}, {13, 26, 16, 4}, {8, 4, 2, 0}, {11, 11, 10, 0}, {11, 9, 3, 4}, {14, 12, 3, 3}, {8, 4, 1, 1}, {9, 5, 2, 0}},
     Cost{"corner to corner, past one", {{-200, -100}, {150, 600}}, {13, 8, 2, 2}, {13, 6, 0, 4}, {13, 26, 16, 4}, {8, 5, 3, 0}, {10, 11, 10, 0}, {11, 10, 4, 4}, {15, 16, 4, 4}, {7, 4, 1, 1}, {10, 7, 3, 0}},
-    Cost{"level", {{-200, 20}, {200, 20}}, {15, 8, 2, 2}, {15, 10, 4, 2}, {13, 30, 20, 2}, {8, 6, 2, 2}, {11, 17, 22, 4}, {9, 2, 0, 0}, {14, 8, 2, 2}, {7, 8, 2, 2}, {12, 9, 3, 2}},
-    Cost{"upright", {{30, -100}, {30, 100}}, {15, 8, 2, 2}, {15, 10, 4, 2}, {13, 30, 20, 2}, {8, 6, 2, 2}, {11, 17, 22, 4}, {9, 2, 0, 0}, {14, 8, 2, 2}, {7, 8, 2, 2}, {12, 9, 3, 2}},
+    Cost{"horizontal", {{-200, 20}, {200, 20}}, {15, 8, 2, 2}, {15, 10, 4, 2}, {13, 30, 20, 2}, {8, 6, 2, 2}, {11, 17, 22, 4}, {9, 2, 0, 0}, {14, 8, 2, 2}, {7, 8, 2, 2}, {12, 9, 3, 2}},
+    Cost{"vertical", {{30, -100}, {30, 100}}, {15, 8, 2, 2}, {15, 10, 4, 2}, {13, 30, 20, 2}, {8, 6, 2, 2}, {11, 17, 22, 4}, {9, 2, 0, 0}, {14, 8, 2, 2}, {7, 8, 2, 2}, {12, 9, 3, 2}},
     Cost{"a point inside", {{10, 10}, {10, 10}}, {8}, {14, 6, 0, 0}, {11, 26, 16, 0}, {8}, {8}, {6}, {14}, {8}, {9}},
 };
 // clang-format on
@@ -102,12 +102,12 @@ bool onlyTouches(const oracle::Part& part, const Window& w)
 bool underOnePixel(const oracle::Part& part, const Segment& s, const Window& w)
 {
     const auto& [a, b] = part.line;
-    const bool upright = s.a.x == s.b.x, level = s.a.y == s.b.y;
-    if (upright && level)
+    const bool vertical = s.a.x == s.b.x, horizontal = s.a.y == s.b.y;
+    if (vertical && horizontal)
         return a.x <= w.min.x || a.x >= w.max.x || a.y <= w.min.y || a.y >= w.max.y;
-    if (upright)
+    if (vertical)
         return s.a.x <= w.min.x || s.a.x >= w.max.x || std::abs(a.y - b.y) < 1;
-    if (level)
+    if (horizontal)
         return s.a.y <= w.min.y || s.a.y >= w.max.y || std::abs(a.x - b.x) < 1;
     return std::abs(a.x - b.x) < 1 - 1e-12;
 }

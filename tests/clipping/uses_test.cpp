@@ -255,8 +255,8 @@ private slots:
         const auto [segments, window] = batches(2'000).back(); // the paper's scene
         for (Segment s : segments) {
             s.b.x = s.a.x = s.a.x / 12;
-            const auto upright = algorithm->corrected.clip(s, window);
-            QVERIFY2(!upright || (upright->a.x == s.a.x && upright->b.x == s.a.x),
+            const auto vertical = algorithm->corrected.clip(s, window);
+            QVERIFY2(!vertical || (vertical->a.x == s.a.x && vertical->b.x == s.a.x),
                      exactly({s, window}).c_str());
             const Window turned{{window.min.y, window.min.x}, {window.max.y, window.max.x}};
             const auto level = algorithm->corrected.clip(exchange(s), turned);

@@ -295,12 +295,12 @@ private slots:
     {
         Desk d;
         d.history.setLimit(3000);
-        int told = 0;
+        int changes = 0;
         connect(&d.history, &History::indexChanged, &d.history, [&](int index) {
             QCOMPARE(index, d.history.index());
             QCOMPARE(d.history.canUndo(), index > 0);
             QVERIFY(d.history.bytes() <= d.history.limit());
-            ++told;
+            ++changes;
         });
         connect(&d.history, &History::cleanChanged, &d.history,
                 [&](bool clean) { QCOMPARE(clean, d.history.isClean()); });
@@ -308,7 +308,7 @@ private slots:
             d.write(i, 1000);
         d.history.setIndex(0);
         d.history.clear();
-        QCOMPARE(told, 7);
+        QCOMPARE(changes, 7);
     }
 };
 

@@ -82,10 +82,10 @@ private slots:
         Edit edit{.splices = {{1, 1, 1}}};
         edit.objects.append(hidden);
         document.apply(edit);
-        QString told;
+        QString seen;
         for (std::size_t i = 0; i < 6; ++i)
-            told += document.editable(i) ? 'e' : document.shown(i) ? 's' : '-';
-        QCOMPARE(told, QString("e---ss"));
+            seen += document.editable(i) ? 'e' : document.shown(i) ? 's' : '-';
+        QCOMPARE(seen, QString("e---ss"));
     }
 
     void splicesKnowTheirInverse()

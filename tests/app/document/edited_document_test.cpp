@@ -33,7 +33,7 @@ using namespace app;
 
 namespace {
 
-/// What a document tells of its changes.
+/// The changes that a document has emitted.
 struct Listener : QObject {
     explicit Listener(const EditedDocument& document)
     {
@@ -45,7 +45,7 @@ struct Listener : QObject {
             ++count;
         });
     }
-    QString told() const
+    QString kinds() const
     {
         return QString(last.everything ? "e" : "") + (last.objects ? "o" : "")
                + (last.containers ? "c" : "") + (last.windows ? "w" : "") + (last.page ? "p" : "");
@@ -63,7 +63,7 @@ class EditedDocumentTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void tellsOnceOfAnEdit()
+    void anEditIsEmittedOnce()
     {
         RandomDocuments random(7);
         EditedDocument document(random.document(100));
@@ -74,7 +74,7 @@ private slots:
         const auto splices = edit.splices;
         edit = document.apply(edit);
         QCOMPARE(listener.count, 1);
-        QCOMPARE(listener.told(), QString("o"));
+        QCOMPARE(listener.kinds(), QString("o"));
         QVERIFY(listener.splices == splices);
         QVERIFY(sameAddress(listener.now, document.now()));
 
@@ -82,12 +82,12 @@ private slots:
         QVERIFY(listener.splices == inverse(splices));
         document.apply(
             {.containers = document.now().containers(), .windows = ClipWindows{}, .page = Page{}});
-        QCOMPARE(listener.told(), QString("cwp"));
+        QCOMPARE(listener.kinds(), QString("cwp"));
         QVERIFY(listener.splices.empty());
         QCOMPARE(listener.count, 3);
     }
 
-    void tellsOfAnotherDocument()
+    void anotherDocumentIsEmitted()
     {
         RandomDocuments random(8);
         const Document other = random.document(5);
@@ -95,12 +95,12 @@ private slots:
         const Listener listener(document);
         document.load(other);
         QCOMPARE(listener.count, 1);
-        QCOMPARE(listener.told(), QString("eocwp"));
+        QCOMPARE(listener.kinds(), QString("eocwp"));
         QVERIFY(sameAddress(document.now(), other));
         QVERIFY(sameAddress(listener.now, other));
     }
 
-    // What was there is freed, if no snapshot has it, before the change is told.
+    // What was there is freed, if no snapshot has it, before the change is emitted.
     void whatWasIsFreedFirst()
     {
         EditedDocument document(RandomDocuments(9).document(5));

@@ -27,7 +27,7 @@ class PlacementTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theUsualOneChangesNoBit()
+    void theIdentityChangesNoBit()
     {
         Random r(1);
         for (int i = 0; i < 100'000; ++i) {
@@ -36,9 +36,24 @@ private slots:
         }
         for (const double x : {-0.0, 0.0, double(INFINITY), -double(INFINITY)})
             QCOMPARE(bitsOf(Placement{}(Point(x))), bitsOf(Point(x)));
-        QVERIFY(Placement{}.usual());
-        QVERIFY(!(Placement{{1, 1}, {0, -0.0}}).usual()); // makes 0 of -0
-        QVERIFY(!(Placement{{1, 2}, {-0.0, -0.0}}).usual());
+        QVERIFY(Placement{}.isIdentity());
+        QVERIFY(!(Placement{{1, 1}, {0, -0.0}}).isIdentity()); // makes 0 of -0
+        QVERIFY(!(Placement{{1, 2}, {-0.0, -0.0}}).isIdentity());
+    }
+    void numbersAreCompared()
+    {
+        QVERIFY((Placement{{1, 1}, {0, 0}} == Placement{}));
+        QVERIFY(!(Placement{{1, 1}, {NAN, 0}} == Placement{{1, 1}, {NAN, 0}}));
+        QVERIFY(!(Placement{{1, 1}, {0, 0x1p-1074}} == Placement{}));
+    }
+    // What two steps give may be lost in one.
+    void scalesUnderflowAndOverflow()
+    {
+        const Placement small{{1e-200, 1e-200}, {-0.0, -0.0}}, large{{1e200, 1e200}, {-0.0, -0.0}};
+        const Point far{1e300, -1e300}, near{1e-300, -1e-300};
+        QVERIFY(small(small(far)).x > 0 && small.then(small)(far) == Point(0));
+        QVERIFY(std::isfinite(large(large(near)).x) && std::isinf(large.then(large)(near).x));
+        QCOMPARE(small.then(small).then(large).then(large)(far), Point(0));
     }
     // Scale 1 moves only: one rounding, as an addition has. -0 moves nothing: one rounding, too.
     void oneOfTheTwoRoundsOnce()

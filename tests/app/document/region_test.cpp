@@ -408,18 +408,18 @@ private slots:
     }
     void otherShapesAndHiddenWindowsAreLeftOut()
     {
-        const RectangleShape upright{{{1, 2}, {3, 4}}}, turned{{{1, 2}, {3, 4}}, 0.5};
+        const RectangleShape straight{{{1, 2}, {3, 4}}}, turned{{{1, 2}, {3, 4}}, 0.5};
         const PolygonShape polygon{{{0, 0}, {1, 0}, {0, 1}}};
         ClipWindows windows{
-            {{{}, polygon}, {{}, turned}, {{}, upright, WindowOperation::Add, false}}};
+            {{{}, polygon}, {{}, turned}, {{}, straight, WindowOperation::Add, false}}};
         const Page page;
         QVERIFY(regionOf(windows).everything());
         QCOMPARE(comparedWindow(windows, page), (ComparedWindow{page.rectangle(), true}));
-        windows.list.push_back({{}, upright, WindowOperation::CutOut});
+        windows.list.push_back({{}, straight, WindowOperation::CutOut});
         windows.list.push_back({{}, RectangleShape{{{0, 0}, {1, 1}}}});
         QCOMPARE(regionOf(windows).steps.size(), 2u);
         QVERIFY(regionOf(windows).startsFull());
-        QCOMPARE(comparedWindow(windows, page), (ComparedWindow{upright.box, false}));
+        QCOMPARE(comparedWindow(windows, page), (ComparedWindow{straight.box, false}));
     }
     void manyWindowsFoldAsWell()
     {

@@ -62,7 +62,7 @@ std::size_t listed(const app::SceneFrame& frame)
     return count;
 }
 
-/// Whether every chunk says what its lines show, as far as it can be told from outside.
+/// Whether every chunk says what its lines show, as far as it can be seen from outside.
 bool settled(const app::SceneFrame& frame)
 {
     for (const auto& block : frame.blocks)

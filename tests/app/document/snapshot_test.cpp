@@ -50,7 +50,7 @@ bool intact(const Document& document)
                    && containers.hiddenRanges().size() <= count));
 }
 
-/// Looks at snapshots, new and older ones, until it is told to stop.
+/// Looks at snapshots, new and older ones, until it is stopped.
 class Reader {
 public:
     Reader(const EditedDocument& document, const std::atomic<bool>& stop)

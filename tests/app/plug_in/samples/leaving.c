@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Ends the program where a line is upright. */
+ * Ends the program where a line is vertical. */
 #include <stdlib.h>
 #define clearcut_clip right
 #include "resources/plug_in/example.c"

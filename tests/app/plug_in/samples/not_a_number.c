@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Divides 0 by 0 where a line is upright. */
+ * Divides 0 by 0 where a line is vertical. */
 #define clearcut_clip right
 #include "resources/plug_in/example.c"
 #undef clearcut_clip
