@@ -21,6 +21,12 @@ void DocumentBuilder::addLine(const clipping::Segment& line, StyleIndex style)
     containers_.addObjects();
 }
 
+void DocumentBuilder::add(const Objects& objects)
+{
+    objects_.append(objects);
+    containers_.addObjects(objects.size());
+}
+
 Document DocumentBuilder::take(const Page& page, About about, ClipWindows windows)
 {
     return Document(DocumentParts{page, std::move(about), std::move(objects_), containers_.take(),

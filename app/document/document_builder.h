@@ -24,7 +24,9 @@ public:
     void add(const Object& object);
     void add(const ObjectRow& row);
     void addLine(const clipping::Segment& line, StyleIndex style); ///< without an Object between
-    std::size_t size() const { return objects_.size(); }           ///< objects so far
+    void add(const Objects& objects); ///< all of them; shares whole blocks, costs O(all blocks)
+    const Objects& objects() const { return objects_; } ///< so far
+    std::size_t size() const { return objects_.size(); }
 
     /// The document; all containers must be closed. Without a layer it gets an empty one. Start
     /// with another builder then.

@@ -5,30 +5,62 @@
 
 #include <glm/common.hpp>
 
-#include <optional>
+#include <limits>
 
 namespace app {
+namespace {
+
+class Around {
+public:
+    void add(const Point& p, double margin)
+    {
+        min_ = glm::min(min_, p - margin);
+        max_ = glm::max(max_, p + margin);
+    }
+
+    Page page() const
+    {
+        Page page;
+        if (max_.x > min_.x && max_.y > min_.y) {
+            page.min = min_;
+            page.size = max_ - min_;
+            page.width = page.height = {100, Unit::Percent};
+        }
+        return page;
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point min_{infinity, infinity}, max_{-infinity, -infinity};
+};
+
+double marginOf(const Style& style) { return style.stroke ? style.width / 2 : 0; }
+
+} // namespace
+
+Page pageAround(const Objects& objects)
+{
+    Around around;
+    objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
+        const double margin = marginOf(object.style());
+        if (const auto line = object.singleLine()) {
+            around.add(line->a, margin);
+            around.add(line->b, margin);
+        } else {
+            object.path().forEachPoint([&](const Point& point) { around.add(point, margin); });
+        }
+    });
+    return around.page();
+}
 
 Page pageAround(const std::vector<Shape>& shapes)
 {
-    Page page;
-    std::optional<clipping::Window> bounds;
-    const auto add = [&](const Point& p, double margin) {
-        if (!bounds)
-            bounds = {p - margin, p + margin};
-        bounds = {glm::min(bounds->min, p - margin), glm::max(bounds->max, p + margin)};
-    };
-    for (const Shape& shape : shapes) {
-        const double margin = shape.style.stroke ? shape.style.width / 2 : 0;
+    Around around;
+    for (const Shape& shape : shapes)
         for (const Subpath& path : shape.paths)
-            forEachPoint(path, [&](const Point& point) { add(point, margin); });
-    }
-    if (bounds && bounds->max.x > bounds->min.x && bounds->max.y > bounds->min.y) {
-        page.min = bounds->min;
-        page.size = bounds->max - bounds->min;
-        page.width = page.height = {100, Unit::Percent};
-    }
-    return page;
+            forEachPoint(path,
+                         [&](const Point& point) { around.add(point, marginOf(shape.style)); });
+    return around.page();
 }
 
 } // namespace app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/reader.h"
 
-#include "app/document/legacy.h"
-#include "app/document/page_around.h"
 #include "app/formats/csv/columns.h"
+#include "app/formats/csv/lines_by_layer.h"
 #include "app/formats/csv/text.h"
 #include "app/formats/number.h"
 
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace app::csv {
@@ -126,17 +124,16 @@ private:
             throw Refused{record.line, tr("has %1 columns; there are at most %2.")
                                            .arg(record.fields.size())
                                            .arg(mostFields_)};
-        if (imported_.rows.size() == mostRows)
+        if (lines_.size() == mostRows)
             throw Refused{record.line, tr("is one too many: %1 lines are read at most. Split the "
                                           "file.")
                                            .arg(mostRows)};
         const Point a{number(record, X1), number(record, Y1)};
         const Point b{number(record, X2), number(record, Y2)};
-        Shape shape{{{a, {}, false}}, styleOf(record), {}, layerOf(record), false};
-        if (a != b)
-            shape.paths.front().segments.push_back({b});
-        imported_.rows.push_back(std::uint32_t(imported_.rows.size()));
-        sheet_.shapes.push_back(std::move(shape));
+        const StyleIndex style = styleOf(record);
+        const std::size_t layer = positions_[LayerName];
+        lines_.turnTo(layer < record.fields.size() ? record.fields[layer] : std::string_view());
+        lines_.add({a, a == b ? a : b}, style);
     }
 
     std::string_view field(const Record& record, Column column) const
@@ -161,83 +158,56 @@ private:
         throw Refused{record.line, tr("has %1 where a number is needed.").arg(shown(text))};
     }
 
-    Style styleOf(const Record& record) const
+    // Most rows have the style of the one before.
+    StyleIndex styleOf(const Record& record)
     {
-        Style style{.stroke = Colour{}};
-        if (const auto text = field(record, Ink); !text.empty()) {
-            style.stroke = colour(text);
-            if (!style.stroke)
-                throw Refused{
-                    record.line,
-                    tr("has the colour %1; write it as #rrggbb or #rrggbbaa.").arg(shown(text))};
+        const auto ink = field(record, Ink), width = field(record, Width);
+        if (!style_ || ink != ink_ || width != width_) {
+            style_ = lines_.style(styleOf(record.line, ink, width));
+            ink_ = ink;
+            width_ = width;
         }
-        if (const auto text = field(record, Width); !text.empty()) {
-            const auto width = coordinate(text);
-            if (!width || *width < 0)
-                throw Refused{record.line, tr("has the width %1; write a number that is not "
-                                              "negative.")
-                                               .arg(shown(text))};
-            style.width = *width;
-        }
-        return style;
+        return *style_;
     }
 
-    std::uint32_t layerOf(const Record& record)
+    static Style styleOf(std::size_t line, std::string_view ink, std::string_view width)
     {
-        const std::size_t at = positions_[LayerName];
-        const std::string name = at < record.fields.size() ? record.fields[at] : std::string();
-        if (const auto found = layers_.find(name); found != layers_.end())
-            return found->second;
-        if (layers_.size() == mostLayers) {
-            ++tooManyLayers_;
-            return std::uint32_t(mostLayers - 1);
+        Style style{.stroke = Colour{}};
+        if (!ink.empty()) {
+            style.stroke = colour(ink);
+            if (!style.stroke)
+                throw Refused{
+                    line,
+                    tr("has the colour %1; write it as #rrggbb or #rrggbbaa.").arg(shown(ink))};
         }
-        const auto index = std::uint32_t(layers_.size());
-        layers_.emplace(name, index);
-        return index;
+        if (!width.empty()) {
+            const auto number = coordinate(width);
+            if (!number || *number < 0)
+                throw Refused{
+                    line,
+                    tr("has the width %1; write a number that is not negative.").arg(shown(width))};
+            style.width = *number;
+        }
+        return style;
     }
 
     void finish()
     {
         imported_.paged = false;
-        const QString usualName = sheet_.layers.front().name;
-        sheet_.layers.resize(std::max<std::size_t>(1, layers_.size()));
-        for (const auto& [name, index] : layers_)
-            sheet_.layers[index].name = name.empty() ? usualName : QString::fromStdString(name);
-        if (tooManyLayers_ > 0)
+        if (const int beyond = lines_.beyond(); beyond > 0)
             imported_.report.push_back(
-                {tr("layers beyond the first %1, on lines").arg(mostLayers), tooManyLayers_});
-        sortByLayer();
-        sheet_.page = pageAround(sheet_.shapes);
-        if (!sheet_.shapes.empty()) {
-            sheet_.page.width = {sheet_.page.size.x, Unit::Px};
-            sheet_.page.height = {sheet_.page.size.y, Unit::Px};
-        }
-        sheet_.window = sheet_.page.rectangle();
-        imported_.document = documentOf(sheet_);
-    }
-
-    // A sheet holds its shapes layer by layer; `rows` remembers where they were.
-    void sortByLayer()
-    {
-        auto& shapes = sheet_.shapes;
-        if (std::ranges::is_sorted(shapes, {}, &Shape::layer))
-            return;
-        std::ranges::stable_sort(imported_.rows, {}, [&](auto row) { return shapes[row].layer; });
-        std::vector<Shape> sorted;
-        sorted.reserve(shapes.size());
-        for (const auto row : imported_.rows)
-            sorted.push_back(std::move(shapes[row]));
-        shapes = std::move(sorted);
+                {tr("layers beyond the first %1, on lines").arg(mostLayers), beyond});
+        imported_.document = lines_.take();
+        imported_.rows = lines_.order();
     }
 
     static constexpr std::size_t none = ~std::size_t(0);
     Text text_;
     std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
     std::size_t mostFields_ = columnNames.size();
-    std::map<std::string, std::uint32_t, std::less<>> layers_;
-    int tooManyLayers_ = 0;
-    Sheet sheet_;
+    LinesByLayer lines_;
+    std::string ink_, width_; ///< as the last row has them
+    std::optional<StyleIndex> style_;
     Imported imported_;
 };
 

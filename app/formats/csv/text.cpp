@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app::csv {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr std::size_t longestRecord = 1 << 20; // bytes; what has no ends of lin
 constexpr int end = -1;
 
 bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
+bool endsField(int c) { return endsLine(c) || c == ','; }
 
 } // namespace
 
@@ -23,7 +26,7 @@ int Text::peek()
             at_ = 3;
         started_ = true;
     }
-    return at_ < buffer_.size() ? static_cast<unsigned char>(buffer_[at_]) : end;
+    return at_ < buffer_.size() ? static_cast<unsigned char>(buffer_.at(at_)) : end;
 }
 
 int Text::get()
@@ -79,10 +82,15 @@ void Text::readField(std::string& field, std::size_t& size)
     if (peek() == '"')
         readQuoted(field, size);
     else
-        while (!endsLine(peek()) && peek() != ',') {
-            if (++size > longestRecord)
+        while (!endsField(peek())) {
+            const char* const begin = buffer_.constData() + at_;
+            const char* const stop = std::find_if(begin, buffer_.constEnd(),
+                                                  [](unsigned char c) { return endsField(c); });
+            size += std::size_t(stop - begin);
+            if (size > longestRecord)
                 throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
-            field += char(get());
+            field.append(begin, stop);
+            at_ += stop - begin;
         }
 }
 
@@ -102,7 +110,7 @@ void Text::readQuoted(std::string& field, std::size_t& size)
         }
         field += char(c);
     }
-    if (!endsLine(peek()) && peek() != ',')
+    if (!endsField(peek()))
         throw Refused{
             line_, QCoreApplication::translate("csv", "has text after a closing quotation mark.")};
 }

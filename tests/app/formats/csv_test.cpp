@@ -75,6 +75,63 @@ private slots:
         QCOMPARE(sheet.layers[1].name, QStringLiteral("d"));
     }
 
+    // The rows of a layer come together, in their order, with their own ink, however they
+    // alternate.
+    void layersAndInksMayAlternate()
+    {
+        const QByteArrayList layers{"b", "", "a"}, inks{"#010203", "", "#00000080", "#010203"};
+        QByteArray text;
+        std::vector<std::uint32_t> order;
+        constexpr std::uint32_t rows = 20'000; // more than a block of objects holds
+        for (std::uint32_t i = 0; i < rows; ++i)
+            text += "1,2,3," + QByteArray::number(i) + ',' + layers[i % 3] + ',' + inks[i / 2 % 4]
+                    + '\n';
+        for (const std::uint32_t layer : {0U, 1U, 2U})
+            for (std::uint32_t i = layer; i < rows; i += 3)
+                order.push_back(i);
+        const auto result = read(text);
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->rows, order);
+        const app::Document& document = result.value->document;
+        QCOMPARE(document.styles().size(), 3u);
+        const auto ids = document.containers().childrenOf(0);
+        QCOMPARE(document.containers()[ids.at(1)].name, QStringLiteral("Drawing"));
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const app::ObjectView object = document.objects()[i];
+            const QByteArray ink = inks[order[i] / 2 % 4];
+            QCOMPARE(object.singleLine()->b.y, double(order[i]));
+            QCOMPARE(document.containers().layerOf(i), ids.at(order[i] % 3));
+            QCOMPARE(object.style().stroke->blue, ink == "#010203" ? 3 : 0);
+            QCOMPARE(object.style().stroke->alpha, ink == "#00000080" ? 128 : 255);
+        }
+    }
+
+    void layersBeyondTheMostAreOne()
+    {
+        QByteArray text = "1,2,3,4,a\n1,2,3,4,a\n";
+        for (int i = 0; i < 1001; ++i)
+            text += "1,2,3,4,layer " + QByteArray::number(i) + "\n";
+        text += "1,2,3,4,layer 1000\n1,2,3,4,layer 998\n1,2,3,4,a\n";
+        const auto result = read(text);
+        QVERIFY2(result, qPrintable(result.error));
+        const app::Containers& layers = result.value->document.containers();
+        const auto ids = layers.childrenOf(0);
+        QCOMPARE(ids.size(), 1000u);
+        QCOMPARE(layers.rangeOf(ids.front()).size(), 3u);
+        QCOMPARE(layers[ids.back()].name, QStringLiteral("layer 998"));
+        QCOMPARE(layers.rangeOf(ids.back()).size(), 5u);
+        QCOMPARE(result.value->report.size(), 1u);
+        QCOMPARE(result.value->report.front().count, 3);
+    }
+
+    void aNameMayHaveAnyByte()
+    {
+        const auto result = read("1,2,3,4,\xff\xfe x\n");
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(app::sheetOf(result.value->document).layers[0].name,
+                 QStringLiteral("\ufffd\ufffd x"));
+    }
+
     void badRowsSayTheirLine_data()
     {
         QTest::addColumn<QByteArray>("text");
