@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/writer.h"
 
-#include "app/document/cut.h"
 #include "app/document/flatten.h"
-#include "app/document/legacy.h"
+#include "app/document/line_ink.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/text.h"
@@ -36,9 +35,9 @@ std::string colourText(const Colour& colour)
 
 class Writer {
 public:
-    Writer(const Sheet& sheet, QIODevice& out, const WriteOptions& options)
-        : sheet_(sheet), out_(out), options_(options),
-          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page))
+    Writer(const Document& document, QIODevice& out, const WriteOptions& options)
+        : document_(document), out_(out), options_(options),
+          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page()))
     {
     }
 
@@ -48,48 +47,66 @@ public:
         for (std::size_t i = 0; i < columns; ++i)
             (text_ += i > 0 ? "," : "") += columnNames[i];
         text_ += '\n';
-        for (const std::size_t shape : order())
-            if (sheet_.shown(sheet_.shapes[shape]))
-                write(shape);
+        const ObjectRanges hidden = document_.containers().hiddenRanges();
+        for (const std::uint32_t i : order())
+            if (!hidden.contains(i))
+                write(i, document_.objects()[i]);
         flush();
         return failed_ ? std::optional(out_.errorString() + u'.') : std::nullopt;
     }
 
 private:
-    std::vector<std::size_t> order() const
+    std::vector<std::uint32_t> order() const
     {
-        std::vector<std::size_t> order(sheet_.shapes.size());
+        std::vector<std::uint32_t> order(document_.objects().size());
         std::iota(order.begin(), order.end(), 0);
         if (!options_.sources.empty())
             std::ranges::stable_sort(order, {}, [&](std::size_t i) { return options_.sources[i]; });
         return order;
     }
 
-    void write(std::size_t index)
+    void write(std::size_t index, const ObjectView& object)
     {
-        const Shape& shape = sheet_.shapes[index];
-        const auto ink = lineInk(shape);
-        if (!ink)
+        const auto ink = lineInk(object);
+        if (object.hidden() || !ink)
             return; // nothing is drawn
-        std::string rest = ",";
-        appendField(rest, sheet_.layers[shape.layer].name.toStdString());
-        (rest += ',') += colourText(*ink);
-        rest += ',';
-        appendNumber(rest, shape.style.width);
+        lines_.clear();
+        appendSegments(object.path(), tolerance_, lines_);
+        std::string rest =
+            columnsOf({document_.containers().layerOf(index), object.styleIndex(), *ink});
         if (!options_.sources.empty())
             (rest += ',') += std::to_string(options_.sources[index]);
         rest += '\n';
-        chords_.clear();
-        for (const Subpath& path : shape.paths)
-            flatten(path, tolerance_, chords_);
-        for (const Chord& chord : chords_) {
-            appendPoint(text_, chord.segment.a, ',', options_);
+        for (const auto& [a, b] : lines_) {
+            appendPoint(text_, a, ',', options_);
             text_ += ',';
-            appendPoint(text_, chord.segment.b, ',', options_);
+            appendPoint(text_, b, ',', options_);
             text_ += rest;
             if (text_.size() > bufferSize)
                 flush();
         }
+    }
+
+    // What a row says of its line apart from where it lies.
+    struct Look {
+        ContainerId layer;
+        StyleIndex style;
+        Colour ink;
+        friend bool operator==(const Look&, const Look&) = default;
+    };
+
+    // ",layer,colour,width"; often the same as of the line before.
+    const std::string& columnsOf(const Look& look)
+    {
+        if (look_ == look)
+            return columns_;
+        look_ = look;
+        columns_ = ',';
+        appendField(columns_, document_.containers()[look.layer].name.toStdString());
+        (columns_ += ',') += colourText(look.ink);
+        columns_ += ',';
+        appendNumber(columns_, document_.styles()[look.style].width);
+        return columns_;
     }
 
     void flush()
@@ -98,12 +115,14 @@ private:
         text_.clear();
     }
 
-    const Sheet& sheet_;
+    const Document& document_;
     QIODevice& out_;
     const WriteOptions& options_;
     const double tolerance_;
     std::string text_;
-    std::vector<Chord> chords_;
+    std::vector<clipping::Segment> lines_; ///< of one object
+    std::optional<Look> look_;
+    std::string columns_;
     bool failed_ = false;
 };
 
@@ -111,8 +130,7 @@ private:
 
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    const Sheet sheet = sheetOf(document);
-    return Writer(sheet, out, options).write();
+    return Writer(document, out, options).write();
 }
 
 } // namespace app::csv

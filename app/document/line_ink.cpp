@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/line_ink.h"
+
+namespace app {
+
+bool hasArea(const ObjectView& object) { return !object.singleLine() && object.path().hasArea(); }
+
+std::optional<Colour> lineInk(const ObjectView& object)
+{
+    const Style& style = object.style();
+    return style.stroke || !hasArea(object) ? style.stroke : style.fill;
+}
+
+} // namespace app
