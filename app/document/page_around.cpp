@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/page_around.h"
 
-#include "app/document/path_points.h"
-
 #include <glm/common.hpp>
 
 #include <limits>
@@ -50,16 +48,6 @@ Page pageAround(const Objects& objects)
             object.path().forEachPoint([&](const Point& point) { around.add(point, margin); });
         }
     });
-    return around.page();
-}
-
-Page pageAround(const std::vector<Shape>& shapes)
-{
-    Around around;
-    for (const Shape& shape : shapes)
-        for (const Subpath& path : shape.paths)
-            forEachPoint(path,
-                         [&](const Point& point) { around.add(point, marginOf(shape.style)); });
     return around.page();
 }
 

@@ -8,6 +8,5 @@ namespace app {
 /// The rectangle around all points and half the strokes, a user unit one pixel, for drawings that
 /// do not tell their page; the usual page if nothing is there.
 Page pageAround(const Objects& objects);
-Page pageAround(const std::vector<Shape>& shapes);
 
 } // namespace app

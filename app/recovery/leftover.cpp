@@ -85,7 +85,7 @@ QString leftoverFolder()
 }
 
 std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
-                                     const QString& file, const std::optional<Shape>& inHand)
+                                     const QString& file)
 {
     const QDir folder = QFileInfo(file).dir();
     constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
@@ -96,8 +96,7 @@ std::optional<QString> writeLeftover(const Document& document, const Origin& ori
         QFile::setPermissions(folder.path(), mine); // it may have been copied back, or unpacked
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
-        if (auto wrong =
-                inHand ? svg::writeWith(*inHand, document, out, {}) : svg::write(document, out, {}))
+        if (auto wrong = svg::write(document, out, {}))
             return wrong;
         const QByteArray end = instruction(origin, QDateTime::currentDateTime());
         return writeAll(out, {end.constData(), std::size_t(end.size())})

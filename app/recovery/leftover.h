@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/document/document.h"
-#include "app/document/sheet.h"
 
 #include <QDateTime>
 #include <QLockFile>
@@ -36,10 +35,9 @@ struct Leftover {
 QString leftoverFolder();
 
 /// Writes a file for a drawing, whole or not at all, and makes the folder; only the user can read
-/// either of them. `inHand` is one more shape, the last of its layer. Nothing, or the error.
+/// either of them. Nothing, or the error.
 std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
-                                     const QString& file,
-                                     const std::optional<Shape>& inHand = std::nullopt);
+                                     const QString& file);
 
 /// A name in `folder` that no other process uses.
 QString newLeftoverFile(const QString& folder);

@@ -53,24 +53,28 @@ std::string commentOf(const QXmlStreamReader& xml)
 
 } // namespace
 
-void AboutReader::take(const QXmlStreamReader& xml)
+std::optional<ElementNote> AboutReader::take(const QXmlStreamReader& xml)
 {
+    std::optional<ElementNote> note;
     const auto token = xml.tokenType();
     if (token == QXmlStreamReader::StartElement)
         open(xml);
     else if (token == QXmlStreamReader::EndElement)
-        close(xml);
+        note = close(xml);
     else if (token == QXmlStreamReader::Comment && depth_ == 0 && !tooLarge_)
         comments_ += commentOf(xml) + '\n';
     else if (section_ && skipped_ == 0)
         write(xml);
-    else if (noteDepth_ > 0 && xml.isCharacters())
-        saysAnything_ = saysAnything_ || !xml.isWhitespace();
     const auto size = comments_.size() + title_.size() + description_.size() + metadata_.size();
     tooLarge_ = tooLarge_ || size > mostMetadata;
+    if (note_.size() > mostNotes) {
+        dropped_ = true;
+        note_.clear();
+    }
     if (tooLarge_ && size > 0)
         for (std::string* text : {&comments_, &title_, &description_, &metadata_})
             text->clear();
+    return note;
 }
 
 About AboutReader::about() const
@@ -83,25 +87,16 @@ void AboutReader::open(const QXmlStreamReader& xml)
     ++depth_;
     if (depth_ == 1)
         return openRoot(xml);
-    if (depth_ == 2) {
-        section_ = tooLarge_ ? nullptr : sectionOf(xml);
-        if (section_)
-            begin();
-    }
     if (!section_)
-        return noteElement(xml);
-    if (skipped_ > 0 || (depth_ > 2 && xml.namespaceUri() == ownUri))
+        if (std::string* const section = sectionOf(xml))
+            begin(section);
+    if (!section_)
+        return;
+    if (skipped_ > 0 || (depth_ > sectionDepth_ && xml.namespaceUri() == ownUri))
         ++skipped_;
     else
         writeStart(xml);
-}
-
-void AboutReader::noteElement(const QXmlStreamReader& xml)
-{
-    if (depth_ == 2 || noteDepth_ > 0 || !sectionOf(xml))
-        return;
-    noteDepth_ = depth_;
-    saysAnything_ = false;
+    dropped_ = dropped_ || depth_ - sectionDepth_ > deepestNote;
 }
 
 void AboutReader::openRoot(const QXmlStreamReader& xml)
@@ -112,10 +107,15 @@ void AboutReader::openRoot(const QXmlStreamReader& xml)
         outer_.emplace_back(declared.prefix().toString(), declared.namespaceUri().toString());
 }
 
-void AboutReader::begin()
+void AboutReader::begin(std::string* section)
 {
+    kind_ = section;
+    sectionDepth_ = depth_;
+    note_.clear();
+    section_ = depth_ == 2 ? section : &note_;
     begin_ = section_->size();
     saysAnything_ = false;
+    dropped_ = false;
     scope_ = writersScope();
 }
 
@@ -133,15 +133,11 @@ std::string* AboutReader::sectionOf(const QXmlStreamReader& xml)
     return nullptr;
 }
 
-void AboutReader::close(const QXmlStreamReader& xml)
+std::optional<ElementNote> AboutReader::close(const QXmlStreamReader& xml)
 {
     const int depth = depth_--;
-    if (depth == noteDepth_) {
-        noteDepth_ = 0;
-        ofElements_ += saysAnything_;
-    }
     if (!section_)
-        return;
+        return std::nullopt;
     if (skipped_ > 0) {
         --skipped_;
     } else if (!marks_.empty()) {
@@ -153,12 +149,23 @@ void AboutReader::close(const QXmlStreamReader& xml)
         scope_.resize(marks_.back());
         marks_.pop_back();
     }
-    if (depth > 2)
-        return;
+    return depth > sectionDepth_ ? std::nullopt : endSection();
+}
+
+std::optional<ElementNote> AboutReader::endSection()
+{
+    const bool ofElement = section_ == &note_;
     if (!saysAnything_ && !tooLarge_)
-        section_->resize(begin_); // an empty title, or metadata that held the clip window alone
+        section_->resize(begin_); // an empty title, or metadata that held the clip windows alone
     *section_ += '\n';
     section_ = nullptr;
+    if (!ofElement || !saysAnything_)
+        return std::nullopt;
+    ++ofElements_;
+    if (kind_ == &metadata_ || dropped_ || noteBytes_ + note_.size() > mostNotes)
+        return std::nullopt;
+    noteBytes_ += note_.size();
+    return ElementNote{kind_ == &title_, asText(note_)};
 }
 
 void AboutReader::write(const QXmlStreamReader& xml)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths and viewports that hide what is outside of them: both are cut for real.
-#include "app/formats/svg/clip_shape.h"
+#include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -84,36 +84,37 @@ void Walk::addViewportClip(const Box& viewport, Place& place)
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
 }
 
-// What is left of a shape; all of it if it cannot be clipped.
-std::vector<Shape> Walk::clipped(Shape shape, const ConvexRegion& region)
+// What is left of an object; all of it if it cannot be clipped.
+std::vector<Drawn> Walk::clipped(Drawn drawn, const ConvexRegion& region)
 {
-    auto left = clipShape(shape, region, tolerance_);
+    auto left = clipObject(drawn, region, tolerance_);
     if (!left) {
         report_.add(losses::clipPath);
-        std::vector<Shape> all;
-        all.push_back(std::move(shape));
+        std::vector<Drawn> all;
+        all.push_back(std::move(drawn));
         return all;
     }
     clipWork_ += left->work;
     if (clipWork_ > mostClipWork)
         throw Refused{Text::tr("is where clip paths become too much work; remove some of them.")};
-    return std::move(left->shapes);
+    return std::move(left->objects);
 }
 
-// Clips a shape at all that is around it and adds what is left.
-void Walk::addClipped(Shape shape, const Place& place)
+// Clips an object at all that is around it and adds what is left.
+void Walk::addClipped(Drawn drawn, const Place& place)
 {
-    std::vector<Shape> shapes;
-    shapes.push_back(std::move(shape));
+    std::vector<Drawn> objects;
+    objects.push_back(std::move(drawn));
     for (auto region = place.clips.rbegin(); region != place.clips.rend(); ++region) {
-        std::vector<Shape> kept;
-        for (Shape& one : shapes)
+        std::vector<Drawn> kept;
+        for (Drawn& one : objects)
             std::ranges::move(clipped(std::move(one), **region), std::back_inserter(kept));
-        shapes = std::move(kept);
+        objects = std::move(kept);
     }
-    for (Shape& one : shapes) {
+    for (Drawn& one : objects) {
         countParts(one);
-        layers_.add(std::move(one));
+        containers_.add(
+            {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/containers.h"
+
 #include <cstddef>
 
 // How much a drawing may ask for before it is refused in one sentence. Each is far above what real
@@ -8,11 +10,16 @@
 
 namespace app::svg {
 
-constexpr int deepestNesting = 500; ///< elements within elements, `use` followed; recursion is safe
+/// Elements within elements, `use` followed; recursion is safe. What is written of a document is
+/// never deeper: root, its containers, the group of a style, an object, its title and markup.
+constexpr int deepestNesting = 520;
+constexpr int deepestNote = 10; ///< markup in the title of an object
+static_assert(1 + Containers::deepest + 1 + 1 + 1 + deepestNote <= deepestNesting);
 constexpr std::size_t mostElements = 5'000'000; ///< in the file
 constexpr std::size_t mostBytes = 500'000'000; ///< of what comes out of a pipe, which may never end
 constexpr std::size_t mostText = 1'000'000'000;  ///< bytes of attributes and style sheets
 constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, description and metadata
+constexpr std::size_t mostNotes = 50'000'000;    ///< bytes of titles and descriptions of elements
 constexpr std::size_t mostNames =
     10'000; ///< different ones of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
@@ -20,6 +27,7 @@ constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and das
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tried
 constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
 constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one
+constexpr std::size_t mostGroups = Containers::mostContainers - mostLayers; ///< more dissolve
 constexpr std::size_t mostClipSides = 1'000;         ///< of a convex clip path
 constexpr std::size_t mostClippedCurves = 50'000;    ///< of one path that a clip path cuts
 constexpr std::size_t mostClipWork = 300'000'000;    ///< chords times sides

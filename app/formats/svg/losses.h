@@ -62,8 +62,8 @@ inline constexpr LossKind styleRule{
 inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
                                     QT_TRANSLATE_NOOP("svg", "references to other files")};
 inline constexpr LossKind elementNote{
-    QT_TRANSLATE_NOOP("svg", "title or description of a single object"),
-    QT_TRANSLATE_NOOP("svg", "titles or descriptions of single objects")};
+    QT_TRANSLATE_NOOP("svg", "title, description or metadata of an element"),
+    QT_TRANSLATE_NOOP("svg", "titles, descriptions or metadata of elements")};
 inline constexpr LossKind metadata{
     QT_TRANSLATE_NOOP("svg", "title, description and metadata of more than 16 MB"),
     QT_TRANSLATE_NOOP("svg", "titles, descriptions and metadata of more than 16 MB")};
@@ -72,6 +72,11 @@ inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many lay
                                  QT_TRANSLATE_NOOP("svg", "the upper ones became one"),
                                  QT_TRANSLATE_NOOP("svg", "the upper ones became one")};
 
+inline constexpr LossKind containers{
+    QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
+    QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};
+inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("svg", "id was there twice"),
+                                   QT_TRANSLATE_NOOP("svg", "ids were there twice"), true};
 inline constexpr LossKind cutClipPath{QT_TRANSLATE_NOOP("svg", "clip path was cut for real"),
                                       QT_TRANSLATE_NOOP("svg", "clip paths were cut for real"),
                                       true};

@@ -6,7 +6,8 @@
 #include <algorithm>
 
 namespace app::svg {
-void OutlineText::append(std::string& text, const std::vector<Subpath>& paths) const
+
+std::string_view OutlineText::append(std::string& text, const std::vector<Subpath>& paths) const
 {
     const Subpath& path = paths.front();
     const bool straight = std::ranges::none_of(path.segments, &PathSegment::curved);
@@ -15,20 +16,24 @@ void OutlineText::append(std::string& text, const std::vector<Subpath>& paths) c
         for (const Subpath& one : paths)
             appendPathData(text, one);
         text += '"';
-    } else if (path.segments.size() <= 1 && !path.closed) {
-        appendLine(text, path.start, path.segments.empty() ? path.start : path.segments.front().to);
-    } else {
-        text += path.closed ? "<polygon points=\"" : "<polyline points=\"";
-        appendPoint(text, path.start, ' ', options_);
-        for (const PathSegment& segment : path.segments) {
-            text += ' ';
-            appendPoint(text, segment.to, ' ', options_);
-        }
-        text += '"';
+        return "path";
     }
+    if (path.segments.size() <= 1 && !path.closed)
+        return appendLine(text, path.start,
+                          path.segments.empty() ? path.start : path.segments.front().to);
+    const std::string_view name = path.closed ? "polygon" : "polyline";
+    ((text += '<') += name) += " points=\"";
+    appendPoint(text, path.start, ' ', options_);
+    for (const PathSegment& segment : path.segments) {
+        text += ' ';
+        appendPoint(text, segment.to, ' ', options_);
+    }
+    text += '"';
+    return name;
 }
 
-void OutlineText::appendLine(std::string& text, const Point& from, const Point& to) const
+std::string_view OutlineText::appendLine(std::string& text, const Point& from,
+                                         const Point& to) const
 {
     text += "<line x1=\"";
     appendCoordinate(text, from.x, 0, options_);
@@ -39,6 +44,7 @@ void OutlineText::appendLine(std::string& text, const Point& from, const Point& 
     text += "\" y2=\"";
     appendCoordinate(text, to.y, 1, options_);
     text += '"';
+    return "line";
 }
 
 void OutlineText::appendPathData(std::string& text, const Subpath& path) const

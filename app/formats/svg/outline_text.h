@@ -4,6 +4,7 @@
 #include "app/formats/format.h"
 
 #include <string>
+#include <string_view>
 
 namespace app::svg {
 
@@ -13,12 +14,12 @@ class OutlineText {
 public:
     explicit OutlineText(const WriteOptions& options) : options_(options) {}
 
-    /// The element's beginning, with its coordinates and without its end: `<line x1="0" ...`.
-    /// `paths` is not empty.
-    void append(std::string& text, const std::vector<Subpath>& paths) const;
+    /// The element's beginning, with its coordinates and without its end: `<line x1="0" ...`. Gives
+    /// its name. `paths` is not empty.
+    std::string_view append(std::string& text, const std::vector<Subpath>& paths) const;
+    std::string_view appendLine(std::string& text, const Point& from, const Point& to) const;
 
 private:
-    void appendLine(std::string& text, const Point& from, const Point& to) const;
     void appendPathData(std::string& text, const Subpath& path) const;
 
     const WriteOptions& options_;

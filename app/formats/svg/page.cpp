@@ -98,12 +98,14 @@ RootPage readPage(const Tree& tree)
     return root;
 }
 
-Page closed(const RootPage& root, const std::vector<Shape>& shapes)
+Page closed(const RootPage& root, const Objects& objects)
 {
-    if (shapes.empty() && root.openX && root.openY)
+    if (!root.openX && !root.openY)
+        return root.page;
+    if (objects.empty() && root.openX && root.openY)
         return {};
     Page page = root.page;
-    const Point end = pageAround(shapes).rectangle().max;
+    const Point end = pageAround(objects).rectangle().max;
     const auto close = [](double& size, Length& length, double drawn) {
         if (drawn > 0)
             size = drawn;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/objects.h"
 #include "app/formats/svg/transform.h"
 #include "app/formats/svg/tree.h"
 
@@ -11,7 +11,7 @@ namespace app::svg {
 /// box of another proportion (or smaller, with "slice").
 struct RootPage {
     Page page;
-    Matrix matrix;    ///< from the root's coordinates to the sheet's; usually the identity
+    Matrix matrix;    ///< from the root's coordinates to the document's; usually the identity
     Point viewport{}; ///< what percents are of, in the root's coordinates
     bool openX = false, openY = false; ///< no view box, and no size that way: see `closed`
 };
@@ -19,7 +19,7 @@ RootPage readPage(const Tree& tree);
 
 /// The page of a root whose size is open in a direction: from the user origin, where programs put
 /// the corner of such a drawing, to the right and lower end of what is drawn.
-Page closed(const RootPage& root, const std::vector<Shape>& shapes);
+Page closed(const RootPage& root, const Objects& objects);
 
 /// The clip window that Clearcut wrote into the metadata; nothing if it is none (inside out).
 std::optional<clipping::Window> readWindow(const Tree& tree);

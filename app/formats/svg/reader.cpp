@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/reader.h"
 
-#include "app/document/legacy.h"
 #include "app/document/page_around.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
@@ -16,35 +15,39 @@ namespace app::svg {
 namespace {
 
 // The page; of a file without a page, all that is drawn as well.
-clipping::Window usualWindow(const RootPage& root, const Sheet& sheet)
+clipping::Window usualWindow(const RootPage& root, const Document& document)
 {
-    const clipping::Window page = sheet.page.rectangle();
-    if (sheet.shapes.empty() || !(root.openX || root.openY))
+    const clipping::Window page = document.page().rectangle();
+    if (document.objects().empty() || !(root.openX || root.openY))
         return page;
-    const clipping::Window drawn = pageAround(sheet.shapes).rectangle();
+    const clipping::Window drawn = pageAround(document.objects()).rectangle();
     return {glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
+}
+
+Document draw(const Tree& tree, const RootPage& root, Report& report)
+{
+    Walk walk(tree, report, usualTolerance(root.page));
+    try {
+        return walk.drawAll(root.page, root.matrix, root.viewport);
+    } catch (Refused& refused) {
+        if (refused.line == Refused::here)
+            refused.line = walk.line();
+        throw;
+    }
 }
 
 Imported import(const Tree& tree)
 {
     Imported imported;
     Report report;
-    Sheet sheet;
     const RootPage root = readPage(tree);
-    Walk walk(tree, sheet, report, usualTolerance(root.page));
-    try {
-        walk.drawAll(root.matrix, root.viewport);
-    } catch (Refused& refused) {
-        if (refused.line == Refused::here)
-            refused.line = walk.line();
-        throw;
-    }
-    sheet.page = closed(root, sheet.shapes);
+    Document document = draw(tree, root, report);
+    document.apply({.page = closed(root, document.objects())});
     const auto saved = readWindow(tree);
     imported.windowSaved = saved.has_value();
-    sheet.window = saved.value_or(usualWindow(root, sheet));
-    sheet.about = tree.about();
-    imported.document = documentOf(sheet);
+    const clipping::Window window = saved.value_or(usualWindow(root, document));
+    document.apply({.windows = ClipWindows{{{.shape = RectangleShape{window}}}}});
+    imported.document = std::move(document);
     imported.report = report.losses();
     return imported;
 }

@@ -88,7 +88,8 @@ public:
 private:
     void take(QXmlStreamReader::TokenType token)
     {
-        about_.take(xml_);
+        if (const auto note = about_.take(xml_))
+            addNote(*note);
         if (token == QXmlStreamReader::StartElement)
             open();
         else if (token == QXmlStreamReader::EndElement)
@@ -129,6 +130,15 @@ private:
         append(tree_.text_, attribute.value());
         tree_.attributes_.push_back(
             {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
+    }
+
+    // The note's own element is still open.
+    void addNote(const ElementNote& note)
+    {
+        Notes& notes = tree_.notes_[open_.end()[-2]];
+        QString& text = note.isTitle ? notes.title : notes.description;
+        text += text.isEmpty() ? note.text : u'\n' + note.text;
+        ++notes.count;
     }
 
     void close()
@@ -185,12 +195,30 @@ Tree Tree::read(QIODevice& in)
     return tree;
 }
 
-std::string_view Tree::attribute(Node node, std::string_view name) const
+const Tree::Attribute* Tree::findAttribute(Node node, std::string_view name) const
 {
     const auto found = std::find_if(begin(node), last(node), [&](const Attribute& attribute) {
         return names_[attribute.name] == name;
     });
-    return found == last(node) ? std::string_view() : valueOf(*found);
+    return found == last(node) ? nullptr : found;
+}
+
+std::string_view Tree::attribute(Node node, std::string_view name) const
+{
+    const Attribute* const found = findAttribute(node, name);
+    return found ? valueOf(*found) : std::string_view();
+}
+
+bool Tree::hasAttribute(Node node, std::string_view name) const
+{
+    return findAttribute(node, name) != nullptr;
+}
+
+const Notes& Tree::notesOf(Node node) const
+{
+    static const Notes none;
+    const auto found = notes_.find(node);
+    return found == notes_.end() ? none : found->second;
 }
 
 Node Tree::find(std::string_view id) const

@@ -17,6 +17,12 @@ namespace app::svg {
 using Node = std::uint32_t;
 constexpr Node noNode = ~Node(0);
 
+/// What an element says about itself, as XML, and in how many elements.
+struct Notes {
+    QString title, description;
+    int count = 0;
+};
+
 /// The elements of a file and their attributes, as compact as they can be: 100,000 lines take
 /// about as much memory as their file. Names are those of SVG's own namespace; those of Inkscape,
 /// Sodipodi, XLink and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
@@ -34,6 +40,7 @@ public:
         std::uint32_t offset;
     };
 
+    std::size_t size() const { return elements_.size() - 1; } ///< elements
     std::string_view name(Node node) const { return names_[elements_[node].name]; }
     Node parent(Node node) const { return elements_[node].parent; } ///< noNode: it is the root
     /// One past the last descendant, which is where the next sibling begins.
@@ -42,6 +49,7 @@ public:
 
     /// "" if there is none.
     std::string_view attribute(Node node, std::string_view name) const;
+    bool hasAttribute(Node node, std::string_view name) const; ///< it may be empty
     const Attribute* begin(Node node) const { return &attributes_[elements_[node].attributes]; }
     const Attribute* last(Node node) const { return &attributes_[elements_[node + 1].attributes]; }
     std::string_view valueOf(const Attribute& attribute) const
@@ -57,8 +65,10 @@ public:
     const About& about() const { return about_; }
     /// What the file says about itself was larger than `mostMetadata`, and is not kept.
     bool saysTooMuch() const { return saysTooMuch_; }
-    /// How many titles, descriptions and metadata are those of single elements.
+    /// How many titles, descriptions and metadata are those of elements below the root.
     int notesOfElements() const { return notesOfElements_; }
+    /// Titles and descriptions of an element below the root, apart from those that are too large.
+    const Notes& notesOf(Node node) const;
 
     /// The first element of that id, or noNode.
     Node find(std::string_view id) const;
@@ -68,6 +78,7 @@ public:
 private:
     friend class TreeBuilder;
     Tree() = default;
+    const Attribute* findAttribute(Node node, std::string_view name) const; ///< null: none
     struct Element {
         std::uint32_t name;
         Node parent, end;
@@ -79,6 +90,7 @@ private:
     std::vector<std::string> names_;
     std::string text_, styleSheet_;
     std::unordered_map<std::string_view, Node> ids_;
+    std::unordered_map<Node, Notes> notes_;
     About about_;
     bool saysTooMuch_ = false;
     int notesOfElements_ = 0;

@@ -23,7 +23,7 @@ void Walk::drawUse(Node node, const Place& around)
     const Point shift{place.lengths.x(tree_.attribute(node, "x")).value_or(0),
                       place.lengths.y(tree_.attribute(node, "y")).value_or(0)};
     place.matrix = place.matrix * translation(shift);
-    place.useId = around.repeated ? around.useId : tree_.attribute(node, "id");
+    place.use = around.repeated ? around.use : node;
     place.repeated = true;
     used_.push_back(target);
     drawUsed(node, target, place);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/walk.h"
 
-#include "app/document/cut.h"
 #include "app/document/flatten.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
@@ -47,6 +46,14 @@ bool finite(const Subpath& path)
            });
 }
 
+bool hasArea(const std::vector<Subpath>& paths)
+{
+    return std::ranges::any_of(paths, [](const Subpath& path) {
+        return path.segments.size() > 1
+               || (path.segments.size() == 1 && path.segments.front().curved);
+    });
+}
+
 } // namespace
 
 const Walk::Row* Walk::find(std::string_view element)
@@ -63,23 +70,23 @@ const Walk::Row* Walk::find(std::string_view element)
     return found == all.end() ? nullptr : &*found;
 }
 
-Walk::Walk(const Tree& tree, Sheet& sheet, Report& report, double tolerance)
-    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report), layers_(sheet),
-      tolerance_(tolerance)
+Walk::Walk(const Tree& tree, Report& report, double tolerance)
+    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report),
+      tolerance_(tolerance), idIsTaken_(tree.size())
 {
 }
 
-void Walk::drawAll(const Matrix& rootMatrix, const Point& viewport)
+Document Walk::drawAll(const Page& page, const Matrix& rootMatrix, const Point& viewport)
 {
+    idOf(0); // no object gets the root's
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
     drawChildren(0, inside(0, place));
-    layers_.finish();
     report_.add(losses::styleRule, styles_.ignoredRules());
     report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
-    report_.add(losses::elementNote, tree_.notesOfElements());
-    report_.add(losses::layers, layers_.merged() ? 1 : 0);
+    report_.add(losses::elementNote, tree_.notesOfElements() - notesKept_);
+    return containers_.take(page, tree_.about(), report_);
 }
 
 void Walk::draw(Node node, const Place& around)
@@ -113,7 +120,7 @@ Place Walk::inside(Node node, const Place& around)
     place.lengths.fontSize = place.properties.fontSize;
     place.opacity *= place.properties.opacity;
     place.hidden = place.hidden || !place.properties.displayed;
-    place.useId = {};
+    place.use = noNode;
     ++place.depth;
     if (const auto matrix = parseTransform(place.properties.transform))
         place.matrix = place.matrix * *matrix;
@@ -140,23 +147,62 @@ void Walk::drawGroup(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
-    if (tree_.attribute(node, "inkscape:groupmode") == "layer" && !around.repeated)
-        drawLayer(node, place, around);
-    else
+    const bool isLayer = tree_.attribute(node, "inkscape:groupmode") == "layer";
+    if (around.repeated || !(isLayer || isGroup(node)))
         drawChildren(node, place);
+    else
+        drawContainer(node, isLayer ? Container::Kind::Layer : Container::Kind::Group, place,
+                      around);
 }
 
-void Walk::drawLayer(Node node, Place place, const Place& around)
+// Anonymous ones dissolve: they only give a style to what is in them, or move it.
+bool Walk::isGroup(Node node) const
 {
-    auto label = tree_.attribute(node, "inkscape:label");
-    if (label.empty())
-        label = tree_.attribute(node, "id");
-    const bool locked = tree_.attribute(node, "sodipodi:insensitive") == "true";
-    place.hidden = around.hidden; // where the layer itself is hidden, its shapes need not be
-    layers_.open({QString::fromUtf8(label), place.properties.displayed, locked,
-                  QString::fromUtf8(tree_.attribute(node, "id"))});
+    return tree_.name(node) == "g"
+           && (!tree_.attribute(node, "id").empty()
+               || !tree_.attribute(node, "inkscape:label").empty()
+               || tree_.hasAttribute(node, "clearcut:group") || tree_.notesOf(node).count > 0);
+}
+
+void Walk::drawContainer(Node node, Container::Kind kind, Place place, const Place& around)
+{
+    auto name = tree_.attribute(node, "inkscape:label");
+    if (name.empty() && kind == Container::Kind::Layer)
+        name = tree_.attribute(node, "id");
+    Particulars particulars = particularsOf(node);
+    place.hidden = around.hidden; // where the container itself is hidden, its objects need not be
+    containers_.open({.kind = kind,
+                      .name = QString::fromUtf8(name),
+                      .svgId = std::move(particulars.id),
+                      .title = std::move(particulars.title),
+                      .description = std::move(particulars.description),
+                      .visible = place.properties.displayed,
+                      .locked = tree_.attribute(node, "sodipodi:insensitive") == "true"});
     drawChildren(node, place);
-    layers_.close();
+    containers_.close();
+}
+
+// What an element says of itself; each is asked for once.
+Particulars Walk::particularsOf(Node node)
+{
+    const Notes& notes = tree_.notesOf(node);
+    notesKept_ += notes.count;
+    return {.id = idOf(node), .title = notes.title, .description = notes.description};
+}
+
+// Only the first one that is drawn keeps it.
+QString Walk::idOf(Node node)
+{
+    const auto id = tree_.attribute(node, "id");
+    if (id.empty())
+        return {};
+    auto taken = idIsTaken_[tree_.find(id)];
+    if (taken) {
+        report_.add(losses::doubleId);
+        return {};
+    }
+    taken = true;
+    return QString::fromUtf8(id);
 }
 
 // The first child that draws something and does not ask for what we do not have.
@@ -180,26 +226,27 @@ void Walk::drawOutline(Node node, const Place& around)
     Place place = inside(node, around);
     Properties& properties = place.properties;
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
-    Shape shape;
-    shape.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
-    if (shape.paths.empty() || place.matrix.determinant() == 0)
+    Drawn drawn;
+    drawn.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
+    if (drawn.paths.empty() || place.matrix.determinant() == 0)
         return;
-    if (!hasArea(shape))
+    if (!hasArea(drawn.paths))
         properties.fill = {}; // it would be written without one, too
     reportEffects(properties, false);
-    shape.style =
+    drawn.style =
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());
     if (properties.longDashes)
         report_.add(losses::longDashes);
     if (kind->takesMarkers)
         report_.add(losses::marker, !properties.markerStart.empty() + !properties.markerMid.empty()
                                         + !properties.markerEnd.empty());
-    if (shape.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
+    if (drawn.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
         report_.add(losses::unevenStroke);
-    shape.hidden = place.hidden || !properties.visible;
-    shape.id = QString::fromUtf8(
-        around.useId.empty() && !place.repeated ? tree_.attribute(node, "id") : around.useId);
-    addClipped(std::move(shape), place);
+    drawn.hidden = place.hidden || !properties.visible;
+    const Node named = place.repeated ? around.use : node;
+    if (named != noNode)
+        drawn.particulars = particularsOf(named);
+    addClipped(std::move(drawn), place);
 }
 
 std::vector<Subpath> Walk::placed(Outline outline, const Matrix& matrix)
@@ -214,13 +261,13 @@ std::vector<Subpath> Walk::placed(Outline outline, const Matrix& matrix)
     return std::move(outline.paths);
 }
 
-void Walk::countParts(const Shape& shape)
+void Walk::countParts(const Drawn& drawn)
 {
-    const Style& style = shape.style;
+    const Style& style = drawn.style;
     if (!(style.width <= largestCoordinate && std::abs(style.dashOffset) <= largestCoordinate))
         throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
     parts_ += 1 + style.dashes.size();
-    for (const Subpath& path : shape.paths)
+    for (const Subpath& path : drawn.paths)
         parts_ += 1 + chordCount(path, tolerance_);
     if (parts_ > mostParts)
         throw Refused{Text::tr("is where the drawing has more than %1 points.").arg(mostParts)};

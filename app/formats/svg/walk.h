@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/svg/container_stack.h"
 #include "app/formats/svg/convex_region.h"
-#include "app/formats/svg/layers.h"
+#include "app/formats/svg/drawn.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/transform.h"
@@ -13,25 +14,25 @@ namespace app::svg {
 
 /// Where an element is drawn: what it gets from those around it.
 struct Place {
-    Matrix matrix{};         ///< to the sheet's coordinates
+    Matrix matrix{};         ///< to the document's coordinates
     Properties properties{}; ///< of the element around it
     Lengths lengths{};
     double opacity = 1;       ///< the product of those around it
     bool hidden = false;      ///< display="none" around it
     bool repeated = false;    ///< inside a <use>
-    std::string_view useId{}; ///< of a <use> that draws just this element
+    Node use = noNode;        ///< a <use> that draws just this element
     int depth = 0;
     std::vector<std::shared_ptr<const ConvexRegion>> clips{}; ///< outermost first
 };
 
-/// Draws the tree into a sheet: one row of a list for each element that SVG can paint.
+/// Draws the tree into a document: one row of a list for each element that SVG can paint.
 class Walk {
 public:
     /// `tolerance`, in user units, is what curves are flattened to.
-    Walk(const Tree& tree, Sheet& sheet, Report& report, double tolerance);
+    Walk(const Tree& tree, Report& report, double tolerance);
 
-    /// Everything under the root. Throws Refused.
-    void drawAll(const Matrix& rootMatrix, const Point& viewport);
+    /// Everything under the root, as a document of that page. Throws Refused.
+    Document drawAll(const Page& page, const Matrix& rootMatrix, const Point& viewport);
 
     qint64 line() const { return tree_.line(node_); } ///< of the element being drawn
 
@@ -49,7 +50,8 @@ private:
     void reportEffects(const Properties& properties, bool group);
 
     void drawGroup(Node node, const Place& around);
-    void drawLayer(Node node, Place place, const Place& around);
+    bool isGroup(Node node) const;
+    void drawContainer(Node node, Container::Kind kind, Place place, const Place& around);
     void drawSwitch(Node node, const Place& around);
     void drawNestedSvg(Node node, const Place& around);
     void drawUse(Node node, const Place& around);
@@ -61,23 +63,27 @@ private:
     void addViewportClip(const Box& viewport, Place& place);
     std::optional<ConvexRegion> clipRegion(Node clip, const Place& place);
     std::optional<std::vector<Subpath>> clipOutline(Node node, const Place& base);
-    void addClipped(Shape shape, const Place& place);
-    std::vector<Shape> clipped(Shape shape, const ConvexRegion& region);
+    void addClipped(Drawn drawn, const Place& place);
+    std::vector<Drawn> clipped(Drawn drawn, const ConvexRegion& region);
 
     std::vector<Subpath> placed(Outline outline, const Matrix& matrix);
-    void countParts(const Shape& shape);
+    void countParts(const Drawn& drawn);
+    Particulars particularsOf(Node node);
+    QString idOf(Node node);
 
     const Tree& tree_;
     Report& report_;
     Styles styles_;
     Paints paints_;
-    Layers layers_;
+    ContainerStack containers_;
     Node node_ = 0;
     std::vector<Node> used_;   ///< the targets of the <use>s that are being drawn
     std::size_t repeated_ = 0; ///< elements drawn through <use>
     std::size_t parts_ = 0;
     std::size_t clipWork_ = 0; ///< chords times sides
     double tolerance_;
+    std::vector<bool> idIsTaken_; ///< by the first element of the file that has it
+    int notesKept_ = 0;
 };
 
 } // namespace app::svg

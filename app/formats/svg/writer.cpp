@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/writer.h"
 
-#include "app/document/cut.h"
-#include "app/document/legacy.h"
+#include "app/document/compared_window.h"
+#include "app/document/line_ink.h"
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
@@ -27,59 +27,69 @@ std::string lengthText(const Length& length)
 }
 
 // SVG fills what does not say otherwise; a line, which has no area, is read without a fill.
-Style writtenStyle(const Shape& shape)
+bool isFilled(const ObjectView& object) { return object.style().fill && hasArea(object); }
+
+Style writtenStyle(const ObjectView& object)
 {
-    Style style = shape.style;
-    if (!hasArea(shape))
+    Style style = object.style();
+    if (!isFilled(object))
         style.fill.reset();
     return style;
 }
 
+bool sameStyle(const ObjectView& a, const ObjectView& b)
+{
+    if (a.styleIndex() == b.styleIndex() && isFilled(a) == isFilled(b))
+        return true;
+    return writtenStyle(a) == writtenStyle(b);
+}
+
 class Writer {
 public:
-    Writer(QIODevice& out, const WriteOptions& options) : out_(out), outlines_(options) {}
-
-    /// `added`, if there is one, is the last shape of its layer.
-    std::optional<QString> write(const Sheet& sheet, const Shape* added)
+    Writer(const Document& document, QIODevice& out, const WriteOptions& options)
+        : document_(document), out_(out), outlines_(options)
     {
-        appendHead(sheet);
-        auto shape = sheet.shapes.begin();
-        for (std::size_t i = 0; i < sheet.layers.size(); ++i) {
-            const auto end = std::find_if(shape, sheet.shapes.end(),
-                                          [&](const Shape& s) { return s.layer != i; });
-            openLayer(sheet.layers[i]);
-            appendRuns({shape, end});
-            if (added && added->layer == i)
-                appendRuns({added, 1});
-            text_ += "</g>\n";
-            shape = end;
-        }
+    }
+
+    std::optional<QString> write()
+    {
+        appendHead();
+        for (const ContainerId layer : tree().childrenOf(0))
+            appendContainer(layer);
         text_ += "</svg>\n";
         flush();
         return failed_ ? std::optional(out_.errorString() + u'.') : std::nullopt;
     }
 
 private:
-    void appendHead(const Sheet& sheet)
+    const Containers& tree() const { return document_.containers(); }
+
+    void appendHead()
     {
-        const Page& page = sheet.page;
-        const clipping::Window& window = sheet.window;
+        const Page& page = document_.page();
+        const About& about = document_.about();
         text_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-        appendLine(sheet.about.comments);
+        appendLine(about.comments);
         text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\""
                  " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
                  " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
                  " xmlns:clearcut=\"urn:clearcut:1\"";
-        if (!sheet.about.id.isEmpty())
-            appendAttribute(text_, "id", escaped(sheet.about.id));
+        appendName("id", about.id);
         appendAttribute(text_, "width", lengthText(page.width));
         appendAttribute(text_, "height", lengthText(page.height));
         appendAttribute(text_, "viewBox",
                         std::array{page.min.x, page.min.y, page.size.x, page.size.y});
         text_ += ">\n";
-        appendLine(sheet.about.title);
-        appendLine(sheet.about.description);
-        appendLine(sheet.about.metadata);
+        appendLine(about.title);
+        appendLine(about.description);
+        appendLine(about.metadata);
+        appendWindow();
+    }
+
+    void appendWindow()
+    {
+        const clipping::Window window =
+            comparedWindow(document_.windows(), document_.page()).window;
         text_ += "<metadata><clearcut:window";
         appendAttribute(text_, "xmin", window.min.x);
         appendAttribute(text_, "ymin", window.min.y);
@@ -95,53 +105,104 @@ private:
             (text_ += xml.toStdString()) += '\n';
     }
 
-    void openLayer(const Layer& layer)
+    // What a name or id is empty of is left out.
+    bool appendName(std::string_view attribute, const QString& name)
     {
-        text_ += "<g inkscape:groupmode=\"layer\"";
-        if (!layer.id.isEmpty())
-            appendAttribute(text_, "id", escaped(layer.id));
-        appendAttribute(text_, "inkscape:label", escaped(layer.name));
-        if (layer.locked)
+        const std::string value = escaped(name);
+        if (!value.empty())
+            appendAttribute(text_, attribute, value);
+        return !value.empty();
+    }
+
+    // Objects and containers in painting order. As deep as containers may be.
+    void appendContainer(ContainerId id)
+    {
+        openContainer(tree()[id]);
+        const ObjectRange all = tree().rangeOf(id);
+        std::size_t next = all.first;
+        for (const ContainerId inner : tree().childrenOf(id)) {
+            const ObjectRange range = tree().rangeOf(inner);
+            appendRuns(next, range.first);
+            appendContainer(inner);
+            next = range.end;
+        }
+        appendRuns(next, all.end);
+        text_ += "</g>\n";
+    }
+
+    void openContainer(const Container& container)
+    {
+        const bool isLayer = container.kind == Container::Kind::Layer;
+        text_ += isLayer ? "<g inkscape:groupmode=\"layer\"" : "<g";
+        bool isNamed = appendName("id", container.svgId);
+        if (isLayer)
+            appendAttribute(text_, "inkscape:label", escaped(container.name));
+        else
+            isNamed = appendName("inkscape:label", container.name) || isNamed;
+        if (!isLayer && !isNamed && container.title.isEmpty() && container.description.isEmpty())
+            appendAttribute(text_, "clearcut:group", ""); // else it would be a style's
+        if (container.locked)
             appendAttribute(text_, "sodipodi:insensitive", "true");
-        if (!layer.visible)
+        if (!container.visible)
             appendAttribute(text_, "display", "none");
         text_ += ">\n";
+        appendLine(container.title);
+        appendLine(container.description);
     }
 
-    void appendRuns(std::span<const Shape> shapes)
+    // Objects of one style that follow each other are in a <g> that has it.
+    void appendRuns(std::size_t first, std::size_t end)
     {
-        for (auto first = shapes.begin(); first != shapes.end();) {
-            const Style style = writtenStyle(*first);
-            const auto last = std::find_if(first, shapes.end(), [&](const Shape& shape) {
-                return writtenStyle(shape) != style;
-            });
-            appendRun({first, last}, styleText(style));
-            first = last;
-        }
+        std::optional<ObjectView> begin; // of the run
+        std::string style;
+        bool grouped = false;
+        const auto endRun = [&] {
+            if (grouped)
+                text_ += "</g>\n";
+            else if (begin)
+                appendObject(*begin, style);
+            grouped = false;
+        };
+        document_.objects().forEach(first, end - first, [&](std::size_t, const ObjectView& object) {
+            if (begin && sameStyle(*begin, object)) {
+                if (!grouped) {
+                    text_ += "<g" + style + ">\n";
+                    appendObject(*begin, {});
+                }
+                grouped = true;
+                appendObject(object, {});
+            } else {
+                endRun();
+                begin = object;
+                style = styleText(writtenStyle(object));
+            }
+        });
+        endRun();
     }
 
-    // Shapes of one style, which is written once.
-    void appendRun(std::span<const Shape> shapes, const std::string& style)
+    void appendObject(const ObjectView& object, std::string_view style)
     {
-        const bool grouped = shapes.size() > 1;
-        if (grouped)
-            text_ += "<g" + style + ">\n";
-        for (const Shape& shape : shapes)
-            appendShape(shape, grouped ? std::string_view() : style);
-        if (grouped)
-            text_ += "</g>\n";
-    }
-
-    void appendShape(const Shape& shape, std::string_view style)
-    {
-        if (shape.paths.empty())
+        const Path path = object.path();
+        if (path.subpathCount() == 0)
             return; // SVG has no element for nothing
-        outlines_.append(text_, shape.paths);
-        if (!shape.id.isEmpty())
-            appendAttribute(text_, "id", escaped(shape.id));
-        if (shape.hidden)
+        const auto line = path.singleLine();
+        const auto name = line ? outlines_.appendLine(text_, line->a, line->b)
+                               : outlines_.append(text_, path.subpaths());
+        const Particulars& particulars = object.particulars();
+        if (!particulars.id.isEmpty())
+            appendAttribute(text_, "id", escaped(particulars.id));
+        if (object.hidden())
             appendAttribute(text_, "display", "none");
-        (text_ += style) += "/>\n";
+        text_ += style;
+        if (particulars.title.isEmpty() && particulars.description.isEmpty())
+            text_ += "/>\n";
+        else
+            text_.append(">")
+                .append(particulars.title.toStdString())
+                .append(particulars.description.toStdString())
+                .append("</")
+                .append(name)
+                .append(">\n");
         if (text_.size() > bufferSize)
             flush();
     }
@@ -152,6 +213,7 @@ private:
         text_.clear();
     }
 
+    const Document& document_;
     QIODevice& out_;
     OutlineText outlines_;
     std::string text_;
@@ -162,13 +224,7 @@ private:
 
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    return Writer(out, options).write(sheetOf(document), nullptr);
-}
-
-std::optional<QString> writeWith(const Shape& added, const Document& document, QIODevice& out,
-                                 const WriteOptions& options)
-{
-    return Writer(out, options).write(sheetOf(document), &added);
+    return Writer(document, out, options).write();
 }
 
 } // namespace app::svg

@@ -68,7 +68,7 @@ private slots:
         QVERIFY2(read, qPrintable(read.error));
         const Sheet sheet = sheetOf(read.value->document);
         QCOMPARE(sheet.shapes.size(), read.value->document.objects().size());
-        QVERIFY(documentOf(sheet) == read.value->document);
+        QVERIFY(sheetOf(documentOf(sheet)) == sheet);
     }
 
     void randomSheets()

@@ -13,10 +13,9 @@ public:
     app::Object object()
     {
         const app::Shape made = shape(0);
-        const bool titled = below(8) == 0;
         return {app::Path(made.paths),
                 made.style,
-                {.id = made.id, .title = titled ? text() : ""},
+                {.id = made.id, .title = note("title"), .description = note("desc")},
                 made.hidden};
     }
 
@@ -71,6 +70,16 @@ public:
     }
 
 private:
+    // XML; of few.
+    QString note(const QString& element)
+    {
+        static const QStringList contents{"A &amp; B", "<b>B</b>", "two\nlines", "図層 😀"};
+        if (below(8) > 0)
+            return {};
+        const QString& content = contents[qsizetype(below(std::size_t(contents.size())))];
+        return QStringLiteral("<%1>%2</%1>").arg(element, content);
+    }
+
     void open(app::DocumentBuilder& builder)
     {
         const bool around = !inGroup_.empty() && inGroup_.back();
@@ -82,8 +91,10 @@ private:
     {
         using Kind = app::Container::Kind;
         return {.kind = group ? Kind::Group : Kind::Layer,
-                .name = text(),
+                .name = group && below(2) ? QString() : text(),
                 .svgId = below(2) ? text() : QString(),
+                .title = note("title"),
+                .description = note("desc"),
                 .visible = below(4) > 0,
                 .locked = below(4) == 0};
     }

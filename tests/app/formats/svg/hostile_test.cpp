@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad files end in one clear sentence, soon, and without much memory.
+#include "app/formats/loss_text.h"
+
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -93,11 +95,15 @@ private slots:
                     "xlink:href='#a'/></g></defs><use href='#a'/>"),
             "line 2 has a <use> that repeats itself for ever.");
         row("deep",
-            "<svg>" + QByteArray("<g>").repeated(100'000) + QByteArray("</g>").repeated(100'000)
+            "<svg>" + QByteArray("<g>").repeated(1'000'000) + QByteArray("</g>").repeated(1'000'000)
                 + "</svg>",
-            "line 1 nests elements deeper than 500; ungroup some of them.");
+            "line 1 nests elements deeper than 520; ungroup some of them.");
         row("deep without end", "<svg>" + QByteArray("<g>").repeated(100'000),
-            "line 1 nests elements deeper than 500");
+            "line 1 nests elements deeper than 520");
+        row("deep groups",
+            "<svg>" + QByteArray("<g id='a'>").repeated(1'000'000)
+                + QByteArray("</g>").repeated(1'000'000) + "</svg>",
+            "line 1 nests elements deeper than 520; ungroup some of them.");
         row("curves of 10^4 chords",
             drawing(QByteArray("<path d='M0 0C1e14 1 -1e14 5 9 9'/>\n").repeated(2'000)),
             "line 1000 is where the drawing has more than");
@@ -223,6 +229,65 @@ private slots:
             QCOMPARE(sheet.shown(sheet.shapes[i]), i % 2 == 0);
     }
 
+    void aLayerForEachOfAHundredThousandObjects()
+    {
+        const auto result = readText(drawing(
+            QByteArray("<g inkscape:groupmode='layer'><path d='M0 0h1'/></g>").repeated(100'000)));
+        QVERIFY2(result, qPrintable(result.error));
+        const app::Document& document = result.value->document;
+        QCOMPARE(document.objects().size(), std::size_t(100'000));
+        QCOMPARE(document.containers().childrenOf(0).size(), std::size_t(1000));
+        QCOMPARE(lossLines(result.value->report).join(' '),
+                 "Lost: 1 stack of too many layers; the upper ones became one");
+        comesBack(document);
+    }
+
+    void aHundredThousandGroups()
+    {
+        QByteArray groups;
+        for (int i = 0; i < 100'000; ++i)
+            groups += "<g id='" + QByteArray::number(i) + "'><path d='M0 0h1'/></g>";
+        const auto result = readText(drawing(groups));
+        QVERIFY2(result, qPrintable(result.error));
+        const app::Document& document = result.value->document;
+        QCOMPARE(document.objects().size(), std::size_t(100'000));
+        QCOMPARE(document.containers().size(), std::size_t(99'001)); // with their layer
+        QCOMPARE(reportOf(groups), "1000 groups beyond the limit were dissolved");
+        QVERIFY(!result.value->lossy());
+        comesBack(document);
+    }
+
+    // Beyond the limits, too, what is in a hidden layer or group is hidden.
+    void whatIsBeyondTheLimitStaysHidden()
+    {
+        const QByteArray path = "<path d='M0 0h1'/>";
+        const QByteArray hidden = "<g inkscape:groupmode='layer' display='none'>" + path
+                                  + "<g inkscape:label='x'>" + path + "</g></g>";
+        const auto result = readText(drawing(hidden.repeated(1500)));
+        QVERIFY2(result, qPrintable(result.error));
+        const app::Document& document = result.value->document;
+        for (std::size_t i = 0; i < document.objects().size(); ++i)
+            QVERIFY(!document.shown(i));
+        comesBack(document);
+    }
+
+    void theDeepestGroupsComeBack()
+    {
+        const QByteArray note = "<desc>" + QByteArray("<b>").repeated(10) + "x"
+                                + QByteArray("</b>").repeated(10) + "</desc>";
+        const QByteArray object = "<path d='M0 0h1'>" + note + "</path>";
+        for (const int deep : {490, 499, 500, 505}) {
+            const auto result =
+                readText(drawing(QByteArray("<g inkscape:label='a'>").repeated(deep) + object
+                                 + object + QByteArray("</g>").repeated(deep)));
+            QVERIFY2(result, qPrintable(result.error));
+            const app::Document& document = result.value->document;
+            const auto around = document.containers().containerOf(0);
+            QCOMPARE(document.containers().depthOf(around), std::min(deep + 1, 500));
+            comesBack(document);
+        }
+    }
+
     void clipPathsCannotMultiply()
     {
         QByteArray points;
@@ -251,6 +316,14 @@ private slots:
         if (!memoryCanBeLimited)
             QSKIP("the sanitizer keeps what was freed, and more beside it");
         QVERIFY2(peakMegabytes() < 1500, qPrintable(QString::number(peakMegabytes())));
+    }
+
+private:
+    static void comesBack(const app::Document& document)
+    {
+        const auto again = readText(textOf(document));
+        QVERIFY2(again, qPrintable(again.error));
+        QVERIFY(again.value->document == document);
     }
 };
 

@@ -451,14 +451,6 @@ private slots:
         QCOMPARE(sheetOf(textOf(sheet)), sheet);
     }
 
-    void notesOfSingleObjectsAreALoss()
-    {
-        const QByteArray elements = "<g><title>A</title><desc><b>B</b></desc><title> </title>"
-                                    "<path d='M0 0h1'><title/></path></g>";
-        QCOMPARE(reportOf(elements), "2 titles or descriptions of single objects");
-        QCOMPARE(readText(drawing(elements)).value->document.about(), app::About{});
-    }
-
     void tooMuchMetadataIsALoss()
     {
         const QByteArray much(17'000'000, 'x');

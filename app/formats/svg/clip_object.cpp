@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/svg/clip_shape.h"
+#include "app/formats/svg/clip_object.h"
 
 #include "app/document/path_points.h"
 #include "app/formats/svg/limits.h"
@@ -71,32 +71,40 @@ std::optional<Subpath> filledPart(std::span<const Chord> chords, const ConvexReg
     return path;
 }
 
+void addStroke(const Drawn& drawn, std::vector<Run> runs, std::vector<Drawn>& objects)
+{
+    Shape outline{{}, drawn.style, {}, 0, false};
+    outline.style.fill.reset();
+    for (Shape& shape : shapesOfRuns(outline, std::move(runs)))
+        objects.push_back({std::move(shape.paths), std::move(shape.style), {}, drawn.hidden});
+}
+
 } // namespace
 
-std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& region,
-                                      double tolerance)
+std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& region,
+                                        double tolerance)
 {
     const auto at = [&](const Subpath& path) { return region.position(path); };
     const auto isInside = [](Position p) { return p == Position::Inside; };
     const auto isOutside = [](Position p) { return p == Position::Outside; };
-    ClippedShape result;
-    result.work = 16; // of looking at the shape at all
-    for (const Subpath& path : shape.paths)
+    ClippedObject result;
+    result.work = 16; // of looking at the object at all
+    for (const Subpath& path : drawn.paths)
         result.work += (1 + path.segments.size()) * region.sides();
-    if (std::ranges::all_of(shape.paths, isInside, at)) {
-        result.shapes.push_back(shape);
+    if (std::ranges::all_of(drawn.paths, isInside, at)) {
+        result.objects.push_back(drawn);
         return result;
     }
-    if (std::ranges::all_of(shape.paths, isOutside, at))
+    if (std::ranges::all_of(drawn.paths, isOutside, at))
         return result;
-    if (std::ranges::any_of(shape.paths, tooManyCurves))
+    if (std::ranges::any_of(drawn.paths, tooManyCurves))
         return std::nullopt;
     result.cut = true;
-    Shape area{{}, shape.style, shape.id, shape.layer, shape.hidden};
+    Drawn area{{}, drawn.style, {}, drawn.hidden};
     area.style.stroke.reset();
     std::vector<Run> runs;
-    const auto overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
-    for (const Subpath& path : shape.paths) {
+    const auto overStart = drawn.style.dashes.empty() ? OverStart::Join : OverStart::Break;
+    for (const Subpath& path : drawn.paths) {
         if (region.position(path) == Position::Inside) {
             runs.push_back({path, 0});
             area.paths.push_back(path);
@@ -105,19 +113,18 @@ std::optional<ClippedShape> clipShape(const Shape& shape, const ConvexRegion& re
         std::vector<Chord> chords;
         flatten(path, toleranceFor(path, tolerance), chords);
         result.work += chords.size() * region.sides();
-        if (shape.style.stroke)
+        if (drawn.style.stroke)
             std::ranges::move(strokeRuns(path, chords, region, overStart),
                               std::back_inserter(runs));
-        if (shape.style.fill)
+        if (drawn.style.fill)
             if (auto filled = filledPart(chords, region))
                 area.paths.push_back(std::move(*filled));
     }
-    if (!area.paths.empty() && shape.style.fill)
-        result.shapes.push_back(std::move(area));
-    Shape outline{
-        {}, shape.style, result.shapes.empty() ? shape.id : QString(), shape.layer, shape.hidden};
-    outline.style.fill.reset();
-    std::ranges::move(shapesOfRuns(outline, std::move(runs)), std::back_inserter(result.shapes));
+    if (!area.paths.empty() && drawn.style.fill)
+        result.objects.push_back(std::move(area));
+    addStroke(drawn, std::move(runs), result.objects);
+    if (!result.objects.empty())
+        result.objects.front().particulars = drawn.particulars;
     return result;
 }
 
