@@ -116,6 +116,13 @@ std::size_t SceneBlock::objectOf(std::size_t segment) const
            - 1;
 }
 
+std::size_t SceneBlock::chunkOf(std::size_t segment) const
+{
+    assert(segment < segments.size());
+    const auto next = std::ranges::upper_bound(chunks, segment, {}, &SceneChunk::first);
+    return std::size_t(next - chunks.begin()) - 1;
+}
+
 std::size_t SceneBlock::endOfChunk(std::size_t chunk) const
 {
     return chunk + 1 < chunks.size() ? chunks[chunk + 1].first : segments.size();

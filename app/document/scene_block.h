@@ -42,6 +42,7 @@ struct SceneBlock {
     std::size_t objects() const;
     std::size_t firstOf(std::size_t object) const; ///< objects(): the end
     std::size_t objectOf(std::size_t segment) const;
+    std::size_t chunkOf(std::size_t segment) const;
     std::size_t endOfChunk(std::size_t chunk) const;
 };
 

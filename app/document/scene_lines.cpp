@@ -24,23 +24,22 @@ SceneLines::SceneLines(std::vector<Shared<SceneBlock>> blocks) : blocks_(std::mo
         revision_ = ++revisions;
 }
 
-static std::size_t runOf(std::span<const SceneLines::Run> runs, std::size_t line)
+std::size_t SceneLines::runOf(std::size_t line) const
 {
-    const auto next = std::ranges::upper_bound(runs, line, {}, &SceneLines::Run::firstLine);
-    return std::size_t(next - runs.begin()) - 1;
+    assert(line < size_);
+    const auto next = std::ranges::upper_bound(runs_, line, {}, &Run::firstLine);
+    return std::size_t(next - runs_.begin()) - 1;
 }
 
 clipping::Segment SceneLines::operator[](std::size_t line) const
 {
-    assert(line < size_);
-    const Run& run = runs_[runOf(runs_, line)];
+    const Run& run = runs_[runOf(line)];
     return run.segments[line - run.firstLine];
 }
 
 std::size_t SceneLines::objectOf(std::size_t line) const
 {
-    assert(line < size_);
-    const std::size_t at = runOf(runs_, line);
+    const std::size_t at = runOf(line);
     return runs_[at].firstObject + blocks_[at]->objectOf(line - runs_[at].firstLine);
 }
 

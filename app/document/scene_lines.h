@@ -24,6 +24,8 @@ public:
     std::span<const Run> runs() const { return runs_; }
     std::span<const Shared<SceneBlock>> blocks() const { return blocks_; } ///< one for each run
 
+    std::size_t runOf(std::size_t line) const; ///< the run that a line is in
+
     /// The object that a line belongs to.
     std::size_t objectOf(std::size_t line) const;
     /// The first line of an object; object + 1 gives the end of its lines.

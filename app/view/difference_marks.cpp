@@ -29,13 +29,13 @@ bool isSeen(const Clipped& piece, const clipping::Window& view)
 }
 
 /// Those in the view, of lines that are still there.
-std::vector<Clipped> seenOf(const Scene& scene, const PictureOptions& options,
+std::vector<Clipped> seenOf(std::size_t lines, const PictureOptions& options,
                             std::span<const Clipped> pieces)
 {
     const clipping::Window view = options.view.visible();
     std::vector<Clipped> seen;
     std::ranges::copy_if(pieces, std::back_inserter(seen), [&](const Clipped& piece) {
-        return piece.source < scene.segments().size() && isSeen(piece, view);
+        return piece.source < lines && isSeen(piece, view);
     });
     return seen;
 }
@@ -66,43 +66,80 @@ std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions
     return ticks;
 }
 
-/// How thick the marks of lines are, in pixels; asked line by line.
-class Widths {
+/// Of lines, asked line by line. The style of the line before is at hand.
+class LineStyles {
 public:
-    Widths(const Sheet& sheet, const Scene& scene, double zoom, double least, double more)
-        : sheet_(sheet), scene_(scene), zoom_(zoom), least_(least), more_(more)
+    LineStyles(const StyleTable& styles, const SceneLines& lines) : styles_(styles), lines_(lines)
     {
     }
 
-    double of(std::size_t line)
+    std::size_t lines() const { return lines_.size(); }
+    const Style& of(std::size_t line)
+    {
+        if (line < first_ || line >= end_)
+            find(line);
+        return *style_;
+    }
+
+private:
+    void find(std::size_t line)
+    {
+        const std::size_t run = lines_.runOf(line), before = lines_.runs()[run].firstLine;
+        const SceneBlock& block = *lines_.blocks()[run];
+        const std::size_t chunk = block.chunkOf(line - before);
+        first_ = before + block.chunks[chunk].first;
+        end_ = before + block.endOfChunk(chunk);
+        style_ = &styles_[block.chunks[chunk].style];
+    }
+
+    const StyleTable& styles_;
+    const SceneLines& lines_;
+    std::size_t first_ = 0, end_ = 0; // that have this style
+    const Style* style_ = nullptr;
+};
+
+class ShapeStyles {
+public:
+    ShapeStyles(const Sheet& sheet, const Scene& scene) : sheet_(sheet), scene_(scene) {}
+    std::size_t lines() const { return scene_.segments().size(); }
+    const Style& of(std::size_t line)
     {
         if (line < scene_.firstSegmentOf(shape_) || line >= scene_.firstSegmentOf(shape_ + 1))
             shape_ = scene_.shapeOf(line);
-        const Style& style = sheet_.shapes[shape_].style;
-        return std::max(least_, (style.stroke ? style.width * zoom_ : 0) + more_);
+        return sheet_.shapes[shape_].style;
     }
 
 private:
     const Sheet& sheet_;
     const Scene& scene_;
-    double zoom_, least_, more_;
     std::size_t shape_ = 0; // mostly that of the line before
 };
 
+/// How thick marks are, in pixels.
+struct Thickness {
+    double least, more;
+
+    double of(const Style& line, double zoom) const
+    {
+        return std::max(least, (line.stroke ? line.width * zoom : 0) + more);
+    }
+};
+
 /// In one colour, each as thick as its line wants.
-void addMarks(Plating& plating, Widths widths, double zoom, std::span<const Clipped> seen,
-              Shape mark)
+template <class Styles>
+void addMarks(Plating& plating, Styles& styles, const Thickness& thickness, double zoom,
+              std::span<const Clipped> seen, Style mark)
 {
     std::vector<Segment> alike; // as thick as each other
     const auto paint = [&](double pixels) {
-        mark.style.width = pixels / zoom;
+        mark.width = pixels / zoom;
         if (!alike.empty())
             plating.add(mark, alike, 0, untouched(alike));
         alike.clear();
     };
     double width = 0;
     for (const Clipped& piece : seen) {
-        if (const double wanted = widths.of(piece.source); wanted != width) {
+        if (const double wanted = thickness.of(styles.of(piece.source), zoom); wanted != width) {
             paint(width);
             width = wanted;
         }
@@ -125,39 +162,51 @@ void append(Plate& to, Plate plate)
     to.points.insert(to.points.end(), plate.points.begin(), plate.points.end());
 }
 
-Plate gradedMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
+template <class Styles>
+Plate gradedMarks(Styles& styles, const PictureOptions& options)
 {
     PictureOptions asTheyAre = options; // their colours are for the page
     asTheyAre.page.reset();
     Plating plating(asTheyAre, 0);
     for (const PictureOptions::Graded& group : options.graded) {
-        Shape mark;
-        mark.style.stroke = group.colour;
-        addMarks(plating, {sheet, scene, options.view.zoom, leastGraded, 0}, options.view.zoom,
-                 seenOf(scene, options, group.pieces), std::move(mark));
+        Style mark;
+        mark.stroke = group.colour;
+        addMarks(plating, styles, {leastGraded, 0}, options.view.zoom,
+                 seenOf(styles.lines(), options, group.pieces), std::move(mark));
     }
     return plating.take();
+}
+
+template <class Styles>
+Plate marks(Styles styles, const PictureOptions& options)
+{
+    const std::vector<Clipped> seen = seenOf(styles.lines(), options, options.differing);
+    Plating plating(options, 2 * seen.size());
+    Style mark;
+    mark.stroke = options.marked;
+    addMarks(plating, styles, {leastWidth, thicker}, options.view.zoom, seen, mark);
+    if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
+        mark.width = leastWidth / options.view.zoom;
+        plating.add(mark, ticks, 0, untouched(ticks));
+    }
+    if (options.graded.empty())
+        return plating.take();
+    Plate plate = gradedMarks(styles, options);
+    append(plate, plating.take());
+    return plate;
 }
 
 } // namespace
 
 Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
 {
-    const std::vector<Clipped> seen = seenOf(scene, options, options.differing);
-    Plating plating(options, 2 * seen.size());
-    Shape mark;
-    mark.style.stroke = options.marked;
-    addMarks(plating, {sheet, scene, options.view.zoom, leastWidth, thicker}, options.view.zoom,
-             seen, mark);
-    if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
-        mark.style.width = leastWidth / options.view.zoom;
-        plating.add(mark, ticks, 0, untouched(ticks));
-    }
-    if (options.graded.empty())
-        return plating.take();
-    Plate plate = gradedMarks(sheet, scene, options);
-    append(plate, plating.take());
-    return plate;
+    return marks(ShapeStyles(sheet, scene), options);
+}
+
+Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
+                      const PictureOptions& options)
+{
+    return marks(LineStyles(styles, lines), options);
 }
 
 } // namespace app

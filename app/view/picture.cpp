@@ -3,7 +3,7 @@
 
 #include "app/view/difference_marks.h"
 #include "app/view/ink.h"
-#include "app/view/plating.h"
+#include "app/view/scene_plating.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ Plate plate(const Sheet& sheet, const Scene& scene, std::span<const clipping::Cl
         std::size_t next = i + 1;
         while (next < pieces.size() && pieces[next].source < end)
             ++next;
-        plating.add(sheet.shapes[shape], scene.segments().subspan(first, end - first), first,
+        plating.add(sheet.shapes[shape].style, scene.segments().subspan(first, end - first), first,
                     pieces.subspan(i, next - i));
         i = next;
     }
@@ -47,10 +47,90 @@ Plate lit(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
         shape.style.stroke = options.light;
         shape.style.width = std::max(shape.style.width, leastLit / options.view.zoom);
         const auto pieces = untouched(whole);
-        plating.add(shape, whole, 0, pieces);
+        plating.add(shape.style, whole, 0, pieces);
     }
     return plating.take();
 }
+
+Plate plate(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
+            const PictureOptions& options)
+{
+    ScenePlating plating(lines, part, options, part.expectedPieces());
+    std::optional<StyleIndex> style;
+    for (std::size_t at = 0; at < lines.blocks().size(); ++at) {
+        const SceneBlock& block = *lines.blocks()[at];
+        for (std::size_t i = 0; i < block.chunks.size(); ++i) {
+            const SceneChunk& chunk = block.chunks[i];
+            const Remains remains = part.remains(at, i);
+            if (remains == Remains::Gone)
+                continue;
+            if (style != chunk.style)
+                plating.setStyle(styles[*(style = chunk.style)]);
+            if (remains == Remains::Whole)
+                plating.addWhole(at, i, chunk.first, block.endOfChunk(i));
+            else
+                plating.addPieces(at, part.pieces(at, i));
+        }
+    }
+    return plating.take();
+}
+
+/// Paints what is selected, whole, whatever of it the window leaves.
+class Lighting {
+public:
+    Lighting(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
+        : styles_(styles), lines_(lines), options_(options),
+          plating_(lines, all_, options, options.selection.size())
+    {
+    }
+
+    Plate plate()
+    {
+        for (const auto& [first, end] : options_.selection.ranges())
+            add(lines_.firstLineOf(first), lines_.firstLineOf(end));
+        return plating_.take();
+    }
+
+private:
+    void add(std::size_t first, std::size_t end)
+    {
+        for (std::size_t at = first < end ? lines_.runOf(first) : 0; first < end; ++at) {
+            const SceneLines::Run& run = lines_.runs()[at];
+            const std::size_t last = std::min(end, run.firstLine + run.segments.size());
+            addIn(at, first - run.firstLine, last - run.firstLine);
+            first = last;
+        }
+    }
+    void addIn(std::size_t at, std::size_t first, std::size_t end)
+    {
+        const SceneBlock& block = *lines_.blocks()[at];
+        for (std::size_t chunk = block.chunkOf(first); first < end; ++chunk) {
+            const std::size_t last = std::min(end, block.endOfChunk(chunk));
+            setStyle(block.chunks[chunk].style);
+            plating_.addWhole(at, chunk, first, last);
+            first = last;
+        }
+    }
+    void setStyle(StyleIndex index)
+    {
+        if (index_ == index)
+            return;
+        index_ = index;
+        style_ = styles_[index];
+        style_.fill.reset();
+        style_.stroke = options_.light;
+        style_.width = std::max(style_.width, leastLit / options_.view.zoom);
+        plating_.setStyle(style_);
+    }
+
+    const StyleTable& styles_;
+    const SceneLines& lines_;
+    const PictureOptions& options_;
+    PaintedPart all_{{}, Painted::All};
+    ScenePlating plating_;
+    std::optional<StyleIndex> index_;
+    Style style_;
+};
 
 // Areas stay as faint as ever, or they would drown what is kept.
 void makeGhosts(Plate& plate, const Ghosting& ghosting)
@@ -80,6 +160,24 @@ Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
     if (options.ghosting)
         makeGhosts(picture.ghost, *options.ghosting);
     picture.kept = plate(sheet, scene, inside ? frame.inside : frame.outside, options);
+    return picture;
+}
+
+Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                const PictureOptions& options)
+{
+    const auto plateOf = [&](Painted part) {
+        return plate(styles, lines, PaintedPart(frame, part), options);
+    };
+    const bool all = options.removed == RemovedPart::Shown;
+    Picture picture;
+    picture.kept = plateOf(all ? Painted::All : Painted::Kept);
+    if (options.removed == RemovedPart::Ghosted)
+        picture.ghost = plateOf(Painted::Removed);
+    if (options.ghosting)
+        makeGhosts(picture.ghost, *options.ghosting);
+    picture.lit = Lighting(styles, lines, options).plate();
+    picture.differing = differenceMarks(styles, lines, options);
     return picture;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/scene_frame.h"
+#include "app/document/scene_lines.h"
 #include "app/document/session.h"
 #include "app/view/view.h"
 
@@ -98,6 +100,11 @@ struct PictureOptions {
 /// hands them huge numbers; dashes are cut up; shapes of which all is kept are filled, cut ones are
 /// outlines. Strokes move by less than a quarter of a pixel where many points fall into one.
 Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
+                const PictureOptions& options);
+
+/// The same of a frame that a scene of blocks was clipped to. `lines` are those of the frame,
+/// `styles` those of their document. Which side is kept, the frame says.
+Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options);
 
 } // namespace app

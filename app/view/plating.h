@@ -1,63 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/picture.h"
+#include "app/view/chaining.h"
+#include "app/view/outline.h"
 
 namespace app {
 
 /// All of them as whole pieces.
 std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segments);
 
-/// Makes a plate, shape by shape, bottom to top.
+/// Makes a plate, object by object, bottom to top.
 class Plating {
 public:
     Plating(const PictureOptions& options, std::size_t expectedPieces);
+    Plating(const Plating&) = delete;
+    Plating& operator=(const Plating&) = delete;
 
-    /// What is left of a shape. `whole` are all its segments, the first of them number `number` of
+    /// What is left of an object. `whole` are all its lines, the first of them number `number` of
     /// the scene; `pieces` are not empty and in order.
-    void add(const Shape& shape, std::span<const clipping::Segment> whole, std::size_t number,
+    void add(const Style& style, std::span<const clipping::Segment> whole, std::size_t number,
              std::span<const clipping::Clipped> pieces);
-    Plate take() { return std::move(plate_); }
+
+    // The same in steps, so that the lines need not be in a row.
+
+    /// How what follows is painted; the style must stay where it is.
+    void setStyle(const Style& style);
+    /// Fills an object of which all is left. Its style has a fill.
+    void fill(const Outline& whole);
+    /// Strokes follow. Those of an area without a stroke are its outline.
+    void beginStrokes();
+    /// Strokes of another object follow.
+    void endObject() { chains_.end(); }
+    /// `before`: the length of the outline before the line. Of use only where the style is dashed.
+    void stroke(const clipping::Clipped& piece, const clipping::Segment& line, double before = 0);
+    /// A line that lies in `seen()`, and of which all is left.
+    void strokeSeen(const clipping::Segment& line, double before = 0);
+
+    bool isDashed() const { return chains_.isDashed(); }
+    /// The view, with room for half a stroke. Only what meets it is stroked.
+    const clipping::Window& seen() const { return seen_; }
+    /// The view, with some room. Only what meets it is filled.
+    const clipping::Window& filled() const { return filled_; }
+
+    Plate take();
 
 private:
-    // The chain being made; its points are the last of plate_.points.
-    struct Open {
-        Point last;                    // in the drawing
-        std::optional<QPointF> unsaid; // a point too close to the one before it
-        double phase;                  // length of the path before the chain
-        bool capAtStart;
-    };
-
-    // A piece, or what of it is in the view.
-    struct Part {
-        clipping::Segment segment;
-        bool cutA, cutB; // these ends are not the stroke's own
-    };
-
-    void fill(std::span<const clipping::Segment> whole, const Style& style);
-    void stroke(const Style& style, std::span<const clipping::Segment> whole, std::size_t number,
-                std::span<const clipping::Clipped> pieces);
-    void beginCoat(const Ink& ink);
-    std::optional<Part> partSeen(const clipping::Clipped& piece,
-                                 const clipping::Segment& source) const;
-    void begin(const Part& part, double phase);
-    void proceed(const Point& to);
-    void finish(bool capAtEnd);
-    void finishDashed(bool capAtEnd);
-    void pushChain(const Chain& chain);
-    bool liesOnAnother(const Chain& chain);
+    std::optional<SeenPart> partSeen(const clipping::Clipped& piece,
+                                     const clipping::Segment& source) const;
     Colour shown(const Colour& colour);
-    QPointF onScreen(const Point& p) const;
 
     const PictureOptions& options_;
     Plate plate_;
-    clipping::Window seen_{}; // the view, with room for half a stroke
-    std::optional<Open> open_;
-    std::uint32_t openAt_ = 0;    // its first point
-    std::vector<double> pattern_; // of the shape's dashes, in pixels
+    Chaining chains_{plate_, options_.view};
+    clipping::Window filled_, seen_{};
+    const Style* style_ = nullptr;
+    Ink ink_;
     Colour lastAsked_;
     std::optional<Colour> lastShown_;
-    std::vector<std::uint32_t> recent_; // chains, by a hash of their points
 };
 
 } // namespace app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/geometry.h"
+
+#include <glm/geometric.hpp>
+
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// All lines of an object, in order: in one row, or in several if it spans blocks of the scene.
+using Outline = std::vector<std::span<const clipping::Segment>>;
+
+/// How long an outline is before each of its lines, from where its pen was lifted last.
+class LengthsBefore {
+public:
+    LengthsBefore() = default;
+    explicit LengthsBefore(const Outline& outline) : left_(outline) {} ///< which must stay
+
+    /// `line` counts in the outline; it must not be less than the one before.
+    double of(std::size_t line)
+    {
+        for (; at_ < line; ++at_)
+            step();
+        return length_;
+    }
+
+private:
+    const clipping::Segment& next()
+    {
+        while (used_ == left_.front().size()) {
+            left_ = left_.subspan(1);
+            used_ = 0;
+        }
+        return left_.front()[used_];
+    }
+    void step()
+    {
+        const clipping::Segment& line = next();
+        ++used_;
+        const bool joined = next().a == line.b;
+        length_ = joined ? length_ + glm::distance(line.a, line.b) : 0;
+    }
+
+    std::span<const std::span<const clipping::Segment>> left_;
+    std::size_t used_ = 0; // lines of the first of those
+    std::size_t at_ = 0;
+    double length_ = 0;
+};
+
+} // namespace app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/painted_part.h"
+
+#include "app/view/gaps.h"
+
+#include <algorithm>
+
+namespace app {
+
+using clipping::Clipped;
+
+Remains PaintedPart::remains(std::size_t block, std::size_t chunk) const
+{
+    if (which_ == Painted::All)
+        return Remains::Whole;
+    const Remains kept = frame_.blocks[block].remains[chunk];
+    if (which_ == Painted::Kept || kept == Remains::Pieces)
+        return kept;
+    return kept == Remains::Gone ? Remains::Whole : Remains::Gone;
+}
+
+PaintedPart::Pieces PaintedPart::pieces(std::size_t block, std::size_t chunk)
+{
+    const auto& [of, firstObject, firstLine, remains, pieces] = frame_.blocks[block];
+    if (block_ != block)
+        next_ = pieces.begin();
+    block_ = block;
+    const std::size_t first = of->chunks[chunk].first, end = of->endOfChunk(chunk);
+    while (next_ != pieces.end() && next_->source < first)
+        ++next_;
+    const auto begin = next_;
+    while (next_ != pieces.end() && next_->source < end)
+        ++next_;
+    gaps_.clear();
+    return painted(*of, first, end, Pieces(begin, next_), gaps_);
+}
+
+PaintedPart::Pieces PaintedPart::painted(const SceneBlock& block, std::size_t first,
+                                         std::size_t end, Pieces kept,
+                                         std::vector<Clipped>& gaps) const
+{
+    if (which_ == Painted::Kept)
+        return kept;
+    auto next = kept.begin();
+    for (std::size_t line = first; line < end; ++line) {
+        const auto begin = next;
+        while (next != kept.end() && next->source == line)
+            ++next;
+        appendGaps(block.segments[line], std::uint32_t(line), Pieces(begin, next), gaps);
+    }
+    return gaps;
+}
+
+bool PaintedPart::isWhole(std::size_t block, std::size_t first, std::size_t end) const
+{
+    const auto& [of, firstObject, firstLine, remains, pieces] = frame_.blocks[block];
+    std::vector<Clipped> gaps;
+    for (std::size_t chunk = of->chunkOf(first); first < end; ++chunk) {
+        const std::size_t last = std::min(end, of->endOfChunk(chunk));
+        const Remains here = this->remains(block, chunk);
+        if (here == Remains::Gone)
+            return false;
+        if (here == Remains::Pieces) {
+            const auto from = std::ranges::lower_bound(pieces, first, {}, &Clipped::source);
+            const auto to = std::ranges::lower_bound(pieces, last, {}, &Clipped::source);
+            gaps.clear();
+            const Pieces mine = painted(*of, first, last, Pieces(from, to), gaps);
+            if (mine.size() != last - first
+                || std::ranges::any_of(mine, [](const Clipped& piece) { return piece.cut != 0; }))
+                return false;
+        }
+        first = last;
+    }
+    return true;
+}
+
+std::size_t PaintedPart::expectedPieces() const
+{
+    if (which_ == Painted::All)
+        return frame_.total;
+    if (which_ == Painted::Kept)
+        return frame_.visible;
+    std::size_t pieces = frame_.total - frame_.visible;
+    for (const SceneFrame::Block& block : frame_.blocks)
+        pieces += block.pieces.size();
+    return pieces;
+}
+
+} // namespace app

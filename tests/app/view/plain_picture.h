@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/document.h"
+#include "app/document/scene_lines.h"
+#include "app/view/plating.h"
+#include "clipping/algorithm.h"
+#include "clipping/outside.h"
+
+#include <algorithm>
+
+/// The plates of a drawing that is clipped to one window, made the long way: all lines in one row,
+/// all pieces of them in another, object by object.
+class PlainPlates {
+public:
+    PlainPlates(const app::Document& document, const app::SceneLines& lines)
+        : document_(document), lines_(lines)
+    {
+        for (const auto& run : lines.runs())
+            all_.insert(all_.end(), run.segments.begin(), run.segments.end());
+        for (std::size_t i = 0; i <= document.objects().size(); ++i)
+            first_.push_back(lines.firstLineOf(i));
+    }
+
+    void clip(const clipping::Uses<clipping::Segment, clipping::Window>& uses,
+              const clipping::Window& window)
+    {
+        inside_.resize(all_.size());
+        inside_.resize(uses.clipAll(all_, window, inside_));
+        outside_.resize(all_.size() + inside_.size());
+        outside_.resize(clipping::outsideAll(all_, inside_, outside_));
+    }
+    /// Whether the form gives a piece that runs against its line.
+    bool hasTurned() const
+    {
+        return std::ranges::any_of(inside_, [&](const clipping::Clipped& piece) {
+            const clipping::Segment& line = all_[piece.source];
+            return glm::dot(piece.segment.b - piece.segment.a, line.b - line.a) < 0;
+        });
+    }
+    app::Plate all(const app::PictureOptions& options) const
+    {
+        return plate(app::untouched(all_), options);
+    }
+    app::Plate inside(const app::PictureOptions& options) const { return plate(inside_, options); }
+    app::Plate outside(const app::PictureOptions& options) const
+    {
+        return plate(outside_, options);
+    }
+    app::Plate lit(const app::PictureOptions& options) const
+    {
+        app::Plating plating(options, 0);
+        for (const std::size_t object : options.selection) {
+            app::Style style = document_.objects()[object].style();
+            style.fill.reset();
+            style.stroke = options.light;
+            style.width = std::max(style.width, 1.5 / options.view.zoom);
+            const auto whole = linesOf(object);
+            if (!whole.empty())
+                plating.add(style, whole, 0, app::untouched(whole));
+        }
+        return plating.take();
+    }
+
+private:
+    std::span<const clipping::Segment> linesOf(std::size_t object) const
+    {
+        return std::span(all_).subspan(first_[object], first_[object + 1] - first_[object]);
+    }
+    app::Plate plate(std::span<const clipping::Clipped> pieces,
+                     const app::PictureOptions& options) const
+    {
+        app::Plating plating(options, 0);
+        for (std::size_t object = 0; object + 1 < first_.size(); ++object) {
+            std::size_t count = 0;
+            while (count < pieces.size() && pieces[count].source < first_[object + 1])
+                ++count;
+            if (count > 0)
+                plating.add(document_.objects()[object].style(), linesOf(object), first_[object],
+                            pieces.first(count));
+            pieces = pieces.subspan(count);
+        }
+        return plating.take();
+    }
+
+    const app::Document& document_;
+    const app::SceneLines& lines_;
+    std::vector<clipping::Segment> all_;
+    std::vector<std::size_t> first_; // line of each object, and the end
+    std::vector<clipping::Clipped> inside_, outside_;
+};
