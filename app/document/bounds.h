@@ -2,14 +2,18 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "app/document/scene.h"
+#include "app/document/scene_lines.h"
 
 #include <optional>
 
 namespace app {
 
-/// What objects cover; nothing if they have no segments. It looks at each of their segments: for
-/// the selection there is Session::selectionBounds().
-std::optional<clipping::Window> boundsOf(const Scene& scene, const ObjectRanges& objects);
+/// What objects cover; nothing if they have no lines. It looks at the boxes of all their chunks,
+/// and at the lines of those that reach farthest. For the selection there is
+/// Session::selectionBounds().
+std::optional<clipping::Window> boundsOf(const SceneLines& lines, const ObjectRanges& objects);
+
+/// What all lines cover; nothing if there are none.
+std::optional<clipping::Window> boundsOf(const SceneLines& lines);
 
 } // namespace app

@@ -4,6 +4,8 @@
 #include "app/document/objects.h"
 #include "app/document/scene_block.h"
 
+#include <algorithm>
+
 namespace app {
 
 /// All segments that are shown at some moment, numbered in painting order. A copy shares them, in
@@ -31,6 +33,11 @@ public:
     /// The first line of an object; object + 1 gives the end of its lines.
     std::size_t firstLineOf(std::size_t object) const;
 
+    /// Calls visit(run, first, end) for each run that has some of the lines [first, end), in their
+    /// order; first and end are numbered in the run then.
+    template <class Visit>
+    void forEachPart(std::size_t first, std::size_t end, const Visit& visit) const;
+
     /// Differs in this process from that of all other lines, but for copies; 0 without blocks.
     std::uint64_t revision() const { return revision_; }
 
@@ -40,6 +47,18 @@ private:
     std::size_t size_ = 0;
     std::uint64_t revision_ = 0;
 };
+
+template <class Visit>
+void SceneLines::forEachPart(std::size_t first, std::size_t end, const Visit& visit) const
+{
+    for (std::size_t run = first < end ? runOf(first) : 0; first < end; ++run) {
+        const std::size_t before = runs_[run].firstLine;
+        const std::size_t last = std::min(end, before + runs_[run].segments.size());
+        if (first < last)
+            visit(run, first - before, last - before);
+        first = last;
+    }
+}
 
 /// The lines of objects. Those in `hidden` are not shown, whatever they say themselves. Curves are
 /// flattened to `tolerance` (user units, > 0).

@@ -73,7 +73,7 @@ void Session::select(ObjectRanges objects)
 const std::optional<clipping::Window>& Session::selectionBounds() const
 {
     if (!selectionBounds_)
-        selectionBounds_.emplace(boundsOf(scene, selection_));
+        selectionBounds_.emplace(boundsOf(scene.lines(), selection_));
     return *selectionBounds_;
 }
 

@@ -61,7 +61,7 @@ public:
         return selection;
     }
     Selection everything() const { return neighbours(0, objects()); }
-    void findBox(const Selection& selection) const { app::boundsOf(*scene_, selection); }
+    void findBox(const Selection& selection) const { app::boundsOf(scene_->lines(), selection); }
 
     // Each is one step to undo, and leaves the scene up to date.
     void move(const Selection& selection)

@@ -53,7 +53,8 @@ private slots:
             setMark(session);
             change();
             const Bounds bounds = session.selectionBounds();
-            return bounds != mark && bounds == app::boundsOf(session.scene, session.selection());
+            return bounds != mark
+                   && bounds == app::boundsOf(session.scene.lines(), session.selection());
         };
         QVERIFY(changed([&] { session.select({1, 6}); }));
         QVERIFY(changed([&] { ::setLayers(session.document, {{"a"}, {"b", false}, {"c"}}); }));
@@ -105,7 +106,8 @@ private slots:
             }
             QVERIFY(session.selection().empty()
                     || session.selection().last() < session.sheet().shapes.size());
-            QCOMPARE(session.selectionBounds(), app::boundsOf(session.scene, session.selection()));
+            QCOMPARE(session.selectionBounds(),
+                     app::boundsOf(session.scene.lines(), session.selection()));
         }
     }
 };

@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(stage.session.selectionBounds(), Bounds({{20, 10}, {180, 90}}));
         stage.key(Qt::Key_Down);
         QCOMPARE(stage.session.selectionBounds(),
-                 app::boundsOf(stage.session.scene, stage.session.selection()));
+                 app::boundsOf(stage.session.scene.lines(), stage.session.selection()));
         QCOMPARE(stage.colourAt({35, 10}), page);
     }
 
@@ -343,7 +343,7 @@ private:
     }
     static clipping::Window bounds(const Stage& stage, std::size_t shape)
     {
-        return app::boundsOf(stage.session.scene, {shape}).value();
+        return app::boundsOf(stage.session.scene.lines(), {shape}).value();
     }
 };
 
