@@ -16,6 +16,17 @@ struct FloatBox {
     clipping::Window window() const { return {{minX, minY}, {maxX, maxY}}; }
 };
 
+/// Whether nothing that lies in the box lies in the window, and whether all of it does. A box of
+/// NaNs is neither outside nor inside.
+inline bool isOutside(const FloatBox& box, const clipping::Window& w)
+{
+    return box.maxX < w.min.x || box.minX > w.max.x || box.maxY < w.min.y || box.minY > w.max.y;
+}
+inline bool isInside(const FloatBox& box, const clipping::Window& w)
+{
+    return box.minX >= w.min.x && box.maxX <= w.max.x && box.minY >= w.min.y && box.maxY <= w.max.y;
+}
+
 /// The smallest such box around some segments, at least one.
 FloatBox boxAround(std::span<const clipping::Segment> segments);
 /// The smallest box around two.

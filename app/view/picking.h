@@ -1,56 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/object_ranges.h"
 #include "app/document/scene.h"
+#include "app/view/block_grid.h"
 
 #include <optional>
 
 namespace app {
 
-/// Finds segments by place, fast enough for hovering over a million of them: a uniform grid, made
-/// anew when it is asked for the first time after the drawing changed.
-class Picking : public QObject {
-    Q_OBJECT
-
+/// Finds lines and objects by place, fast enough for hovering over millions of lines. Each block of
+/// the scene gets a grid when it is asked for, and keeps it as long as the block is in the scene.
+class Picking {
 public:
-    Picking(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
+    Picking(const EditedDocument& document, const Scene& scene) : document_(document), scene_(scene)
+    {
+    }
 
-    /// Every segment that comes within `radius` of the point, ascending.
+    /// Every line that comes within `radius` of the point, ascending.
     std::vector<std::size_t> near(const Point& point, double radius) const;
 
-    /// The nearest of those (the uppermost of equally near ones) whose shape may be picked.
+    /// The nearest of those (the uppermost of equally near ones) whose object may be picked.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
-    /// The uppermost filled shape that may be picked and whose area the point is in.
+    /// The uppermost filled object that may be picked and whose area the point is in.
     std::optional<std::size_t> areaAt(const Point& point) const;
 
     enum class Box : std::uint8_t { Contains, Touches };
-    /// The shapes that a rectangle contains wholly or touches, of those that may be picked.
-    ObjectRanges shapesIn(const clipping::Window& rectangle, Box box) const;
+    /// The objects that a rectangle contains wholly or touches, of those that may be picked.
+    ObjectRanges objectsIn(const clipping::Window& rectangle, Box box) const;
 
     /// Shown, and not on a locked layer.
-    bool pickable(std::size_t shape) const;
+    bool pickable(std::size_t object) const { return document_.now().editable(object); }
+
+    /// How many blocks have a grid.
+    std::size_t grids() const;
 
 private:
-    struct Cells {
-        std::size_t x0, y0, x1, y1;
-    }; // inclusive
-    Cells cellsOf(const Point& min, const Point& max) const;
-    void build() const;
-    template <class Visit>
-    void visit(const clipping::Segment& segment, Visit cell) const;
+    struct Block {
+        Shared<SceneBlock> block; // it has an owner here: so no other one can get its address
+        FloatBox around{};
+        std::optional<BlockGrid> grid{};
+    };
+    void follow() const;
 
     const EditedDocument& document_;
     const Scene& scene_;
-    mutable bool outdated_ = true;
-    mutable Point origin_{};
-    mutable Point cell_{1, 1};
-    mutable std::size_t columns_ = 1, rows_ = 1;
-    mutable std::vector<std::uint32_t> start_, segments_; // of cell i: [start_[i], start_[i + 1])
+    mutable std::uint64_t revision_ = 0; // of the lines that blocks_ are of
+    mutable std::vector<Block> blocks_;
 };
-
-/// The distance from a point to a segment.
-double distance(const Point& point, const clipping::Segment& segment);
 
 } // namespace app

@@ -87,21 +87,13 @@ public:
     Plate plate()
     {
         for (const auto& [first, end] : options_.selection.ranges())
-            add(lines_.firstLineOf(first), lines_.firstLineOf(end));
+            lines_.forEachPart(lines_.firstLineOf(first), lines_.firstLineOf(end),
+                               [&](auto run, auto from, auto to) { add(run, from, to); });
         return plating_.take();
     }
 
 private:
-    void add(std::size_t first, std::size_t end)
-    {
-        for (std::size_t at = first < end ? lines_.runOf(first) : 0; first < end; ++at) {
-            const SceneLines::Run& run = lines_.runs()[at];
-            const std::size_t last = std::min(end, run.firstLine + run.segments.size());
-            addIn(at, first - run.firstLine, last - run.firstLine);
-            first = last;
-        }
-    }
-    void addIn(std::size_t at, std::size_t first, std::size_t end)
+    void add(std::size_t at, std::size_t first, std::size_t end)
     {
         const SceneBlock& block = *lines_.blocks()[at];
         for (std::size_t chunk = block.chunkOf(first); first < end; ++chunk) {

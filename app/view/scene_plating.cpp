@@ -4,21 +4,6 @@
 #include <algorithm>
 
 namespace app {
-namespace {
-
-// A NaN in the box is nowhere.
-bool isOutside(const FloatBox& box, const clipping::Window& w)
-{
-    return box.maxX < w.min.x || box.minX > w.max.x || box.maxY < w.min.y || box.minY > w.max.y;
-}
-
-bool isInside(const FloatBox& box, const clipping::Window& w)
-{
-    return box.minX >= w.min.x && box.maxX <= w.max.x && box.minY >= w.min.y && box.maxY <= w.max.y;
-}
-
-} // namespace
-
 ScenePlating::ScenePlating(const SceneLines& lines, const PaintedPart& part,
                            const PictureOptions& options, std::size_t expectedPieces)
     : lines_(lines), part_(part), plating_(options, expectedPieces)

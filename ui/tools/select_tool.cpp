@@ -198,7 +198,7 @@ void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
 {
     const auto how = pointer.screen.x >= from_.screen.x ? app::Picking::Box::Contains
                                                         : app::Picking::Box::Touches;
-    auto found = bench.picking.shapesIn(app::between(from_.raw, pointer.raw), how);
+    auto found = bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how);
     if (pointer.modifiers & Qt::ShiftModifier)
         found = united(found, bench.session.selection());
     bench.session.select(std::move(found));

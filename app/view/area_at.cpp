@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/area_at.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using clipping::Segment;
+
+/// How often an outline goes round a point, and how often a ray from the point meets the outline.
+/// Open paths are filled as if they were closed.
+class Crossings {
+public:
+    explicit Crossings(const Point& point) : p_(point) {}
+
+    void add(const Segment& line)
+    {
+        if (open_ && line.a != last_)
+            close();
+        if (!open_)
+            start_ = line.a;
+        open_ = true;
+        count(line);
+        last_ = line.b;
+    }
+    void close()
+    {
+        if (open_ && last_ != start_)
+            count({last_, start_});
+        open_ = false;
+    }
+    bool inside(FillRule rule) const
+    {
+        return rule == FillRule::EvenOdd ? crossings_ % 2 == 1 : winding_ != 0;
+    }
+
+private:
+    void count(const Segment& s)
+    {
+        if ((s.a.y <= p_.y) == (s.b.y <= p_.y))
+            return;
+        const double x = s.a.x + (s.b.x - s.a.x) * ((p_.y - s.a.y) / (s.b.y - s.a.y));
+        if (x <= p_.x)
+            return;
+        ++crossings_;
+        winding_ += s.b.y > s.a.y ? 1 : -1;
+    }
+
+    Point p_, start_{}, last_{};
+    bool open_ = false;
+    int winding_ = 0, crossings_ = 0;
+};
+
+class Search {
+public:
+    Search(const Document& document, const SceneLines& lines, const Point& point)
+        : document_(document), lines_(lines), p_(point)
+    {
+    }
+
+    std::optional<std::size_t> uppermost() const
+    {
+        for (std::size_t run = lines_.runs().size(); run-- > 0;)
+            for (std::size_t chunk = lines_.blocks()[run]->chunks.size(); chunk-- > 0;)
+                if (const auto object = uppermost(run, chunk))
+                    return object;
+        return std::nullopt;
+    }
+
+private:
+    // Of the objects that begin in the chunk. Only the last of them can have lines in others.
+    std::optional<std::size_t> uppermost(std::size_t run, std::size_t at) const
+    {
+        const SceneBlock& block = *lines_.blocks()[run];
+        const SceneChunk& chunk = block.chunks[at];
+        const Style& style = document_.styles()[chunk.style];
+        if (!style.fill)
+            return std::nullopt;
+        const std::size_t end = block.endOfChunk(at);
+        const bool all = !isOutside(chunk.box, {p_, p_});
+        for (std::size_t line = end; line > chunk.first;) {
+            const std::size_t object = block.objectOf(line - 1);
+            const bool last = line == end;
+            line = block.firstOf(object);
+            if (line < chunk.first || (object == 0 && block.continues))
+                break;
+            const std::size_t number = lines_.runs()[run].firstObject + object;
+            if ((all || (last && isAround(number))) && contains(number, style.fillRule)
+                && document_.editable(number))
+                return number;
+            if (!all)
+                break;
+        }
+        return std::nullopt;
+    }
+
+    template <class Visit>
+    void forEachPart(std::size_t object, const Visit& visit) const
+    {
+        lines_.forEachPart(lines_.firstLineOf(object), lines_.firstLineOf(object + 1), visit);
+    }
+
+    bool isAround(std::size_t object) const
+    {
+        std::optional<FloatBox> box;
+        forEachPart(object, [&](std::size_t run, std::size_t first, std::size_t end) {
+            const SceneBlock& block = *lines_.blocks()[run];
+            for (std::size_t chunk = block.chunkOf(first); first < end; ++chunk) {
+                const FloatBox& here = block.chunks[chunk].box;
+                box = box ? united(*box, here) : here;
+                first = block.endOfChunk(chunk);
+            }
+        });
+        return box && !isOutside(*box, {p_, p_});
+    }
+
+    bool contains(std::size_t object, FillRule rule) const
+    {
+        Crossings crossings(p_);
+        forEachPart(object, [&](std::size_t run, std::size_t first, std::size_t end) {
+            for (; first < end; ++first)
+                crossings.add(lines_.runs()[run].segments[first]);
+        });
+        crossings.close();
+        return crossings.inside(rule);
+    }
+
+    const Document& document_;
+    const SceneLines& lines_;
+    Point p_;
+};
+
+} // namespace
+
+std::optional<std::size_t> areaAt(const Document& document, const SceneLines& lines,
+                                  const Point& point)
+{
+    return Search(document, lines, point).uppermost();
+}
+
+} // namespace app
