@@ -25,7 +25,6 @@ app::Sheet emptySheet()
 {
     app::Sheet sheet;
     sheet.page = {{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}};
-    sheet.window = {{105, 74.25}, {315, 222.75}}; // the middle half
     return sheet;
 }
 
@@ -173,8 +172,8 @@ bool Files::write(const QString& path)
 app::CutOptions Files::cutOptions() const
 {
     return {.algorithm = &session_.uses(),
-            .window = session_.sheet().window,
-            .keep = session_.display().keep};
+            .window = session_.window(),
+            .keep = session_.now().windows().keep};
 }
 
 namespace {

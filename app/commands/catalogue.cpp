@@ -9,6 +9,7 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
+#include "app/commands/set_windows.h"
 
 #include <array>
 
@@ -18,7 +19,7 @@ namespace app {
 std::span<const CommandKind> commandKinds()
 {
     static constexpr std::array all{AddObjects::row,    RemoveObjects::row, MoveObjects::row,
-                                    ResizeObjects::row, SetStyle::row,     SetWindow::row,
+                                    ResizeObjects::row, SetStyle::row,     SetWindow::row,     SetWindows::row,
                                     SetContainers::row,    RemoveLayer::row,  CropToWindow::row};
     return all;
 }

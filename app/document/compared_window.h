@@ -13,6 +13,14 @@ struct ComparedWindow {
     friend bool operator==(const ComparedWindow&, const ComparedWindow&) = default;
 };
 
+/// The clip window that tools move and size, and that numbers are shown of: the first visible
+/// axis-aligned rectangle, if there is one.
+std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
+/// With that one in another place; with one more if there is none.
+ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
+/// Without that one.
+ClipWindows withoutWindow(ClipWindows windows);
+
 /// The first visible axis-aligned rectangle, whatever its operation; else the page.
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page);
 

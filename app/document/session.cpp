@@ -34,19 +34,12 @@ const Sheet& Session::sheet() const
     return *sheet_;
 }
 
-clipping::Window Session::window() const
+ClipWindows Session::windows() const
 {
-    return preview_.window ? *preview_.window : comparedWindow(now().windows(), now().page()).window;
+    return preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
 }
 
-ClipRegion Session::region() const
-{
-    ClipRegion region = regionOf(now().windows());
-    if (preview_.window)
-        region.steps = {{*preview_.window, WindowOperation::Add}};
-    region.keep = display_.keep;
-    return region;
-}
+ComparedWindow Session::compared() const { return comparedWindow(windows(), now().page()); }
 
 void Session::setDisplay(const Display& display)
 {
@@ -93,20 +86,12 @@ void Session::setPreview(const Preview& preview)
     emit previewChanged();
 }
 
-// For now there is always a clip window.
-static Document withWindow(Document document)
-{
-    if (document.windows().list.empty())
-        document.apply({.windows = ClipWindows{{{.shape = RectangleShape{document.page().rectangle()}}}}});
-    return document;
-}
-
 void Session::load(Imported imported, const QString& path)
 {
     losses_ = std::move(imported.report);
     path_ = path;
     history.clear();
-    document.load(withWindow(std::move(imported.document)));
+    document.load(std::move(imported.document));
     Display display = display_;
     display.unit = now().page().usualUnit();
     setDisplay(display);

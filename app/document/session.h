@@ -22,7 +22,6 @@ enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
 struct Display {
     const clipping::Algorithm* algorithm = nullptr; ///< never null in a session
     clipping::Form form = clipping::Form::Corrected;
-    Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm; ///< of rulers, labels and fields; a drawing that is opened brings its own
     bool overlay = false; ///< what the algorithm sees, over the drawing
@@ -67,10 +66,16 @@ public:
     /// is over, after the command that it became.
     const Preview& preview() const { return preview_; }
     void setPreview(const Preview& preview);
-    /// The clip window as it is now: the preview's, else the document's.
-    clipping::Window window() const;
-    /// All clip windows as they are now, for `Scene::clip`.
-    ClipRegion region() const;
+    /// The clip window as it is now, the preview's if there is one; without any, the page. Here
+    /// algorithms are compared, raced and explained.
+    clipping::Window window() const { return compared().window; }
+    ComparedWindow compared() const;
+    /// The clip window as it is now, if there is one.
+    std::optional<clipping::Window> clipWindow() const { return firstWindow(windows()); }
+    /// All of them as they are now, the preview's too.
+    ClipWindows windows() const;
+    /// The same for `Scene::clip`.
+    ClipRegion region() const { return regionOf(windows()); }
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layers_panel.h"
+#include "ui/keeping.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/tool_list.h"
@@ -61,9 +62,7 @@ private slots:
         t.window->files().open(t.twoLines()); // with a window around both
         t.show();
         QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
-        app::Display display = t.window->session().display();
-        display.keep = app::Keep::Outside;
-        t.window->session().setDisplay(display);
+        ui::setKeep(t.window->session(), app::Keep::Outside);
         QTRY_COMPARE(t.window->status().visibility(), "0 of 2 visible");
     }
     void repeatedPastesAndDuplicatesLieBesideEachOther()

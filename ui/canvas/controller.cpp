@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include "app/commands/set_window.h"
 #include "app/view/visible_lines.h"
+#include "ui/canvas/window_offer.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QGuiApplication>
@@ -121,6 +123,8 @@ QCursor Controller::cursor() const
         return Qt::ClosedHandCursor;
     if (space_)
         return Qt::OpenHandCursor;
+    if (pointer_ && offerPlace(*this).contains(pointer_->screen.x, pointer_->screen.y))
+        return Qt::PointingHandCursor;
     return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
 }
 
@@ -135,7 +139,7 @@ app::Frame Controller::clip(const Pane& pane) const
 {
     const app::Display& display = session_.display();
     const bool both =
-        display.keep == app::Keep::Outside || display.removed != app::RemovedPart::Hidden;
+        session_.now().windows().keep == app::Keep::Outside || display.removed != app::RemovedPart::Hidden;
     return session_.scene.clip(*clipping::usesOf(*pane.choice.algorithm, pane.choice.form),
                                window(),
                                both ? app::Scene::Removed::Kept : app::Scene::Removed::Left);
@@ -143,7 +147,7 @@ app::Frame Controller::clip(const Pane& pane) const
 
 std::size_t Controller::visibleLines(const app::Frame& frame) const
 {
-    return app::visibleLines(frame, session_.display().keep);
+    return app::visibleLines(frame, session_.now().windows().keep);
 }
 
 const app::Differences* Controller::differing(const Pane& pane) const
@@ -171,7 +175,7 @@ app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, doub
     const app::Display& display = session_.display();
     app::PictureOptions options;
     options.view = view();
-    options.keep = display.keep;
+    options.keep = session_.now().windows().keep;
     options.removed = display.removed;
     if (look_.dark && !display.asPrinted)
         options.page = colourOf(look_.paper);
@@ -271,7 +275,7 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
         const double radius = bench_.inDrawing(snapReach);
         for (const std::size_t segment : picking_.near(raw, radius))
             near.push_back(session_.scene.segments()[segment]);
-        snap_ = app::snap(raw, radius, near, session_.sheet().window, to);
+        snap_ = app::snap(raw, radius, near, session_.window(), to);
     }
     return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
 }
@@ -345,6 +349,11 @@ void Controller::press(QMouseEvent& event)
     if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) {
         panningFrom_ = event.position();
         emit changed();
+        return;
+    }
+    if (event.button() == Qt::LeftButton && offerPlace(*this).contains(event.position())) {
+        session_.history.push(
+            new app::SetWindow(session_.document, session_.now().page().rectangle()));
         return;
     }
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());

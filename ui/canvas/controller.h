@@ -82,6 +82,8 @@ public:
     QString redoText() const;
 
     /// The clip window as it is now, in the middle of a gesture too.
+    std::optional<clipping::Window> clipWindow() const { return session_.clipWindow(); }
+    /// The same; without one, the page.
     clipping::Window window() const { return session_.window(); }
     /// Boxes that labels should not hide, in logical pixels.
     const std::vector<QRectF>& letters() const { return letters_.in(view()); }

@@ -123,9 +123,11 @@ bool Controller::arrow(const QKeyEvent& event)
         return false;
     const app::Point by = *direction * nudge(bench_, event.modifiers());
     if (event.modifiers() & Qt::AltModifier) {
-        const clipping::Window w = session_.sheet().window;
+        const auto w = session_.clipWindow();
+        if (!w)
+            return true;
         session_.history.push(
-            new app::SetWindow(session_.document, {w.min + by, w.max + by}, app::Merging::WithLast));
+            new app::SetWindow(session_.document, {w->min + by, w->max + by}, app::Merging::WithLast));
     } else if (!session_.selection().empty()) {
         session_.history.push(new app::MoveObjects(session_.document, session_.selection(), by,
                                                   app::Merging::WithLast));

@@ -3,6 +3,7 @@
 
 #include "app/view/numbers.h"
 #include "app/view/place.h"
+#include "ui/canvas/window_offer.h"
 
 #include <glm/common.hpp>
 
@@ -93,6 +94,10 @@ bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& w
 
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane)
 {
+    if (!controller.clipWindow()) {
+        paintOffer(painter, controller, pane);
+        return;
+    }
     const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
     const bool lit = controller.tool().litGrip() == app::Grip{};
@@ -116,6 +121,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
 std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pane,
                                     const QFont& font)
 {
+    if (!controller.clipWindow())
+        return {offerPlace(controller)};
     const QRectF window = rectangleOnScreen(controller);
     std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),

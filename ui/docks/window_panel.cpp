@@ -10,6 +10,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 
 namespace ui {
 
@@ -38,7 +39,19 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
 } // namespace
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), chain_(new QToolButton), unit_(new UnitBox(session))
+    : QWidget(parent), session_(session), chain_(new QToolButton), unit_(new UnitBox(session)),
+      pages_(new QStackedLayout(this))
+{
+    pages_->addWidget(makeFields());
+    pages_->addWidget(makeOffer());
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
+    connect(&session.document, &app::EditedDocument::changed, this, &WindowPanel::follow); // the page
+    connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
+    follow();
+}
+
+QWidget* WindowPanel::makeFields()
 {
     using Range = LengthField::Range;
     constexpr auto none = LengthField::Suffix::None;
@@ -72,19 +85,37 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     grid->setColumnStretch(3, 1);
     grid->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                              space::dockMargin);
-    setLayout(grid);
     for (LengthField* field : fields_)
         field->setMinimumWidth(72);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
-    connect(&session.document, &app::EditedDocument::changed, this, &WindowPanel::follow); // the page
-    connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
-    follow();
+    auto* fields = new QWidget;
+    fields->setLayout(grid);
+    return fields;
+}
+
+QWidget* WindowPanel::makeOffer()
+{
+    auto* text = new QLabel(tr("There is no clip window: nothing is cut. Draw one (W), or:"));
+    text->setWordWrap(true);
+    auto* button = new QPushButton(tr("Window on page"));
+    button->setToolTip(tr("Lay a clip window on the whole page"));
+    connect(button, &QPushButton::clicked, this, [this] {
+        session_.history.push(
+            new app::SetWindow(session_.document, session_.now().page().rectangle()));
+    });
+    auto* column = new QVBoxLayout;
+    column->addWidget(text);
+    column->addWidget(button, 0, Qt::AlignLeft);
+    column->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
+                               space::dockMargin);
+    auto* offer = new QWidget;
+    offer->setLayout(column);
+    return offer;
 }
 
 void WindowPanel::follow()
 {
-    const clipping::Window& window = session_.window();
+    pages_->setCurrentIndex(session_.clipWindow() ? 0 : 1);
+    const clipping::Window window = session_.window();
     const double size = session_.now().page().millimetresPerUnit();
     const app::Point place =
         window.min - app::originOf(session_.now().page(), session_.display().unit);
@@ -96,7 +127,7 @@ void WindowPanel::follow()
 
 void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
 {
-    const clipping::Window& before = session_.sheet().window;
+    const clipping::Window before = session_.window();
     const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());

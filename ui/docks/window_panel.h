@@ -4,6 +4,7 @@
 #include "app/document/session.h"
 
 #include <QComboBox>
+#include <QStackedLayout>
 #include <QToolButton>
 
 #include <array>
@@ -24,6 +25,8 @@ signals:
     void refused(const QString& sentence); ///< a number that cannot be
 
 private:
+    QWidget* makeFields();
+    QWidget* makeOffer(); ///< where there is no window
     void follow();
     void edit(std::size_t field, double length, app::Merging merging);
 
@@ -31,6 +34,7 @@ private:
     std::array<LengthField*, 4> fields_; ///< X Y W H
     QToolButton* chain_;                 ///< on: W and H keep their proportion
     QComboBox* unit_;
+    QStackedLayout* pages_; ///< the fields; else the offer
 };
 
 } // namespace ui

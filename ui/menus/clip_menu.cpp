@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
+#include "app/commands/set_windows.h"
+#include "ui/keeping.h"
 #include "app/latin.h"
 #include "app/view/picking.h"
 #include "ui/actions.h"
@@ -58,7 +60,7 @@ void complete(MainWindow& window, QMenu& menu)
 template <app::Keep keep>
 bool keeps(const MainWindow& window)
 {
-    return window.session().display().keep == keep;
+    return window.session().now().windows().keep == keep;
 }
 
 template <app::RemovedPart removed>
@@ -70,7 +72,7 @@ bool shows(const MainWindow& window)
 template <app::Keep keep>
 void setKeep(MainWindow& window)
 {
-    change(window, [](app::Display& display) { display.keep = keep; });
+    ui::setKeep(window.session(), keep);
 }
 
 template <app::RemovedPart removed>
@@ -79,11 +81,20 @@ void setRemoved(MainWindow& window)
     change(window, [](app::Display& display) { display.removed = removed; });
 }
 
-void windowToPage(MainWindow& window)
+void windowOnPage(MainWindow& window)
 {
     app::Session& session = window.session();
     session.history.push(new app::SetWindow(session.document, session.now().page().rectangle()));
 }
+
+void removeWindow(MainWindow& window)
+{
+    app::Session& session = window.session();
+    session.history.push(new app::SetWindows(
+        session.document, app::withoutWindow(session.now().windows()), tr("Remove clip window")));
+}
+
+bool hasWindow(const MainWindow& window) { return window.session().clipWindow().has_value(); }
 
 } // namespace
 
@@ -92,7 +103,7 @@ MenuInfo clipMenu()
 {
     using app::Keep;
     using app::RemovedPart;
-    const auto some = [](const MainWindow& w) { return !w.session().scene.segments().empty(); };
+    const auto some = [](const MainWindow& w) { return w.session().scene.lines().size() > 0 && hasWindow(w); };
     return {tr("&Clip"),
             {
                 {"crop",
@@ -102,7 +113,14 @@ MenuInfo clipMenu()
                  {},
                  [](MainWindow& w) { w.files().crop(); },
                  some},
-                {"window-to-page", tr("&Window to page"), {}, Reach::Window, {}, windowToPage},
+                {"window-on-page", tr("&Window on page"), {}, Reach::Window, {}, windowOnPage},
+                {"remove-window",
+                 tr("&Remove clip window"),
+                 {},
+                 Reach::Window,
+                 {},
+                 removeWindow,
+                 hasWindow},
                 {},
                 {"keep-inside",
                  tr("Keep &inside"),

@@ -86,7 +86,8 @@ std::optional<clipping::Window> boxAround(const app::Session& session)
 
 void SelectTool::light(const Pointer& pointer, Workbench& bench)
 {
-    litGrip_ = app::gripAt(pointer.screen, bench.session.sheet().window, bench.view);
+    const auto window = bench.session.clipWindow();
+    litGrip_ = window ? app::gripAt(pointer.screen, *window, bench.view) : std::nullopt;
     const auto box = litGrip_ ? std::nullopt : boxAround(bench.session);
     boxGrip_ = box ? app::gripAt(pointer.screen, *box, bench.view, boxReach) : std::nullopt;
     litSegment_ = litGrip_ || boxGrip_ ? std::nullopt
@@ -97,7 +98,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
 {
     light(pointer, bench);
     if (litGrip_) {
-        gesture_.start(*litGrip_, pointer, bench.session.sheet().window);
+        gesture_.start(*litGrip_, pointer, bench.session.window());
         return;
     }
     from_ = to_ = pointer;

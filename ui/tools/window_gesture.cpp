@@ -44,7 +44,7 @@ void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
     follow(pointer);
     const auto result = window();
     state_.reset();
-    if (result && *result != bench.session.sheet().window)
+    if (result && result != app::firstWindow(bench.session.now().windows()))
         bench.session.history.push(new app::SetWindow(bench.session.document, *result));
     bench.session.setPreview({});
 }

@@ -13,7 +13,7 @@ public:
     {
         lit_ = gripUnder(pointer, bench);
         if (lit_)
-            gesture_.start(*lit_, pointer, bench.session.sheet().window);
+            gesture_.start(*lit_, pointer, bench.session.window());
         else
             gesture_.startNew(pointer);
     }
@@ -51,14 +51,15 @@ public:
 private:
     static std::optional<app::Grip> gripUnder(const Pointer& pointer, const Workbench& bench)
     {
-        const clipping::Window& w = bench.session.sheet().window;
-        if (const auto grip = app::gripAt(pointer.screen, w, bench.view))
+        const auto window = bench.session.clipWindow();
+        if (!window)
+            return std::nullopt;
+        if (const auto grip = app::gripAt(pointer.screen, *window, bench.view))
             return grip;
         const app::Point p = pointer.raw;
-        const bool inside = p.x >= w.min.x && p.y >= w.min.y && p.x <= w.max.x && p.y <= w.max.y;
-        // The whole page is a window that was not set yet: a drag in it draws one, and moves none.
-        const bool unset = w == bench.session.now().page().rectangle();
-        return inside && !unset ? std::optional(app::Grip{}) : std::nullopt;
+        const auto& [min, max] = *window;
+        const bool inside = p.x >= min.x && p.y >= min.y && p.x <= max.x && p.y <= max.y;
+        return inside ? std::optional(app::Grip{}) : std::nullopt;
     }
 
     WindowGesture gesture_;
@@ -76,8 +77,10 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
     if (by == app::Point(0))
         return false;
     by *= nudge(bench, event.modifiers());
-    const clipping::Window& w = bench.session.sheet().window;
-    bench.session.history.push(new app::SetWindow(bench.session.document, {w.min + by, w.max + by},
+    const auto w = bench.session.clipWindow();
+    if (!w)
+        return false;
+    bench.session.history.push(new app::SetWindow(bench.session.document, {w->min + by, w->max + by},
                                                   app::Merging::WithLast));
     return true;
 }

@@ -2,6 +2,7 @@
 #include "ui/widgets/option_bar.h"
 
 #include "app/commands/set_style.h"
+#include "ui/keeping.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/dash_icon.h"
@@ -72,6 +73,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     addWidget(room);
     addExport(exportCut);
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
+    connect(&session, &app::Session::previewChanged, this, &OptionBar::followDisplay); // keep
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
     connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followStyle);
@@ -138,11 +140,8 @@ void OptionBar::addClipping()
     addSeparator();
     addCaption(tr("Removed part"));
     addWidget(removed_);
-    connect(keep_, &Segments::picked, this, [this](int index) {
-        app::Display display = session_.display();
-        display.keep = app::Keep(index);
-        session_.setDisplay(display);
-    });
+    connect(keep_, &Segments::picked, this,
+            [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
         app::Display display = session_.display();
         display.removed = app::RemovedPart(index);
@@ -237,7 +236,7 @@ void OptionBar::paintIcons()
 
 void OptionBar::followDisplay()
 {
-    keep_->choose(int(session_.display().keep));
+    keep_->choose(int(session_.now().windows().keep));
     removed_->choose(int(session_.display().removed));
     followStyle();
 }

@@ -9,6 +9,7 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
+#include "app/commands/set_windows.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,7 @@ private:
         std::string_view key;
         app::UndoCommand* (*make)(RandomCommands&); ///< null: not now
     };
-    static const std::array<Maker, 9> makers;
+    static const std::array<Maker, 10> makers;
 
     double number() { return double(random_() % 1000) / 16; }
     std::uint32_t layer() { return std::uint32_t(random_() % sheetOf(document_).layers.size()); }
@@ -110,7 +111,7 @@ private:
     std::map<std::string_view, int> drawn_;
 };
 
-inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
+inline const std::array<RandomCommands::Maker, 10> RandomCommands::makers{{
     {"add-objects", [](RandomCommands& r) { return r.addTwo(); }},
     {"remove-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
@@ -134,6 +135,18 @@ inline const std::array<RandomCommands::Maker, 9> RandomCommands::makers{{
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::SetWindow(r.document_, {{0, 0}, {r.number(), 5}});
+     }},
+    {"set-windows",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         app::ClipWindows windows = r.document_.now().windows();
+         if (r.random_() % 4 == 0)
+             windows.list.clear();
+         windows.list.push_back({.name = "new",
+                                 .shape = app::RectangleShape{{{0, 0}, {r.number(), r.number()}}},
+                                 .operation = app::WindowOperation(r.random_() % 3),
+                                 .visible = r.random_() % 2 == 0});
+         windows.keep = app::Keep(r.random_() % 2);
+         return new app::SetWindows(r.document_, windows, "Windows");
      }},
     {"set-containers", [](RandomCommands& r) { return r.addLayer(); }},
     {"remove-layer",

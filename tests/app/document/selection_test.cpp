@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_containers.h"
 #include "app/commands/set_window.h"
+#include "app/commands/set_windows.h"
 #include "app/document/bounds.h"
 #include "app/document/legacy.h"
 #include "app/document/session.h"
@@ -39,9 +40,9 @@ private slots:
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {2, 5}}));
         session.select({9, 6, 1}); // the same
         session.inspect(3);
-        app::Display display = session.display();
-        display.keep = app::Keep::Outside;
-        session.setDisplay(display);
+        app::ClipWindows windows = session.now().windows();
+        windows.keep = app::Keep::Outside;
+        session.history.push(new app::SetWindows(session.document, windows, "Keep outside"));
         QCOMPARE(session.selectionBounds(), mark);
     }
     void eachChangeCalculatesThemAnew()

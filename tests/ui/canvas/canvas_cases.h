@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/formats/format.h"
+#include "ui/keeping.h"
 #include "ui/look.h"
 
 #include "tests/ui/canvas/stage.h"
@@ -20,7 +21,7 @@ inline void showsWhatIsLeftAndGhostsTheRest(ui::Backend backend)
              qPrintable(ghost.name()));
     QCOMPARE(stage.colourAt({30, 10}), QColor(Qt::white));
     app::Display display = stage.session.display();
-    display.keep = app::Keep::Outside;
+    ui::setKeep(stage.session, app::Keep::Outside);
     stage.session.setDisplay(display);
     QCOMPARE(stage.colourAt({30, 50}), QColor(0, 0, 200));
     display.removed = app::RemovedPart::Hidden;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/edit_command.h"
+
+namespace app {
+
+/// Adds, removes or changes clip windows, or chooses which side of them is kept.
+class SetWindows : public EditCommand {
+public:
+    static constexpr CommandKind row{"set-windows", "Changes the list of clip windows"};
+
+    SetWindows(EditedDocument& document, ClipWindows windows, const QString& text)
+        : EditCommand(row, document, {.windows = std::move(windows)}, text)
+    {
+    }
+};
+
+} // namespace app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/window_offer.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr double gap = 13, margin = 4; // pixels
+
+QString text() { return QCoreApplication::translate("Canvas", "Window on page"); }
+
+} // namespace
+
+QRectF offerPlace(const Controller& controller)
+{
+    if (controller.clipWindow() || !controller.tool().showsGrips())
+        return {};
+    const app::View& view = controller.view();
+    const clipping::Window page = controller.session().now().page().rectangle();
+    const app::Point min = view.toScreen(page.min), max = view.toScreen(page.max);
+    const QSizeF size = QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);
+    const double x = (std::clamp(min.x, 0.0, view.size.x) + std::clamp(max.x, 0.0, view.size.x)) / 2;
+    const double lowest = view.size.y - margin - size.height();
+    const double y = std::clamp(max.y + gap, margin, std::max(margin, lowest));
+    return {QPointF(x - size.width() / 2, y), size};
+}
+
+void paintOffer(QPainter& painter, const Controller& controller, const Pane& pane)
+{
+    const QRectF place = offerPlace(controller);
+    if (place.isEmpty() || !pane.active)
+        return;
+    const Look& look = controller.look();
+    const auto& pointer = controller.pointer();
+    const bool lit = pointer && place.contains(pointer->screen.x, pointer->screen.y);
+    painter.setFont(QGuiApplication::font());
+    painter.setPen(QPen(look.accent, 1));
+    painter.setBrush(lit ? look.accent : controller.pageColour());
+    painter.drawRoundedRect(place, 4, 4);
+    painter.setPen(lit ? look.onAccent : look.accent);
+    painter.drawText(place, Qt::AlignCenter, text());
+}
+
+} // namespace ui
