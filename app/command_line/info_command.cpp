@@ -78,10 +78,10 @@ std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
         {Commands::tr("bounds"), all.bounds ? rectangleText(*all.bounds) : Commands::tr("none")},
         {Commands::tr("in mm"),
          all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
-        {Commands::tr("window"), rectangleText(sheet.window)},
-        {Commands::tr("page"),
-         Commands::tr("%1, on paper %2 × %3")
-             .arg(rectangleText(sheet.page.rectangle()), text(sheet.page.width), text(sheet.page.height))},
+        {Commands::tr("window"), rectangleText(windowOf(imported))},
+        {Commands::tr("page"), Commands::tr("%1, on paper %2 × %3")
+                                   .arg(rectangleText(sheet.page.rectangle()),
+                                        text(sheet.page.width), text(sheet.page.height))},
         {Commands::tr("unit"), text(sheet.page.millimetresPerUnit()) + QStringLiteral("mm")},
     };
     for (auto& row : layerRows(sheet, layers))

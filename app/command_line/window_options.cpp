@@ -54,6 +54,13 @@ std::vector<Option> windowOptions()
     };
 }
 
+clipping::Window windowOf(const Imported& imported)
+{
+    const Page& page = imported.document.page();
+    const ComparedWindow saved = comparedWindow(imported.document.windows(), page);
+    return saved.isPage ? imported.drawn.value_or(page.rectangle()) : saved.window;
+}
+
 clipping::Window windowOf(const Given& given, const Imported& imported)
 {
     const Page& page = imported.document.page();
@@ -61,7 +68,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
     const auto margin = given.length(QStringLiteral("margin"));
     if (margin && !given.has(QStringLiteral("page")))
         throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
-    clipping::Window window = comparedWindow(imported.document.windows(), page).window;
+    clipping::Window window = windowOf(imported);
     if (const auto r = given.rectangle(QStringLiteral("window"))) {
         if (given.has(QStringLiteral("page")))
             throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
@@ -87,8 +94,9 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
 
 QString windowText(const Given& given, const Imported& imported, const clipping::Window& window)
 {
-    const bool isThePage =
-        !imported.windowSaved && imported.paged && window == imported.document.page().rectangle();
+    const Page& page = imported.document.page();
+    const bool isSaved = !comparedWindow(imported.document.windows(), page).isPage;
+    const bool isThePage = !isSaved && imported.paged && window == page.rectangle();
     QString source;
     if (given.has(QStringLiteral("window")))
         source = Commands::tr("given");
@@ -96,7 +104,7 @@ QString windowText(const Given& given, const Imported& imported, const clipping:
         source = Commands::tr("the page, margin %1").arg(*margin);
     else if (given.has(QStringLiteral("page")) || isThePage)
         source = Commands::tr("the page");
-    else if (imported.windowSaved)
+    else if (isSaved)
         source = Commands::tr("saved in the drawing");
     else
         source = Commands::tr("all that is drawn");

@@ -9,6 +9,10 @@ namespace app {
 /// --margin.
 std::vector<Option> windowOptions();
 
+/// The drawing's own: the first upright rectangle of its clip windows that is visible; without one
+/// the page, and in a file without a page all that is drawn.
+clipping::Window windowOf(const Imported& imported);
+
 /// The clip window that the options choose, in user units; without them the drawing's own. Bare
 /// numbers count from the user origin, lengths with a unit from the paper's top left corner (in a
 /// file without a page: from the user origin). Throws WrongUsage for a window that mixes the two,

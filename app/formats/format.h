@@ -31,8 +31,6 @@ struct Imported {
     /// Whether the file has a page of its own. Else (CSV) the page is what is drawn, and lengths
     /// with a unit count from the user origin as bare numbers do.
     bool paged = true;
-    /// Whether the clip window was saved in the file. Else it is the page, or what is drawn.
-    bool windowSaved = false;
     /// Of a file without a page of its own: all that is drawn, with the page. Where nothing else is
     /// said, this is clipped.
     std::optional<clipping::Window> drawn{};

@@ -51,7 +51,7 @@ Document LinesByLayer::take()
         page.width = {page.size.x, Unit::Px};
         page.height = {page.size.y, Unit::Px};
     }
-    return builder.take(page, {}, {{{.shape = RectangleShape{page.rectangle()}}}});
+    return builder.take(page);
 }
 
 std::vector<std::uint32_t> LinesByLayer::order()

@@ -72,6 +72,12 @@ inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many lay
                                  QT_TRANSLATE_NOOP("svg", "the upper ones became one"),
                                  QT_TRANSLATE_NOOP("svg", "the upper ones became one")};
 
+inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window above the first 1,000"),
+                                  QT_TRANSLATE_NOOP("svg", "clip windows above the first 1,000")};
+
+inline constexpr LossKind invalidWindow{
+    QT_TRANSLATE_NOOP("svg", "clip window that is inverted or not finite was left out"),
+    QT_TRANSLATE_NOOP("svg", "clip windows that are inverted or not finite were left out"), true};
 inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};

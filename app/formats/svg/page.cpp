@@ -2,7 +2,6 @@
 #include "app/formats/svg/page.h"
 
 #include "app/document/page_around.h"
-#include "app/formats/number.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"
@@ -62,21 +61,6 @@ void layOut(RootPage& root, const Box& box, const Point& pixels, std::string_vie
     root.page.size = sheet.size;
 }
 
-/// The clip window of an element; none unless its numbers make one.
-std::optional<clipping::Window> windowOf(const Tree& tree, Node node)
-{
-    if (tree.name(node) != "clearcut:window")
-        return std::nullopt;
-    const auto number = [&](std::string_view name) {
-        const auto read = parseNumber(tree.attribute(node, name));
-        return read && std::abs(*read) <= largestCoordinate ? read : std::nullopt;
-    };
-    const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
-    if (v[0] && v[1] && v[2] && v[3] && *v[0] <= *v[2] && *v[1] <= *v[3])
-        return clipping::Window{{*v[0], *v[1]}, {*v[2], *v[3]}};
-    return std::nullopt;
-}
-
 } // namespace
 
 RootPage readPage(const Tree& tree)
@@ -116,18 +100,6 @@ Page closed(const RootPage& root, const Objects& objects)
     if (root.openY)
         close(page.size.y, page.height, end.y);
     return page;
-}
-
-std::optional<clipping::Window> readWindow(const Tree& tree)
-{
-    for (const Node metadata : Children(tree, 0)) {
-        if (tree.name(metadata) != "metadata")
-            continue;
-        for (const Node node : Children(tree, metadata))
-            if (const auto window = windowOf(tree, node))
-                return window;
-    }
-    return std::nullopt;
 }
 
 } // namespace app::svg

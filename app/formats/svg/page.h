@@ -21,7 +21,4 @@ RootPage readPage(const Tree& tree);
 /// the corner of such a drawing, to the right and lower end of what is drawn.
 Page closed(const RootPage& root, const Objects& objects);
 
-/// The clip window that Clearcut wrote into the metadata; nothing if it is none (inside out).
-std::optional<clipping::Window> readWindow(const Tree& tree);
-
 } // namespace app::svg

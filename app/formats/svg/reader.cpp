@@ -6,6 +6,7 @@
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/walk.h"
+#include "app/formats/svg/window_text.h"
 
 #include <QBuffer>
 
@@ -14,14 +15,14 @@
 namespace app::svg {
 namespace {
 
-// The page; of a file without a page, all that is drawn as well.
-clipping::Window usualWindow(const RootPage& root, const Document& document)
+// Of a file without a page, all that is drawn, with the page.
+std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& document)
 {
-    const clipping::Window page = document.page().rectangle();
     if (document.objects().empty() || !(root.openX || root.openY))
-        return page;
+        return std::nullopt;
+    const clipping::Window page = document.page().rectangle();
     const clipping::Window drawn = pageAround(document.objects()).rectangle();
-    return {glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
+    return clipping::Window{glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
 }
 
 Document draw(const Tree& tree, const RootPage& root, Report& report)
@@ -42,11 +43,9 @@ Imported import(const Tree& tree)
     Report report;
     const RootPage root = readPage(tree);
     Document document = draw(tree, root, report);
-    document.apply({.page = closed(root, document.objects())});
-    const auto saved = readWindow(tree);
-    imported.windowSaved = saved.has_value();
-    const clipping::Window window = saved.value_or(usualWindow(root, document));
-    document.apply({.windows = ClipWindows{{{.shape = RectangleShape{window}}}}});
+    document.apply(
+        {.windows = readWindows(tree, report), .page = closed(root, document.objects())});
+    imported.drawn = drawnOf(root, document);
     imported.document = std::move(document);
     imported.report = report.losses();
     return imported;

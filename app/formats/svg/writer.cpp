@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/writer.h"
 
-#include "app/document/compared_window.h"
 #include "app/document/line_ink.h"
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/style_text.h"
+#include "app/formats/svg/window_text.h"
 #include "app/formats/write_all.h"
 
 #include <algorithm>
@@ -83,19 +83,8 @@ private:
         appendLine(about.title);
         appendLine(about.description);
         appendLine(about.metadata);
-        appendWindow();
-    }
-
-    void appendWindow()
-    {
-        const clipping::Window window =
-            comparedWindow(document_.windows(), document_.page()).window;
-        text_ += "<metadata><clearcut:window";
-        appendAttribute(text_, "xmin", window.min.x);
-        appendAttribute(text_, "ymin", window.min.y);
-        appendAttribute(text_, "xmax", window.max.x);
-        appendAttribute(text_, "ymax", window.max.y);
-        text_ += "/></metadata>\n";
+        if (const std::string windows = textOf(document_.windows()); !windows.empty())
+            text_.append("<metadata>").append(windows).append("</metadata>\n");
     }
 
     // XML that stands in a line of its own; nothing for nothing.

@@ -100,7 +100,7 @@ private slots:
             QTest::addRow("%s, %s", command, limit) << QString(command) << QByteArray(limit);
         };
         for (const char* reads : {"clip", "convert", "info", "compare"}) {
-            row(reads, "svg: at most 5,000,000 elements, nested 500 deep; 10,000,000 points; 1,000 "
+            row(reads, "svg: at most 5,000,000 elements, nested 520 deep; 10,000,000 points; 1,000 "
                        "layers");
             row(reads, "csv: at most 5,000,000 lines; 1,000 layers");
         }
@@ -359,7 +359,7 @@ private slots:
     {
         if (!memoryCanBeLimited)
             QSKIP("the sanitizer itself takes more memory than is left here");
-        const auto run = inShell("ulimit -v 600000; yes 1,2,3,4 | $clearcut info - --from csv");
+        const auto run = inShell("ulimit -v 220000; yes 1,2,3,4 | $clearcut info - --from csv");
         QCOMPARE(run.code, 1);
         QCOMPARE(run.err, "clearcut info: There is not enough memory for this.\n");
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/compared_window.h"
 #include "app/document/document_builder.h"
 
 #include <set>
 
 /// Builds a document again as it comes back from a file: a line without length is a point, what has
-/// no area has no fill, and an id that is there twice stays with the first.
+/// no area has no fill, an id that is there twice stays with the first, and clip windows (which
+/// must be rectangles) that are inverted are left out.
 class Canonical {
 public:
     explicit Canonical(const app::Document& document) : document_(document) {}
@@ -17,14 +17,21 @@ public:
         idOf(document_.about().id);
         for (const app::ContainerId layer : tree().childrenOf(0))
             add(layer);
-        const clipping::Window window =
-            app::comparedWindow(document_.windows(), document_.page()).window;
-        return builder_.take(document_.page(), document_.about(),
-                             {{{.shape = app::RectangleShape{window}}}});
+        return builder_.take(document_.page(), document_.about(), windows());
     }
 
 private:
     const app::Containers& tree() const { return document_.containers(); }
+
+    app::ClipWindows windows() const
+    {
+        app::ClipWindows windows = document_.windows();
+        std::erase_if(windows.list, [](const app::ClipWindow& window) {
+            const auto& box = std::get<app::RectangleShape>(window.shape).box;
+            return box.min.x > box.max.x || box.min.y > box.max.y;
+        });
+        return windows;
+    }
 
     QString idOf(const QString& id) { return ids_.insert(id).second ? id : QString(); }
 

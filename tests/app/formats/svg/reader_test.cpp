@@ -134,39 +134,25 @@ private slots:
     void aDrawingWithoutPageKeepsItsPlace()
     {
         // To the user origin, where programs put the corner, and written with that size.
-        const auto sheet = [](const QByteArray& d) {
-            return sheetOf("<svg xmlns='http://www.w3.org/2000/svg' width='100%' height='100%'>"
-                           "<path d='"
-                           + d + "' stroke='red' fill='none' stroke-width='0'/></svg>");
+        const auto imported = [](const QByteArray& d) {
+            return *readText("<svg xmlns='http://www.w3.org/2000/svg' width='100%' height='100%'>"
+                             "<path d='"
+                             + d + "' stroke='red' fill='none' stroke-width='0'/></svg>")
+                        .value;
         };
-        const app::Sheet right = sheet("M10 20L30 60");
-        QCOMPARE(right.page.rectangle(), (clipping::Window{{0, 0}, {30, 60}}));
-        QCOMPARE(right.window, right.page.rectangle());
-        QVERIFY(textOf(right).contains("width=\"30px\" height=\"60px\" viewBox=\"0 0 30 60\""));
-        // What is left of the sheet is not lost to a cut that names no window.
-        const app::Sheet around = sheet("M-10 -20L30 60");
-        QCOMPARE(around.page, right.page);
-        QCOMPARE(around.window, (clipping::Window{{-10, -20}, {30, 60}}));
-        QCOMPARE(sheetOf(textOf(around)), around);
-    }
-
-    void clipWindowInTheMetadata()
-    {
-        QCOMPARE(sheetOf(drawing("")).window, (clipping::Window{{0, 0}, {100, 100}}));
-        QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' xmin='.1' ymin='-2' "
-                                 "xmax='3' ymax='4e1'/></metadata>"))
-                     .window,
-                 (clipping::Window{{0.1, -2}, {3, 40}}));
-        for (const char* bad : {"xmin='5' ymin='0' xmax='4' ymax='9'",
-                                "xmin='-1e308' ymin='0' xmax='1e308' ymax='9'"})
-            QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' " + QByteArray(bad)
-                                     + "/></metadata>"))
-                         .window,
-                     (clipping::Window{{0, 0}, {100, 100}}));
-        QCOMPARE(sheetOf(drawing("<metadata><window xmlns='urn:clearcut:1' xmin='x' ymin='-2' "
-                                 "xmax='3' ymax='4'/></metadata>"))
-                     .window,
-                 (clipping::Window{{0, 0}, {100, 100}}));
+        const app::Imported right = imported("M10 20L30 60");
+        const app::Page page = right.document.page();
+        QCOMPARE(page.rectangle(), (clipping::Window{{0, 0}, {30, 60}}));
+        QVERIFY(right.drawn == page.rectangle());
+        QVERIFY(textOf(right.document)
+                    .contains("width=\"30px\" height=\"60px\" viewBox=\"0 0 30 60\""));
+        // What is left of the page is not lost to a cut that names no window.
+        const app::Imported around = imported("M-10 -20L30 60");
+        QCOMPARE(around.document.page(), page);
+        QVERIFY(around.drawn == (clipping::Window{{-10, -20}, {30, 60}}));
+        const auto again = readText(textOf(around.document));
+        QVERIFY(again.value->document == around.document);
+        QVERIFY(!again.value->drawn);
     }
 
     void layers()
@@ -418,8 +404,9 @@ private slots:
         QCOMPARE(read.description, about.description);
         QCOMPARE(read.metadata, about.metadata);
         const QByteArray text = textOf(result.value->document);
-        QVERIFY2(sheetOf(text).about == read, text.constData());
-        QCOMPARE(textOf(sheetOf(text)), text);
+        const auto again = readText(text);
+        QVERIFY2(again.value->document == result.value->document, text.constData());
+        QCOMPARE(textOf(again.value->document), text);
     }
 
     void withoutANamespaceItIsSvgAsWell()

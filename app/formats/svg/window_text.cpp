@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg/window_text.h"
+
+#include "app/formats/number.h"
+#include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app::svg {
+namespace {
+
+constexpr std::string_view angleUnit = "rad";
+// In the order of WindowOperation.
+constexpr std::array<std::string_view, 3> operations{"add", "cut-out", "intersect"};
+
+void appendShape(std::string& text, const RectangleShape& rectangle)
+{
+    const clipping::Window& box = rectangle.box;
+    appendAttribute(text, "xmin", box.min.x);
+    appendAttribute(text, "ymin", box.min.y);
+    appendAttribute(text, "xmax", box.max.x);
+    appendAttribute(text, "ymax", box.max.y);
+    if (rectangle.angle != 0) {
+        appendAttribute(text, "angle", rectangle.angle);
+        text.insert(text.size() - 1, angleUnit);
+    }
+}
+
+void appendShape(std::string& text, const PolygonShape& polygon)
+{
+    std::vector<double> numbers;
+    for (const Point& corner : polygon.corners)
+        numbers.insert(numbers.end(), {corner.x, corner.y});
+    appendAttribute(text, "corners", numbers);
+}
+
+bool isFinite(const WindowShape& shape)
+{
+    const auto finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    if (const auto* polygon = std::get_if<PolygonShape>(&shape))
+        return std::ranges::all_of(polygon->corners, finite);
+    const auto& [box, angle] = std::get<RectangleShape>(shape);
+    return finite(box.min) && finite(box.max) && std::isfinite(angle);
+}
+
+void appendWindow(std::string& text, const ClipWindow& window, Keep keep)
+{
+    text += "<clearcut:window";
+    if (const std::string name = escaped(window.name); !name.empty())
+        appendAttribute(text, "name", name);
+    if (window.operation != WindowOperation::Add)
+        appendAttribute(text, "operation", operations[std::size_t(window.operation)]);
+    if (!window.visible)
+        appendAttribute(text, "visible", "no");
+    if (keep == Keep::Outside)
+        appendAttribute(text, "keep", "outside");
+    std::visit([&](const auto& shape) { appendShape(text, shape); }, window.shape);
+    text += "/>";
+}
+
+std::optional<double> numberOf(std::string_view text)
+{
+    const auto number = parseNumber(text);
+    return number && std::abs(*number) <= largestCoordinate ? number : std::nullopt;
+}
+
+// Numbers with blanks between them; nothing unless all are numbers.
+std::optional<std::vector<double>> numbersOf(std::string_view text)
+{
+    std::vector<double> numbers;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const std::string_view word = text.substr(0, text.find_first_of(blanks));
+        const auto number = numberOf(word);
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+        text.remove_prefix(word.size());
+    }
+    return numbers;
+}
+
+std::optional<WindowShape> polygonOf(std::string_view text)
+{
+    const auto numbers = numbersOf(text);
+    if (!numbers || numbers->size() % 2 != 0)
+        return std::nullopt;
+    PolygonShape polygon;
+    for (std::size_t i = 0; i < numbers->size(); i += 2)
+        polygon.corners.emplace_back((*numbers)[i], (*numbers)[i + 1]);
+    return polygon;
+}
+
+std::optional<double> angleOf(std::string_view text)
+{
+    if (text.empty())
+        return 0;
+    if (!text.ends_with(angleUnit))
+        return std::nullopt;
+    text.remove_suffix(angleUnit.size());
+    return numberOf(text);
+}
+
+std::optional<WindowShape> shapeOf(const Tree& tree, Node node)
+{
+    if (tree.hasAttribute(node, "corners"))
+        return polygonOf(tree.attribute(node, "corners"));
+    const auto number = [&](std::string_view name) { return numberOf(tree.attribute(node, name)); };
+    const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
+    const auto angle = angleOf(tree.attribute(node, "angle"));
+    if (!angle || !std::ranges::all_of(v, [](const auto& one) { return one.has_value(); })
+        || *v[0] > *v[2] || *v[1] > *v[3])
+        return std::nullopt;
+    return RectangleShape{{{*v[0], *v[1]}, {*v[2], *v[3]}}, *angle};
+}
+
+std::optional<WindowOperation> operationOf(std::string_view text)
+{
+    const auto found = std::ranges::find(operations, text.empty() ? operations[0] : text);
+    return found == operations.end() ? std::nullopt
+                                     : std::optional(WindowOperation(found - operations.begin()));
+}
+
+std::optional<ClipWindow> windowOf(const Tree& tree, Node node)
+{
+    auto shape = shapeOf(tree, node);
+    const auto operation = operationOf(tree.attribute(node, "operation"));
+    if (!shape || !operation)
+        return std::nullopt;
+    return ClipWindow{QString::fromUtf8(tree.attribute(node, "name")), std::move(*shape),
+                      *operation, tree.attribute(node, "visible") != "no"};
+}
+
+// One without says something of all windows only.
+bool hasShape(const Tree& tree, Node node)
+{
+    constexpr std::array<std::string_view, 5> parts{"xmin", "ymin", "xmax", "ymax", "corners"};
+    return std::ranges::any_of(
+        parts, [&](std::string_view part) { return tree.hasAttribute(node, part); });
+}
+
+void read(const Tree& tree, Node node, ClipWindows& windows, Report& report)
+{
+    if (tree.attribute(node, "keep") == "outside")
+        windows.keep = Keep::Outside;
+    if (!hasShape(tree, node))
+        return;
+    auto window = windowOf(tree, node);
+    if (!window)
+        report.add(losses::invalidWindow);
+    else if (windows.list.size() == mostWindows)
+        report.add(losses::windows);
+    else
+        windows.list.push_back(std::move(*window));
+}
+
+} // namespace
+
+std::string textOf(const ClipWindows& windows)
+{
+    std::string text;
+    Keep keep = windows.keep;
+    for (const ClipWindow& window : windows.list) {
+        if (!isFinite(window.shape)) // it contains nothing, and no number can say it
+            continue;
+        appendWindow(text, window, keep);
+        keep = Keep::Inside; // said once
+    }
+    if (keep == Keep::Outside)
+        text = "<clearcut:window keep=\"outside\"/>";
+    return text;
+}
+
+ClipWindows readWindows(const Tree& tree, Report& report)
+{
+    ClipWindows windows;
+    for (const Node metadata : Children(tree, 0)) {
+        if (tree.name(metadata) != "metadata")
+            continue;
+        for (const Node node : Children(tree, metadata))
+            if (tree.name(node) == "clearcut:window")
+                read(tree, node, windows, report);
+    }
+    return windows;
+}
+
+} // namespace app::svg

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The clip windows of a document in its file.
+#include <QTest>
+
+#include <limits>
+
+#include "tests/app/formats/svg/text.h"
+
+namespace {
+
+app::Document with(const app::ClipWindows& windows)
+{
+    app::Document document;
+    document.apply({.windows = windows});
+    return document;
+}
+
+QByteArray metadataOf(const app::ClipWindows& windows)
+{
+    const QByteArray text = textOf(with(windows));
+    const auto begin = text.indexOf("<metadata>");
+    return begin < 0 ? "" : text.mid(begin, text.indexOf("\n", begin) - begin);
+}
+
+app::ClipWindows read(const QByteArray& elements)
+{
+    const auto result =
+        readText(drawing("<metadata xmlns:c='urn:clearcut:1'>" + elements + "</metadata>"));
+    return result ? result.value->document.windows() : app::ClipWindows{};
+}
+
+QString reportOn(const QByteArray& elements)
+{
+    return reportOf("<metadata xmlns:c='urn:clearcut:1'>" + elements + "</metadata>");
+}
+
+const app::RectangleShape box{{{0.1, -2}, {3, 40}}};
+
+} // namespace
+
+class WindowTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsUsualIsNotSaid()
+    {
+        QCOMPARE(metadataOf({}), "");
+        QCOMPARE(metadataOf({{{.shape = box}}}),
+                 "<metadata><clearcut:window xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
+                 "</metadata>");
+    }
+    void aListOfAllKinds()
+    {
+        using app::WindowOperation;
+        const app::ClipWindows windows{
+            {{"<A>", box, WindowOperation::CutOut, false},
+             {{}, app::RectangleShape{{{1, 2}, {3, 4}}, 1.0 / 3}, WindowOperation::Intersect},
+             {"B", app::PolygonShape{{{0, 0}, {9, 0.1}, {5, 1.0 / 3}}}},
+             {{}, app::PolygonShape{}},
+             {.shape = box}},
+            app::Keep::Outside};
+        QCOMPARE(metadataOf(windows),
+                 "<metadata><clearcut:window name=\"&lt;A>\" operation=\"cut-out\" visible=\"no\" "
+                 "keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
+                 "<clearcut:window operation=\"intersect\" xmin=\"1\" ymin=\"2\" xmax=\"3\" "
+                 "ymax=\"4\" angle=\"0.3333333333333333rad\"/>"
+                 "<clearcut:window name=\"B\" corners=\"0 0 9 0.1 5 0.3333333333333333\"/>"
+                 "<clearcut:window corners=\"\"/>"
+                 "<clearcut:window xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/></metadata>");
+        const auto again = readText(textOf(with(windows)));
+        QVERIFY(again && again.value->report.empty());
+        QVERIFY(again.value->document.windows() == windows);
+        QVERIFY(again.value->document.about() == app::About{});
+    }
+    void whatIsKeptIsKnownWithoutAWindowToo()
+    {
+        const app::ClipWindows outside{{}, app::Keep::Outside};
+        QCOMPARE(metadataOf(outside), "<metadata><clearcut:window keep=\"outside\"/></metadata>");
+        QVERIFY(read("<c:window keep='outside'/>") == outside);
+        QCOMPARE(reportOn("<c:window keep='outside'/>"), "");
+    }
+    void aForeignFileHasNone()
+    {
+        QVERIFY(read("") == app::ClipWindows{});
+        QVERIFY(read("<window xmin='0' ymin='0' xmax='1' ymax='1'/>") == app::ClipWindows{});
+    }
+    void oneOfAnEarlierVersion()
+    {
+        QVERIFY(read("<c:window xmin='.1' ymin='-2' xmax='3' ymax='4e1'/>")
+                == (app::ClipWindows{{{.shape = box}}}));
+    }
+    void invalidOnesAreLeftOut()
+    {
+        const QByteArray good = "<c:window xmin='.1' ymin='-2' xmax='3' ymax='40'/>";
+        for (const QByteArray bad :
+             {"xmin='5' ymin='0' xmax='4' ymax='9'", "xmin='0' ymin='9' xmax='4' ymax='8'",
+              "xmin='-1e308' ymin='0' xmax='1e308' ymax='9'", "xmin='x' ymin='0' xmax='1' ymax='9'",
+              "xmin='0' ymin='0' xmax='1e400' ymax='9'", "xmin='0' ymin='0' xmax='nan' ymax='9'",
+              "xmin='0'", "corners='0 0 1'", "corners='0 0 1 inf'", "corners='0 0 x 0'",
+              "xmin='0' ymin='0' xmax='1' ymax='1' angle='90'",
+              "xmin='0' ymin='0' xmax='1' ymax='1' operation='melt'"}) {
+            const QByteArray window = "<c:window " + bad + "/>";
+            QVERIFY2(read(window + good + window) == (app::ClipWindows{{{.shape = box}}}), bad);
+            QCOMPARE(reportOn(window + good),
+                     "1 clip window that is inverted or not finite was left out");
+            QCOMPARE(reportOn(window + window),
+                     "2 clip windows that are inverted or not finite were left out");
+        }
+        const auto remark = readText(drawing("<metadata xmlns:c='urn:clearcut:1'>"
+                                             "<c:window xmin='0'/></metadata>"));
+        QVERIFY(!remark.value->lossy());
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        QCOMPARE(metadataOf({{{.shape = app::RectangleShape{{{0, 0}, {1, infinite}}}},
+                              {.shape = app::RectangleShape{{{0, 0}, {1, 1}}, infinite}},
+                              {.shape = app::PolygonShape{{{0, infinite}}}},
+                              {.shape = box}}}),
+                 metadataOf({{{.shape = box}}}));
+    }
+    void thereIsALimit()
+    {
+        const QByteArray window = "<c:window xmin='0' ymin='0' xmax='1' ymax='1'/>";
+        QCOMPARE(read(window.repeated(1000)).list.size(), std::size_t(1000));
+        QCOMPARE(reportOn(window.repeated(1000)), "");
+        QCOMPARE(read(window.repeated(100'000)).list.size(), std::size_t(1000));
+        QCOMPARE(reportOn(window.repeated(1001)), "1 clip window above the first 1,000");
+    }
+};
+
+QTEST_APPLESS_MAIN(WindowTextTest)
+#include "window_text_test.moc"
