@@ -29,19 +29,18 @@ using Copies = std::map<app::ContainerId, app::Objects>;
 /// One command for each container, in one undo step; then they are what is selected.
 void add(app::Session& session, const std::vector<app::ObjectInHand>& copies, const QString& text)
 {
-    const app::Sheet& sheet = session.sheet();
-    std::vector<app::Shape> shapes;
-    for (const auto& [object, into] : copies)
-        shapes.push_back({object.path.subpaths(), object.style, {}, 0, false});
-    const app::Point step(stepMillimetres / sheet.page.millimetresPerUnit());
-    const app::Placement where{{1, 1}, app::copyOffset(sheet, shapes, step)};
+    const app::Document& document = session.now();
+    app::Objects objects;
+    for (const app::ObjectInHand& copy : copies)
+        objects.append(copy.object);
+    const app::Point step(stepMillimetres / document.page().millimetresPerUnit());
+    const app::Placement where{{1, 1}, app::copyOffset(document, objects, step)};
     Copies byContainer;
     for (app::ObjectInHand copy : copies) {
         copy.object.path = copy.object.path.placed(where);
         copy.object.particulars.recipe = placed(copy.object.particulars.recipe, where);
-        auto& objects =
-            byContainer.try_emplace(copy.into, session.now().objects().slice(0, 0)).first->second;
-        objects.append(copy.object);
+        byContainer.try_emplace(copy.into, document.objects().slice(0, 0))
+            .first->second.append(copy.object);
     }
     session.history.beginMacro(text);
     app::ObjectRanges added;
@@ -71,7 +70,7 @@ void copySelection(const app::Session& session)
 {
     if (!session.selection().empty())
         QGuiApplication::clipboard()->setMimeData(
-            app::copied(session.sheet(), session.selection()).release()); // the clipboard owns it
+            app::copied(session.now(), session.selection()).release()); // the clipboard owns it
 }
 
 void cutSelection(app::Session& session)
@@ -88,13 +87,13 @@ QString nothingToPaste() { return tr("The clipboard holds no drawing. Copy lines
 bool paste(app::Session& session)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-    const auto shapes =
-        data ? app::pasted(*data, session.now().page(), 0) : std::vector<app::Shape>();
-    if (shapes.empty())
-        return false;
+    const app::Objects objects = data ? app::pasted(*data, session.now().page()) : app::Objects();
     std::vector<app::ObjectInHand> copies;
-    for (const app::Shape& shape : shapes)
-        copies.push_back({{app::Path(shape.paths), shape.style}, session.pen.layer});
+    objects.forEach(0, objects.size(), [&](std::size_t, const app::ObjectView& object) {
+        copies.push_back({object.copy(), session.pen.layer});
+    });
+    if (copies.empty())
+        return false;
     add(session, copies, tr("Paste"));
     return true;
 }

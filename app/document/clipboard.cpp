@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/clipboard.h"
 
-#include "app/document/legacy.h"
-#include "app/document/path_points.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
@@ -12,37 +10,47 @@ namespace {
 
 const QString svgType = QStringLiteral("image/svg+xml");
 
-// A shape of the drawing it comes from, in the units of another page.
-Shape scaled(Shape shape, double factor)
+// An object of the drawing it comes from, in the units of another page.
+Object scaled(Object object, double factor)
 {
-    for (Subpath& path : shape.paths)
-        forEachPoint(path, [&](Point& point) { point *= factor; });
-    shape.style.width *= factor;
-    shape.style.dashOffset *= factor;
-    for (double& dash : shape.style.dashes)
+    const Placement where{Point(factor)};
+    object.path = object.path.placed(where);
+    object.particulars.recipe = placed(object.particulars.recipe, where);
+    object.style.width *= factor;
+    object.style.dashOffset *= factor;
+    for (double& dash : object.style.dashes)
         dash *= factor;
-    return shape;
+    return object;
+}
+
+// The document with those objects alone, in the containers that they are in.
+Document only(Document document, const ObjectRanges& objects)
+{
+    const ObjectRanges others =
+        without(ObjectRanges(ObjectRange{0, document.objects().size()}), objects);
+    Edit edit;
+    for (const ObjectRange& range : others.ranges())
+        edit.splices.push_back({std::uint32_t(range.first), std::uint32_t(range.size()), 0});
+    edit.containers = document.containers().spliced(edit.splices);
+    document.apply(edit);
+    return document;
 }
 
 } // namespace
 
-std::unique_ptr<QMimeData> copied(const Sheet& sheet, const ObjectRanges& shapes)
+std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects)
 {
-    Sheet some = sheet;
-    some.shapes.clear();
-    for (const std::size_t shape : shapes)
-        some.shapes.push_back(sheet.shapes[shape]);
     QBuffer svg;
     svg.open(QIODevice::WriteOnly);
     auto data = std::make_unique<QMimeData>();
-    if (formats().front().write(documentOf(some), svg, {}))
+    if (formats().front().write(only(document, objects), svg, {}))
         return data;
     data->setData(svgType, svg.data());
     data->setText(QString::fromUtf8(svg.data()));
     return data;
 }
 
-std::vector<Shape> pasted(const QMimeData& data, const Page& page, std::uint32_t layer)
+Objects pasted(const QMimeData& data, const Page& page)
 {
     QByteArray bytes = data.hasFormat(svgType) ? data.data(svgType) : data.text().toUtf8();
     if (!bytes.contains("<svg"))
@@ -52,15 +60,16 @@ std::vector<Shape> pasted(const QMimeData& data, const Page& page, std::uint32_t
     const auto read = formats().front().read(svg);
     if (!read)
         return {};
-    const Sheet sheet = sheetOf(read.value->document);
-    const double factor = sheet.page.millimetresPerUnit() / page.millimetresPerUnit();
-    std::vector<Shape> shapes;
-    for (const Shape& shape : sheet.shapes) {
-        shapes.push_back(factor == 1 ? shape : scaled(shape, factor));
-        shapes.back().layer = layer;
-        shapes.back().id.clear();
-    }
-    return shapes;
+    const Document& document = read.value->document;
+    const double factor = document.page().millimetresPerUnit() / page.millimetresPerUnit();
+    Objects objects;
+    document.objects().forEach(
+        0, document.objects().size(), [&](std::size_t, const ObjectView& object) {
+            Object copy = factor == 1 ? object.copy() : scaled(object.copy(), factor);
+            copy.particulars.id.clear();
+            objects.append(copy);
+        });
+    return objects;
 }
 
 } // namespace app

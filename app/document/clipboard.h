@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/object_ranges.h"
-#include "app/document/sheet.h"
+#include "app/document/document.h"
 
 #include <QMimeData>
 
@@ -10,10 +9,11 @@
 
 namespace app {
 
-/// Shapes as other programs and this one take them: SVG, as such and as text.
-std::unique_ptr<QMimeData> copied(const Sheet& sheet, const ObjectRanges& shapes);
+/// Objects as other programs and this one take them: SVG, as such and as text.
+std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects);
 
-/// The shapes in there, on `layer`, at the size on paper that they had; none if there are none.
-std::vector<Shape> pasted(const QMimeData& data, const Page& page, std::uint32_t layer);
+/// The objects in there, at the size on paper that they had, without their ids; none if there are
+/// none.
+Objects pasted(const QMimeData& data, const Page& page);
 
 } // namespace app

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/copy_place.h"
 
-#include "app/document/path_points.h"
-
-#include <algorithm>
 #include <functional>
 #include <unordered_map>
 
@@ -12,52 +9,66 @@ namespace {
 
 constexpr int mostSteps = 1000;
 
+std::optional<Point> startOf(const ObjectView& object)
+{
+    if (const auto line = object.singleLine())
+        return line->a;
+    std::optional<Point> start;
+    object.path().forEachPoint([&](const Point& p) { start = start ? start : p; });
+    return start;
+}
+
 std::size_t keyOf(const Point& start)
 {
     return std::hash<double>{}(start.x) * 31 + std::hash<double>{}(start.y);
 }
 
-Shape moved(Shape shape, const Point& by)
-{
-    for (Subpath& path : shape.paths)
-        forEachPoint(path, [&](Point& point) { point += by; });
-    return shape;
-}
-
-/// The shapes of a drawing by where they start.
+/// The objects of a drawing by where they start.
 class Starts {
 public:
-    explicit Starts(const Sheet& sheet)
+    explicit Starts(const Objects& objects) : objects_(objects)
     {
-        shapes_.reserve(sheet.shapes.size());
-        for (const Shape& shape : sheet.shapes)
-            if (!shape.paths.empty())
-                shapes_.emplace(keyOf(shape.paths.front().start), &shape);
-    }
-    bool hold(const Shape& shape, const Point& offset) const
-    {
-        if (shape.paths.empty())
-            return false;
-        const auto [first, last] = shapes_.equal_range(keyOf(shape.paths.front().start + offset));
-        return std::any_of(first, last, [&](const auto& entry) {
-            return entry.second->paths == moved(shape, offset).paths;
+        numbers_.reserve(objects.size());
+        objects.forEach(0, objects.size(), [&](std::size_t i, const ObjectView& object) {
+            if (const auto start = startOf(object))
+                numbers_.emplace(keyOf(*start), std::uint32_t(i));
         });
     }
 
+    bool hold(const ObjectView& object, const Point& offset) const
+    {
+        const auto start = startOf(object);
+        if (!start)
+            return false;
+        const auto [first, last] = numbers_.equal_range(keyOf(*start + offset));
+        if (first == last)
+            return false;
+        const Path moved = object.path().placed({{1, 1}, offset});
+        return std::any_of(
+            first, last, [&](const auto& entry) { return objects_[entry.second].path() == moved; });
+    }
+
 private:
-    std::unordered_multimap<std::size_t, const Shape*> shapes_;
+    const Objects& objects_;
+    std::unordered_multimap<std::size_t, std::uint32_t> numbers_;
 };
+
+bool anyHeld(const Starts& starts, const Objects& copies, const Point& offset)
+{
+    for (std::size_t i = 0; i < copies.size(); ++i)
+        if (starts.hold(copies[i], offset))
+            return true;
+    return false;
+}
 
 } // namespace
 
-Point copyOffset(const Sheet& sheet, const std::vector<Shape>& shapes, const Point& step)
+Point copyOffset(const Document& document, const Objects& copies, const Point& step)
 {
-    const Starts starts(sheet);
-    for (int steps = 1; steps < mostSteps; ++steps) {
-        const Point offset = double(steps) * step;
-        if (std::ranges::none_of(shapes, [&](const Shape& s) { return starts.hold(s, offset); }))
+    const Starts starts(document.objects());
+    for (int steps = 1; steps < mostSteps; ++steps)
+        if (const Point offset = double(steps) * step; !anyHeld(starts, copies, offset))
             return offset;
-    }
     return double(mostSteps) * step;
 }
 
