@@ -3,7 +3,8 @@
 
 #include "app/commands/crop_to_window.h"
 #include "app/comparison/cut_text.h"
-#include "app/document/flatten.h"
+#include "app/document/flattened.h"
+#include "app/document/hidden_objects.h"
 #include "app/document/legacy.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/in_background.h"
@@ -171,9 +172,9 @@ bool Files::write(const QString& path)
 
 app::CutOptions Files::cutOptions() const
 {
-    return {.algorithm = &session_.uses(),
-            .window = session_.window(),
-            .keep = session_.now().windows().keep};
+    app::CutOptions options{.clipAll = session_.uses().clipAll};
+    options.region = app::regionOf(session_.now().windows());
+    return options;
 }
 
 namespace {
@@ -182,14 +183,15 @@ using Exported = std::pair<std::optional<QString>, app::CutCounts>;
 
 // On a thread of its own, where an exception would end the program. Separate lines are cut as
 // lines, so that each of them lies inside the window.
-Exported exported(const app::Sheet& sheet, const app::CutOptions& options, const QString& path,
+Exported exported(app::Document document, const app::CutOptions& options, const QString& path,
                   const app::WriteOptions& writing)
 {
     try {
-        const app::Cut cut = app::cut(
-            options.keepContacts ? app::flattened(sheet, app::usualTolerance(sheet.page)) : sheet,
-            options);
-        return {app::writeFile(app::documentOf(cut.sheet), path, writing), cut.counts};
+        if (options.keepContacts)
+            document = app::flattened(document, app::usualTolerance(document.page()));
+        const app::Cut cut = app::cut(document, options);
+        document.apply(cut.edit);
+        return {app::writeFile(document, path, writing), cut.counts};
     } catch (const std::bad_alloc&) {
         return {Files::tr("Cannot export %1: there is not enough memory. Close other programs, or "
                           "export a part of the drawing.")
@@ -217,8 +219,8 @@ void Files::exportCut()
     std::stop_source cancel;
     writing.stop = cancel.get_token();
     const bool hides = format && format->hides == app::Hides::Yes;
-    const auto job = [sheet = session_.sheet(), options, path, writing, hides] {
-        return exported(hides ? sheet : app::withoutHidden(sheet), options, path, writing);
+    const auto job = [document = session_.now(), options, path, writing, hides] {
+        return exported(hides ? document : app::withoutHidden(document), options, path, writing);
     };
     const auto done =
         inBackground(&window_, tr("Exporting %1…").arg(QFileInfo(path).fileName()), job);

@@ -75,7 +75,7 @@ private:
                                            Qt::RoundCap, Qt::RoundJoin)
                                     : QPen(Qt::NoPen));
         painter.setBrush(style.fill ? QBrush(shown(*style.fill, look)) : QBrush(Qt::NoBrush));
-        painter.drawPath(app::painterPath(object));
+        painter.drawPath(app::painterPath(object.path(), style.fillRule));
     }
 
     QString path_;

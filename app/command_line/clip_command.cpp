@@ -5,8 +5,8 @@
 #include "app/command_line/window_options.h"
 #include "app/document/contents.h"
 #include "app/document/cut.h"
-#include "app/document/flatten.h"
-#include "app/document/legacy.h"
+#include "app/document/flattened.h"
+#include "app/document/hidden_objects.h"
 #include "app/document/usual_algorithm.h"
 
 #include <algorithm>
@@ -32,20 +32,21 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
 
 CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Output& output)
 {
-    CutOptions options{&usesOf(given), windowOf(given, imported)};
-    options.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0 ? Keep::Inside
-                                                                                    : Keep::Outside;
+    CutOptions options{.clipAll = usesOf(given).clipAll};
+    options.region.steps = {{windowOf(given, imported), WindowOperation::Add}};
+    if (given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 1)
+        options.region.keep = Keep::Outside;
     options.tolerance = toleranceOf(given, imported.document.page());
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
 }
 
 // A cut that leaves nothing, or nothing visible, is rarely what was wanted: says why.
-void sayNothingIsLeft(const Imported& imported, const Sheet& sheet, const CutOptions& options,
-                      const Cut& result)
+void sayNothingIsLeft(const Imported& imported, const Document& before, const Document& after,
+                      Keep keep)
 {
-    const bool allGone = result.sheet.shapes.empty(), inside = options.keep == Keep::Inside;
-    const auto bounds = contentsOf(allGone ? sheet : withoutHidden(sheet)).bounds;
+    const bool allGone = after.objects().empty(), inside = keep == Keep::Inside;
+    const auto bounds = contentsOf(allGone ? before : withoutHidden(before)).bounds;
     if (!bounds)
         return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
                            : Commands::tr("Nothing visible is left: every shape is hidden."));
@@ -61,9 +62,9 @@ void sayNothingIsLeft(const Imported& imported, const Sheet& sheet, const CutOpt
     say(why.arg(placeText(*bounds, imported)));
 }
 
-void report(const Imported& imported, const Sheet& sheet, const CutCounts& counts)
+void report(const Imported& imported, const Document& before, const CutCounts& counts)
 {
-    const std::size_t hidden = hiddenIn(sheet); // the cut reached all of them
+    const std::size_t hidden = hiddenObjects(before).size(); // the cut reached all of them
     sayLosses(imported);
     QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
@@ -82,13 +83,13 @@ void report(const Imported& imported, const Sheet& sheet, const CutCounts& count
 }
 
 /// Leaves out what is hidden where that is asked for, or the file could not hide it; gives how many
-/// shapes that were.
-std::size_t dropHidden(const Given& given, const Output& output, Sheet& sheet)
+/// objects that were.
+std::size_t dropHidden(const Given& given, const Output& output, Document& document)
 {
     if (output.format->hides == Hides::Yes && !given.has(QStringLiteral("drop-hidden")))
         return 0;
-    const std::size_t hidden = hiddenIn(sheet);
-    sheet = withoutHidden(std::move(sheet));
+    const std::size_t hidden = hiddenObjects(document).size();
+    document = withoutHidden(std::move(document));
     return hidden;
 }
 
@@ -119,12 +120,14 @@ private:
     QStringList laps_;
 };
 
-std::vector<std::uint32_t> rowsOf(const Imported& imported, const Cut& result)
+std::vector<std::uint32_t> rowsOf(const Imported& imported, const Document& before, const Cut& cut)
 {
     std::vector<std::uint32_t> rows;
-    if (!imported.rows.empty())
-        std::ranges::transform(result.sources, std::back_inserter(rows),
-                               [&](std::size_t shape) { return imported.rows[shape]; });
+    if (!imported.rows.empty()) {
+        rows = sourcesOf(cut, before.objects().size());
+        std::ranges::transform(rows, rows.begin(),
+                               [&](auto object) { return imported.rows[object]; });
+    }
     return rows;
 }
 
@@ -138,27 +141,29 @@ void clip(const Given& given)
     stopwatch.lap(Commands::tr("read"));
 
     const CutOptions options = cutOptionsOf(given, imported, output);
-    Sheet sheet = sheetOf(imported.document);
-    const std::size_t dropped = dropHidden(given, output, sheet);
+    Document before = imported.document;
+    const std::size_t dropped = dropHidden(given, output, before);
     if (output.format->holds == Holds::SeparateLines)
-        sheet = flattened(std::move(sheet), options.tolerance);
-    Cut result = cut(sheet, options);
-    result.sheet.window = options.window;
+        before = flattened(std::move(before), options.tolerance);
+    Cut result = cut(before, options);
+    result.edit.windows = ClipWindows{{{.shape = RectangleShape{options.region.steps[0].box}}}};
+    Document after = before;
+    after.apply(result.edit);
     stopwatch.lap(Commands::tr("cut"));
 
     output.options.tolerance = options.tolerance;
-    output.options.sources = rowsOf(imported, result);
-    if (options.keep == Keep::Inside)
-        output.options.bounds = options.window;
-    writeDrawing(documentOf(result.sheet), output);
+    output.options.sources = rowsOf(imported, before, result);
+    if (options.region.keep == Keep::Inside)
+        output.options.bounds = options.region.single();
+    writeDrawing(after, output);
     stopwatch.lap(Commands::tr("write"));
 
     if (!given.has(QStringLiteral("quiet"))) {
-        report(imported, sheet, result.counts);
+        report(imported, before, result.counts);
         sayDropped(given, output, dropped);
-        say(windowText(given, imported, options.window));
-        if (hiddenIn(result.sheet) == result.sheet.shapes.size())
-            sayNothingIsLeft(imported, sheet, options, result);
+        say(windowText(given, imported, *options.region.single()));
+        if (hiddenObjects(after).size() == after.objects().size())
+            sayNothingIsLeft(imported, before, after, options.region.keep);
     }
     if (given.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")

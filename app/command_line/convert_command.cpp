@@ -2,7 +2,7 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
-#include "app/document/legacy.h"
+#include "app/document/hidden_objects.h"
 
 namespace app {
 namespace {
@@ -20,7 +20,7 @@ void convert(const Given& given)
         return;
     sayLosses(imported);
     if (output.format->hides == Hides::No)
-        sayHiddenLeftOut(hiddenIn(sheetOf(imported.document)), *output.format);
+        sayHiddenLeftOut(hiddenObjects(imported.document).size(), *output.format);
 }
 
 } // namespace

@@ -97,12 +97,6 @@ double toleranceOf(const Given& given, const Page& page)
     return tolerance;
 }
 
-std::size_t hiddenIn(const Sheet& sheet)
-{
-    return std::size_t(std::ranges::count_if(
-        sheet.shapes, [&](const Shape& shape) { return !sheet.shown(shape); }));
-}
-
 void sayHiddenLeftOut(std::size_t count, const Format& format)
 {
     if (count > 0)

@@ -17,8 +17,6 @@ Option toleranceOption();
 /// What it says, in user units; throws WrongUsage. Left to itself it is the usual one.
 double toleranceOf(const Given& given, const Page& page);
 
-/// How many shapes are hidden, themselves or with their layer.
-std::size_t hiddenIn(const Sheet& sheet);
 /// Says on standard error that so many were not written, if any.
 void sayHiddenLeftOut(std::size_t count, const Format& format);
 

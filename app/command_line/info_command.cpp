@@ -3,9 +3,10 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
+#include "app/document/compared_window.h"
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
-#include "app/document/legacy.h"
+#include "app/document/hidden_objects.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
@@ -37,54 +38,60 @@ QString text(const Length& length)
     return text(length.value) + QLatin1StringView(infoOf(length.unit).suffix);
 }
 
-std::vector<std::pair<QString, QString>> layerRows(const Sheet& sheet,
-                                                   const std::vector<Contents>& layers)
+using Rows = std::vector<std::pair<QString, QString>>;
+
+QString stateOf(const Container& container)
 {
-    std::vector<std::pair<QString, QString>> rows;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        const Layer& layer = sheet.layers[i];
-        QString state = layer.visible ? QString() : Commands::tr(", hidden");
-        state += layer.locked ? Commands::tr(", locked") : QString();
+    return (container.visible ? QString() : Commands::tr(", hidden"))
+           + (container.locked ? Commands::tr(", locked") : QString());
+}
+
+// Each with what is in it, also in those in it.
+Rows layerRows(const Document& document, double tolerance)
+{
+    Rows rows;
+    for (const ContainerId id : document.containers().childrenOf(0)) {
+        const ObjectRange range = document.containers().rangeOf(id);
+        Contents contents;
+        document.objects().forEach(
+            range.first, range.size(),
+            [&](std::size_t, const ObjectView& object) { add(contents, object, tolerance); });
+        const Container& layer = document.containers()[id];
         rows.emplace_back(Commands::tr("layer"), Commands::tr("“%1”: shapes %2, lines %3%4")
                                                      .arg(layer.name)
-                                                     .arg(layers[i].shapes)
-                                                     .arg(layers[i].lines)
-                                                     .arg(state));
+                                                     .arg(contents.objects)
+                                                     .arg(contents.lines)
+                                                     .arg(stateOf(layer)));
     }
     return rows;
 }
 
-std::vector<std::pair<QString, QString>> rowsOf(const Imported& imported)
+Rows rowsOf(const Imported& imported)
 {
-    const Sheet sheet = sheetOf(imported.document);
-    Contents all;
-    std::vector<Contents> layers(sheet.layers.size());
-    const double tolerance = usualTolerance(sheet.page);
-    const double unit = sheet.page.millimetresPerUnit();
-    for (const Shape& shape : sheet.shapes) {
-        add(all, shape, tolerance);
-        add(layers[shape.layer], shape, tolerance);
-    }
-    std::vector<std::pair<QString, QString>> rows{
+    const Document& document = imported.document;
+    const Page& page = document.page();
+    const Contents all = contentsOf(document);
+    const double unit = page.millimetresPerUnit();
+    Rows rows{
         {Commands::tr("lines"), QString::number(all.lines)},
         {Commands::tr("length"),
          Commands::tr("%1, on paper %2mm").arg(rounded(all.length), rounded(all.length * unit))},
         {Commands::tr("shapes"),
-         Commands::tr("%1, hidden %2").arg(all.shapes).arg(hiddenIn(sheet))},
+         Commands::tr("%1, hidden %2").arg(all.objects).arg(hiddenObjects(document).size())},
         {Commands::tr("paths"), Commands::tr("%1, closed %2, curves %3")
-                                    .arg(all.paths)
-                                    .arg(all.closedPaths)
+                                    .arg(all.subpaths)
+                                    .arg(all.closedSubpaths)
                                     .arg(all.curves)},
         {Commands::tr("bounds"), all.bounds ? rectangleText(*all.bounds) : Commands::tr("none")},
         {Commands::tr("in mm"),
          all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
         {Commands::tr("window"), rectangleText(windowOf(imported))},
-        {Commands::tr("page"), Commands::tr("%1, on paper %2 × %3")
-                                   .arg(rectangleText(sheet.page.rectangle()),
-                                        text(sheet.page.width), text(sheet.page.height))},
-        {Commands::tr("unit"), text(sheet.page.millimetresPerUnit()) + QStringLiteral("mm")},
+        {Commands::tr("page"),
+         Commands::tr("%1, on paper %2 × %3")
+             .arg(rectangleText(page.rectangle()), text(page.width), text(page.height))},
+        {Commands::tr("unit"), text(page.millimetresPerUnit()) + QStringLiteral("mm")},
     };
-    for (auto& row : layerRows(sheet, layers))
+    for (auto& row : layerRows(document, usualTolerance(page)))
         rows.push_back(std::move(row));
     const QStringList lost = losses(imported);
     for (const QString& line : lost)

@@ -17,7 +17,7 @@ public:
     bool changes() const { return counts_.cut + counts_.gone > 0; } ///< anything at all
 
 private:
-    CropToWindow(EditedDocument& document, const Cut& cut);
+    CropToWindow(EditedDocument& document, Cut cut);
 
     CutCounts counts_;
 };

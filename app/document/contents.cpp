@@ -9,20 +9,34 @@
 #include <cmath>
 
 namespace app {
+namespace {
 
-void add(Contents& contents, const Shape& shape, double tolerance)
+void addSubpaths(Contents& contents, const Path& path)
 {
-    std::vector<Chord> chords;
-    ++contents.shapes;
-    contents.paths += shape.paths.size();
-    for (const Subpath& path : shape.paths) {
-        contents.closedPaths += path.closed;
-        contents.curves += std::size_t(std::ranges::count_if(path.segments, &PathSegment::curved));
-        flatten(path, tolerance, chords);
+    for (const Subpath& subpath : path.subpaths()) {
+        ++contents.subpaths;
+        contents.closedSubpaths += subpath.closed;
+        contents.curves +=
+            std::size_t(std::ranges::count_if(subpath.segments, &PathSegment::curved));
     }
-    contents.lines += chords.size();
-    for (const Chord& chord : chords) {
-        const auto& [a, b] = chord.segment;
+}
+
+} // namespace
+
+void add(Contents& contents, const ObjectView& object, double tolerance)
+{
+    std::vector<clipping::Segment> lines;
+    ++contents.objects;
+    const auto line = object.singleLine();
+    if (line) {
+        ++contents.subpaths;
+        lines.push_back(*line);
+    } else {
+        addSubpaths(contents, object.path());
+        appendSegments(object.path(), tolerance, lines);
+    }
+    contents.lines += lines.size();
+    for (const auto& [a, b] : lines) {
         contents.length += std::hypot(b.x - a.x, b.y - a.y);
         const clipping::Window box{glm::min(a, b), glm::max(a, b)};
         contents.bounds = contents.bounds
@@ -32,12 +46,13 @@ void add(Contents& contents, const Shape& shape, double tolerance)
     }
 }
 
-Contents contentsOf(const Sheet& sheet)
+Contents contentsOf(const Document& document)
 {
     Contents contents;
-    const double tolerance = usualTolerance(sheet.page);
-    for (const Shape& shape : sheet.shapes)
-        add(contents, shape, tolerance);
+    const double tolerance = usualTolerance(document.page());
+    document.objects().forEach(
+        0, document.objects().size(),
+        [&](std::size_t, const ObjectView& object) { add(contents, object, tolerance); });
     return contents;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/cut.h"
 
-#include "app/document/runs.h"
+#include "app/document/cut_object.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
@@ -13,34 +13,7 @@ namespace {
 
 using clipping::Clipped;
 
-/// All shapes as chords in one array, so that one call of the algorithm clips them all.
-struct Chords {
-    std::vector<Chord> all;
-    std::vector<std::size_t> first; ///< of each path in drawing order, and the end
-
-    std::span<const Chord> of(std::size_t path) const
-    {
-        return std::span(all).subspan(first[path], first[path + 1] - first[path]);
-    }
-};
-
-bool reached(const Sheet& sheet, const Shape& shape, Reach reach)
-{
-    return reach == Reach::Everything || (sheet.shown(shape) && !sheet.layers[shape.layer].locked);
-}
-
-Chords chordsOf(const Sheet& sheet, double tolerance, Reach reach)
-{
-    Chords chords;
-    for (const Shape& shape : sheet.shapes)
-        for (const Subpath& path : shape.paths) {
-            chords.first.push_back(chords.all.size());
-            if (reached(sheet, shape, reach))
-                flatten(path, tolerance, chords.all);
-        }
-    chords.first.push_back(chords.all.size());
-    return chords;
-}
+constexpr std::size_t chordsAtOnce = 65'536; // of whole objects; one may have more
 
 bool notFinite(const Clipped& piece)
 {
@@ -48,161 +21,231 @@ bool notFinite(const Clipped& piece)
     return !std::isfinite(a.x + a.y + b.x + b.y); // what was read is far below overflow
 }
 
-std::vector<Clipped> keptPieces(const std::vector<Chord>& chords, const CutOptions& options)
-{
-    std::vector<clipping::Segment> segments(chords.size());
-    std::ranges::transform(chords, segments.begin(), &Chord::segment);
-    std::vector<Clipped> inside(segments.size());
-    inside.resize(options.algorithm->clipAll(segments, options.window, inside));
-    std::erase_if(inside, notFinite); // a published form may give anything
-    if (options.keep == Keep::Inside)
-        return inside;
-    std::vector<Clipped> outside(segments.size() + inside.size());
-    outside.resize(clipping::outsideAll(segments, inside, outside));
-    return outside;
-}
+// Objects of a document as chords in one array, so that one call of the algorithm clips many.
+class Batch {
+public:
+    struct Member {
+        std::size_t object;
+        std::size_t first, end; ///< chords
+    };
+
+    void add(std::size_t number, const ObjectView& object, double tolerance)
+    {
+        const std::size_t first = chords_.size();
+        if (const auto line = object.singleLine())
+            chords_.push_back({*line, 0, 0, 1});
+        else
+            flatten(object.path(), tolerance, chords_);
+        members_.push_back({number, first, chords_.size()});
+    }
+
+    std::span<const Member> members() const { return members_; }
+    std::span<const Chord> chords() const { return chords_; }
+    std::span<const Chord> chordsOf(const Member& member) const
+    {
+        return chords().subspan(member.first, member.end - member.first);
+    }
+    void clear()
+    {
+        chords_.clear();
+        members_.clear();
+    }
+
+private:
+    std::vector<Chord> chords_;
+    std::vector<Member> members_;
+};
+
+// What is kept of chords.
+class Clipping {
+public:
+    explicit Clipping(const CutOptions& options) : options_(options)
+    {
+        folding_.start(options.region, options.clipAll);
+    }
+
+    std::span<const Clipped> keptOf(std::span<const Chord> chords)
+    {
+        lines_.resize(chords.size());
+        std::ranges::transform(chords, lines_.begin(), &Chord::segment);
+        kept_.clear();
+        if (options_.region.everything())
+            keepAll();
+        else if (const auto window = options_.region.single())
+            clipAt(*window);
+        else
+            folding_.fold(lines_, 0, kept_);
+        if (!options_.keepContacts)
+            std::erase_if(kept_, [&](const Clipped& piece) {
+                const auto& [a, b] = piece.segment;
+                return a == b && lines_[piece.source].a != lines_[piece.source].b;
+            });
+        return kept_;
+    }
+
+private:
+    void keepAll()
+    {
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            kept_.push_back({lines_[i], std::uint32_t(i), {}});
+    }
+
+    void clipAt(const clipping::Window& window)
+    {
+        kept_.resize(lines_.size());
+        kept_.resize(options_.clipAll(lines_, window, kept_));
+        std::erase_if(kept_, notFinite); // a published form may give anything
+        if (options_.region.keep == Keep::Inside)
+            return;
+        outside_.resize(lines_.size() + kept_.size());
+        outside_.resize(clipping::outsideAll(lines_, kept_, outside_));
+        std::swap(kept_, outside_);
+    }
+
+    const CutOptions& options_;
+    RegionClipping folding_;
+    std::vector<clipping::Segment> lines_;
+    std::vector<Clipped> kept_, outside_;
+};
 
 class Cutter {
 public:
-    Cutter(const Sheet& sheet, const CutOptions& options)
-        : options_(options), sheet_(sheet),
-          chords_(chordsOf(sheet,
-                           options.tolerance > 0 ? options.tolerance : usualTolerance(sheet.page),
-                           options.reach)),
-          pieces_(keptPieces(chords_.all, options)), next_(pieces_.begin())
+    Cutter(const Document& document, const CutOptions& options)
+        : document_(document), options_(options),
+          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page())),
+          hidden_(document.containers().hiddenRanges()),
+          locked_(document.containers().lockedRanges()), clipping_(options)
     {
-        result_.sheet.page = sheet.page;
-        result_.sheet.layers = sheet.layers;
-        result_.sheet.window = sheet.window;
-        result_.sheet.about = sheet.about;
+        cut_.edit.objects = objects().slice(0, 0);
     }
 
     Cut cut()
     {
-        for (const Shape& shape : sheet_.shapes) {
-            if (reached(sheet_, shape, options_.reach))
-                cutShape(shape);
-            else
-                leaveAlone(shape);
-            result_.sources.resize(result_.sheet.shapes.size(),
-                                   std::size_t(&shape - sheet_.shapes.data()));
-        }
-        result_.counts.segmentsBefore = chords_.all.size();
-        return std::move(result_);
+        objects().forEach(0, objects().size(), [&](std::size_t i, const ObjectView& object) {
+            if (!reached(i, object))
+                return;
+            batch_.add(i, object, tolerance_);
+            if (batch_.chords().size() >= chordsAtOnce)
+                cutBatch();
+        });
+        cutBatch();
+        if (!cut_.edit.splices.empty())
+            cut_.edit.containers = document_.containers().spliced(cut_.edit.splices);
+        return std::move(cut_);
     }
 
 private:
-    // The pieces of the next path, without contacts unless they are wanted.
-    std::vector<KeptPart> partsOfNextPath()
+    const Objects& objects() const { return document_.objects(); }
+
+    bool reached(std::size_t i, const ObjectView& object)
     {
-        const std::size_t first = chords_.first[path_], end = chords_.first[path_ + 1];
-        std::vector<KeptPart> parts;
-        for (; next_ != pieces_.end() && next_->source < end; ++next_) {
-            const auto& [a, b] = next_->segment;
-            const auto& chord = chords_.all[next_->source].segment;
-            if (a == b && chord.a != chord.b && !options_.keepContacts)
-                continue;
-            parts.push_back({next_->source - first, next_->segment,
-                             clipping::cutEdgeOfA(next_->cut), clipping::cutEdgeOfB(next_->cut)});
+        if (options_.reach == Reach::Everything)
+            return true;
+        const bool locked = locked_.contains(i), hidden = object.hidden() || hidden_.contains(i);
+        cut_.counts.leftLocked += locked;
+        cut_.counts.leftHidden += hidden && !locked;
+        return !locked && !hidden;
+    }
+
+    void cutBatch()
+    {
+        std::span<const Clipped> kept = clipping_.keptOf(batch_.chords());
+        cut_.counts.segmentsBefore += batch_.chords().size();
+        cut_.counts.segmentsAfter += kept.size();
+        for (const Batch::Member& member : batch_.members()) {
+            const auto end = std::ranges::find_if(
+                kept, [&](const Clipped& piece) { return piece.source >= member.end; });
+            const auto count = std::size_t(end - kept.begin());
+            cutMember(member, kept.first(count));
+            kept = kept.subspan(count);
         }
-        result_.counts.segmentsAfter += parts.size();
-        return parts;
+        batch_.clear();
     }
 
-    void leaveAlone(const Shape& shape)
+    void cutMember(const Batch::Member& member, std::span<const Clipped> kept)
     {
-        path_ += shape.paths.size();
-        ++(sheet_.layers[shape.layer].locked ? result_.counts.leftLocked
-                                             : result_.counts.leftHidden);
-        result_.sheet.shapes.push_back(shape);
-    }
-
-    void cutShape(const Shape& shape)
-    {
-        const bool hidden = !sheet_.shown(shape);
-        const OverStart overStart = shape.style.dashes.empty() ? OverStart::Join : OverStart::Break;
-        std::vector<Run> runs;
-        bool whole = true;
-        std::size_t opened = 0;
-        for (const Subpath& path : shape.paths) {
-            const auto parts = partsOfNextPath();
-            const auto kept =
-                joinRuns(path, chords_.of(path_++), parts, options_.window, overStart);
-            const bool unchanged = kept.size() == 1 && kept.front().path == path;
-            whole = whole && unchanged;
-            opened += path.closed && !unchanged && !kept.empty();
-            runs.insert(runs.end(), kept.begin(), kept.end());
+        const auto chords = batch_.chordsOf(member);
+        const bool whole = std::ranges::equal(chords, kept, {}, &Chord::segment, &Clipped::segment);
+        if (whole)
+            return noteWhole(member.object);
+        if (kept.empty()) {
+            ++cut_.counts.gone;
+            return remove(member.object);
         }
-        CutCounts& counts = result_.counts;
-        if (whole) {
-            ++counts.whole;
-            counts.hidden += hidden;
-            result_.sheet.shapes.push_back(shape);
-        } else if (runs.empty()) {
-            ++counts.gone;
-        } else {
-            ++counts.cut;
-            counts.hidden += hidden;
-            counts.opened += opened;
-            counts.unfilled += shape.style.fill && hasArea(shape);
-            addCutShape(shape, runs);
-        }
+        const Object object = objects()[member.object].copy();
+        const CutObject result =
+            cutObject(object, tolerance_, chords, kept, member.first, options_.region);
+        if (result.whole)
+            return noteWhole(member.object);
+        ++cut_.counts.cut;
+        cut_.counts.hidden += object.hidden || hidden_.contains(member.object);
+        cut_.counts.opened += result.opened;
+        cut_.counts.unfilled += object.style.fill && object.path.hasArea();
+        cut_.edit.splices.push_back(
+            {std::uint32_t(member.object), 1, std::uint32_t(result.left.size())});
+        for (const Object& left : result.left)
+            cut_.edit.objects.append(left);
     }
 
-    // A cut shape has no inside to fill any more, so a shape that was only filled is outlined.
-    void addCutShape(const Shape& shape, std::vector<Run>& runs)
+    void noteWhole(std::size_t object)
     {
-        Shape outline{{}, shape.style, shape.id, shape.layer, shape.hidden};
-        outline.style.stroke = lineInk(shape);
-        outline.style.fill.reset();
-        std::ranges::move(shapesOfRuns(outline, std::move(runs)),
-                          std::back_inserter(result_.sheet.shapes));
+        ++cut_.counts.whole;
+        cut_.counts.hidden += objects()[object].hidden() || hidden_.contains(object);
     }
 
+    void remove(std::size_t object)
+    {
+        auto& splices = cut_.edit.splices;
+        if (!splices.empty() && splices.back().added == 0
+            && splices.back().first + splices.back().removed == object)
+            ++splices.back().removed;
+        else
+            splices.push_back({std::uint32_t(object), 1, 0});
+    }
+
+    const Document& document_;
     const CutOptions& options_;
-    const Sheet& sheet_;
-    const Chords chords_;
-    const std::vector<Clipped> pieces_;
-    std::vector<Clipped>::const_iterator next_;
-    std::size_t path_ = 0;
-    Cut result_;
+    const double tolerance_;
+    const ObjectRanges hidden_, locked_;
+    Clipping clipping_;
+    Batch batch_;
+    Cut cut_;
 };
 
 } // namespace
 
-bool hasArea(const Shape& shape)
+Cut cut(const Document& document, const CutOptions& options)
 {
-    return std::ranges::any_of(shape.paths, [](const Subpath& path) {
-        return path.segments.size() > 1
-               || (path.segments.size() == 1 && path.segments.front().curved);
-    });
+    assert(options.clipAll);
+    return Cutter(document, options).cut();
 }
 
-std::optional<Colour> lineInk(const Shape& shape)
+std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
 {
-    return shape.style.stroke || !hasArea(shape) ? shape.style.stroke : shape.style.fill;
+    assert(options.clipAll && options.tolerance > 0);
+    std::vector<Chord> chords;
+    flatten(object.path, options.tolerance, chords);
+    Clipping clipping(options);
+    const auto kept = clipping.keptOf(chords);
+    CutObject result = cutObject(object, options.tolerance, chords, kept, 0, options.region);
+    return result.whole ? std::vector{object} : std::move(result.left);
 }
 
-Cut cut(const Sheet& sheet, const CutOptions& options)
+std::vector<std::uint32_t> sourcesOf(const Cut& cut, std::size_t objects)
 {
-    assert(options.algorithm);
-    return Cutter(sheet, options).cut();
-}
-
-Sheet withoutHidden(Sheet sheet)
-{
-    std::erase_if(sheet.shapes, [&](const Shape& shape) { return !sheet.shown(shape); });
-    std::vector<std::uint32_t> now(sheet.layers.size()); // where each layer that stays will be
-    std::vector<Layer> layers;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        now[i] = std::uint32_t(layers.size());
-        if (sheet.layers[i].visible)
-            layers.push_back(std::move(sheet.layers[i]));
+    std::vector<std::uint32_t> sources;
+    std::uint32_t next = 0;
+    const auto unchangedUpTo = [&](std::size_t end) {
+        while (next < end)
+            sources.push_back(next++);
+    };
+    for (const Splice& splice : cut.edit.splices) {
+        unchangedUpTo(splice.first);
+        sources.insert(sources.end(), splice.added, splice.first);
+        next += splice.removed;
     }
-    for (Shape& shape : sheet.shapes)
-        shape.layer = now[shape.layer];
-    sheet.layers = layers.empty() ? Sheet{}.layers : std::move(layers);
-    return sheet;
+    unchangedUpTo(objects);
+    return sources;
 }
 
 } // namespace app

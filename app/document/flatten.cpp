@@ -55,22 +55,4 @@ std::size_t chordCount(const Subpath& path, double tolerance)
     return count - (path.closed && !path.segments.empty() && last == path.start);
 }
 
-Sheet flattened(Sheet sheet, double tolerance)
-{
-    std::vector<Chord> chords;
-    for (Shape& shape : sheet.shapes)
-        for (Subpath& path : shape.paths) {
-            if (std::ranges::none_of(path.segments, &PathSegment::curved))
-                continue;
-            chords.clear();
-            flatten(path, tolerance, chords);
-            const std::size_t segments = path.segments.size();
-            path.segments.clear();
-            for (const Chord& chord : chords)
-                if (chord.pathSegment < segments) // the closing line stays implied
-                    path.segments.push_back({chord.segment.b});
-        }
-    return sheet;
-}
-
 } // namespace app

@@ -31,7 +31,4 @@ void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords);
 /// How many chords `flatten` makes of the path.
 std::size_t chordCount(const Subpath& path, double tolerance);
 
-/// The drawing with chords in place of its curves.
-Sheet flattened(Sheet sheet, double tolerance);
-
 } // namespace app

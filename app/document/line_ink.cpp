@@ -11,4 +11,10 @@ std::optional<Colour> lineInk(const ObjectView& object)
     return style.stroke || !hasArea(object) ? style.stroke : style.fill;
 }
 
+std::optional<Colour> lineInk(const Object& object)
+{
+    const Style& style = object.style;
+    return style.stroke || !object.path.hasArea() ? style.stroke : style.fill;
+}
+
 } // namespace app

@@ -12,5 +12,6 @@ bool hasArea(const ObjectView& object);
 /// The colour of an object's lines where nothing is filled: its stroke's or, without one, that of
 /// its fill if there is an area to fill; nothing if the object is not seen.
 std::optional<Colour> lineInk(const ObjectView& object);
+std::optional<Colour> lineInk(const Object& object);
 
 } // namespace app

@@ -38,10 +38,29 @@ bool isCurve(const Subpath& path, std::size_t segment)
 // Also where squares would overflow.
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
+double levelOf(Edge edge, const clipping::Window& window)
+{
+    return edge == Edge::Left     ? window.min.x
+           : edge == Edge::Right  ? window.max.x
+           : edge == Edge::Bottom ? window.min.y
+                                  : window.max.y;
+}
+
+// A window whose edge the point is on. Of a single one, the published forms may miss the edge.
+const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge edge)
+{
+    const int other = edge == Edge::Left || edge == Edge::Right ? 1 : 0;
+    for (const auto& step : region.steps)
+        if (p[1 - other] == levelOf(edge, step.box) && p[other] >= step.box.min[other]
+            && p[other] <= step.box.max[other])
+            return &step.box;
+    return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
+}
+
 // Where the curve itself crosses the line of the edge within its chord's interval, by bisection;
 // where it does not (the chord cuts a corner that the curve misses), the chord's own cut.
 End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
-            const clipping::Window& window)
+            const ClipRegion& region)
 {
     const Point along = chord.segment.b - chord.segment.a;
     const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
@@ -58,15 +77,17 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
         return {guess, cut};
     for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
         (beyond(middle) == atLow ? low : high) = middle;
-    Point point = glm::clamp(curve.at(low), window.min, window.max);
+    Point point = curve.at(low);
+    if (const clipping::Window* window = windowAt(region, cut, edge))
+        point = glm::clamp(point, window->min, window->max);
     point[axis] = cut[axis];
     return {low, point};
 }
 
 class Runs {
 public:
-    Runs(const Subpath& path, std::span<const Chord> chords, const clipping::Window& window)
-        : path_(path), chords_(chords), window_(window)
+    Runs(const Subpath& path, std::span<const Chord> chords, const ClipRegion& region)
+        : path_(path), chords_(chords), region_(region)
     {
     }
 
@@ -79,9 +100,9 @@ public:
         const bool over = part.segment.b != chord.segment.b;
         if (curve && fresh)
             begin =
-                refined(curveOf(path_, chord.pathSegment), chord, begin.point, part.edgeA, window_);
+                refined(curveOf(path_, chord.pathSegment), chord, begin.point, part.edgeA, region_);
         if (curve && over)
-            end = refined(curveOf(path_, chord.pathSegment), chord, end.point, part.edgeB, window_);
+            end = refined(curveOf(path_, chord.pathSegment), chord, end.point, part.edgeB, region_);
         if (fresh || !open_ || part.chord != next_) {
             finishCurve();
             runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});
@@ -149,7 +170,7 @@ private:
 
     const Subpath& path_;
     std::span<const Chord> chords_;
-    const clipping::Window& window_;
+    const ClipRegion& region_;
     std::vector<Run> runs_;
     bool open_ = false; ///< the last part reached its chord's end, `next_` would continue it
     bool startsAtChord0_ = false;
@@ -170,37 +191,42 @@ bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
 } // namespace
 
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
-                          std::span<const KeptPart> parts, const clipping::Window& window,
+                          std::span<const KeptPart> parts, const ClipRegion& region,
                           OverStart overStart)
 {
     if (parts.empty())
         return {};
     if (isWhole(chords, parts))
         return {{path, 0}};
-    Runs runs(path, chords, window);
+    Runs runs(path, chords, region);
     runs.noteFirst(parts.front());
     for (const KeptPart& part : parts)
         runs.add(part);
     return runs.take(path.closed && overStart == OverStart::Join);
 }
 
-std::vector<Shape> shapesOfRuns(const Shape& shape, std::vector<Run> runs)
+std::vector<Object> objectsOfRuns(Object object, std::vector<Run> runs)
 {
-    Shape one{{}, shape.style, shape.id, shape.layer, shape.hidden};
-    one.style.cap = Cap::Butt;
-    std::vector<Shape> shapes;
+    object.particulars.recipe = {};
+    object.style.cap = Cap::Butt;
+    std::vector<Subpath> all;
+    std::vector<Object> objects;
+    const double offset = object.style.dashOffset;
     for (Run& run : runs) {
-        one.paths.push_back(std::move(run.path));
-        if (shape.style.dashes.empty())
+        if (object.style.dashes.empty()) {
+            all.push_back(std::move(run.path));
             continue;
-        one.style.dashOffset = shape.style.dashOffset + run.before;
-        shapes.push_back(one);
-        one.paths.clear();
-        one.id.clear();
+        }
+        object.path = Path({&run.path, 1});
+        object.style.dashOffset = offset + run.before;
+        objects.push_back(object);
+        object.particulars = {};
     }
-    if (!one.paths.empty())
-        shapes.push_back(std::move(one));
-    return shapes;
+    if (!all.empty()) {
+        object.path = Path(all);
+        objects.push_back(std::move(object));
+    }
+    return objects;
 }
 
 } // namespace app

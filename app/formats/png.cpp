@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/formats/paper.h"
 #include "app/formats/seen_part.h"
 #include "app/formats/write_all.h"
 #include "app/view/numbers.h"
 #include "app/view/painter_path.h"
-#include "app/view/summed_shape.h"
+#include "app/view/summed_object.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -60,18 +59,21 @@ QPen penOf(const Style& style, double pixelsPerUnit)
     return pen;
 }
 
-void paint(QPainter& painter, const Shape& shape, double pixelsPerUnit)
+void paint(QPainter& painter, const Object& object, double pixelsPerUnit)
 {
-    const QPainterPath outline = painterPath(shape);
-    if (shape.style.fill && !fillSummed(painter, shape))
-        painter.fillPath(outline, colourOf(*shape.style.fill));
-    if (!shape.style.stroke || !(shape.style.width > 0))
+    const Style& style = object.style;
+    const QPainterPath outline = painterPath(object.path, style.fillRule);
+    if (style.fill && !fillSummed(painter, object))
+        painter.fillPath(outline, colourOf(*style.fill));
+    if (!style.stroke || !(style.width > 0))
         return;
-    painter.setPen(penOf(shape.style, pixelsPerUnit));
-    if (!strokeSummed(painter, shape))
+    painter.setPen(penOf(style, pixelsPerUnit));
+    if (!strokeSummed(painter, object))
         painter.drawPath(outline);
-    for (const Subpath& path : shape.paths) // a point shows only its caps
-        if (path.segments.empty() && shape.style.cap != Cap::Butt)
+    if (style.cap == Cap::Butt)
+        return;
+    for (const Subpath& path : object.path.subpaths()) // a point shows only its caps
+        if (path.segments.empty())
             painter.drawPoint(QPointF(path.start.x, path.start.y));
 }
 
@@ -109,8 +111,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     const double scale = options.dpi / millimetresPerInch * paper.millimetresPerUnit;
     painter.scale(scale, scale);
     painter.translate(-paper.corner.x, -paper.corner.y);
-    for (const Shape& shape : seenPart(sheetOf(document)).shapes)
-        paint(painter, shape, scale);
+    visitSeen(document, [&](const Object& object) { paint(painter, object, scale); });
     painter.end();
 
     QByteArray bytes;

@@ -2,7 +2,7 @@
 #include "app/formats/seen_part.h"
 
 #include "app/document/cut.h"
-#include "app/document/flatten.h"
+#include "app/document/cut_object.h"
 #include "app/view/area.h"
 
 #include <algorithm>
@@ -15,13 +15,11 @@ bool within(const Point& p, const clipping::Window& w)
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
 
-bool within(const Subpath& path, const clipping::Window& window)
+bool within(const Path& path, const clipping::Window& window)
 {
-    const auto near = [&](const PathSegment& s) {
-        return within(s.to, window)
-               && (!s.curved || (within(s.control1, window) && within(s.control2, window)));
-    };
-    return within(path.start, window) && std::ranges::all_of(path.segments, near);
+    bool all = true;
+    path.forEachPoint([&](const Point& p) { all = all && within(p, window); });
+    return all;
 }
 
 // The page with itself on every side, and what strokes reach beyond their line.
@@ -31,13 +29,13 @@ clipping::Window surroundings(const Page& page, const Style& style)
     return {page.min - more, page.min + page.size + more};
 }
 
-Shape areaOf(const Shape& shape, const clipping::Window& window, double tolerance)
+// The area of what is filled.
+Object areaOf(const Object& object, const clipping::Window& window, double tolerance)
 {
-    Shape area{{}, shape.style, {}, shape.layer, false};
-    area.style.stroke.reset();
+    std::vector<Subpath> parts;
     std::vector<Chord> chords;
     std::vector<Point> outline;
-    for (const Subpath& path : shape.paths) {
+    for (const Subpath& path : object.path.subpaths()) {
         chords.clear();
         outline.clear();
         flatten(path, tolerance, chords);
@@ -50,44 +48,52 @@ Shape areaOf(const Shape& shape, const clipping::Window& window, double toleranc
         Subpath part{inside.front(), {}, true};
         for (const Point& point : inside)
             part.segments.push_back({point});
-        area.paths.push_back(std::move(part));
+        parts.push_back(std::move(part));
     }
+    Object area{Path(parts), object.style};
+    area.style.stroke.reset();
     return area;
 }
 
-void addReduced(const Shape& shape, const clipping::Window& window, double tolerance, Sheet& seen)
+// What is left of the lines, bottom to top.
+std::vector<Object> strokeIn(Object object, const clipping::Window& window, double tolerance)
 {
-    if (shape.style.fill)
-        seen.shapes.push_back(areaOf(shape, window, tolerance));
-    if (!shape.style.stroke)
-        return;
-    Sheet stroke{seen.page, seen.layers, {shape}, seen.window};
-    stroke.shapes.front().style.fill.reset();
-    const CutOptions options{&clipping::algorithms().front().corrected, window, Keep::Inside,
-                             tolerance};
-    for (Shape& part : cut(stroke, options).sheet.shapes)
-        seen.shapes.push_back(std::move(part));
+    object.style.fill.reset();
+    CutOptions options{.clipAll = clipping::algorithms().front().corrected.clipAll,
+                       .tolerance = tolerance};
+    options.region.steps = {{window, WindowOperation::Add}};
+    return cutAlone(object, options);
+}
+
+void visitReduced(const Object& object, const clipping::Window& window, double tolerance,
+                  const std::function<void(const Object&)>& visit)
+{
+    if (object.style.fill)
+        visit(areaOf(object, window, tolerance));
+    if (object.style.stroke)
+        for (const Object& part : strokeIn(object, window, tolerance))
+            visit(part);
 }
 
 } // namespace
 
-Sheet seenPart(const Sheet& sheet)
+void visitSeen(const Document& document, const std::function<void(const Object&)>& visit)
 {
-    Sheet seen{sheet.page, sheet.layers, {}, sheet.window};
-    const double tolerance = usualTolerance(sheet.page);
-    for (Shape shape : sheet.shapes) {
-        if (!sheet.shown(shape))
-            continue;
-        if (!hasArea(shape))
-            shape.style.fill.reset();
-        const auto window = surroundings(sheet.page, shape.style);
-        if (std::ranges::all_of(shape.paths,
-                                [&](const Subpath& path) { return within(path, window); }))
-            seen.shapes.push_back(std::move(shape));
+    const double tolerance = usualTolerance(document.page());
+    const ObjectRanges hidden = document.containers().hiddenRanges();
+    const Objects& objects = document.objects();
+    objects.forEach(0, objects.size(), [&](std::size_t i, const ObjectView& view) {
+        if (view.hidden() || hidden.contains(i))
+            return;
+        Object object{view.path(), view.style()};
+        if (!object.path.hasArea())
+            object.style.fill.reset();
+        const auto window = surroundings(document.page(), object.style);
+        if (within(object.path, window))
+            visit(object);
         else
-            addReduced(shape, window, tolerance, seen);
-    }
-    return seen;
+            visitReduced(object, window, tolerance, visit);
+    });
 }
 
 } // namespace app

@@ -3,7 +3,12 @@
 
 namespace app {
 
-static QPainterPath outlineOf(std::span<const Subpath> subpaths, FillRule rule)
+QPainterPath painterPath(const Path& path, FillRule rule)
+{
+    return painterPath(path.subpaths(), rule);
+}
+
+QPainterPath painterPath(std::span<const Subpath> subpaths, FillRule rule)
 {
     const auto at = [](const Point& p) { return QPointF(p.x, p.y); };
     QPainterPath outline;
@@ -19,16 +24,6 @@ static QPainterPath outlineOf(std::span<const Subpath> subpaths, FillRule rule)
             outline.closeSubpath();
     }
     return outline;
-}
-
-QPainterPath painterPath(const Shape& shape)
-{
-    return outlineOf(shape.paths, shape.style.fillRule);
-}
-
-QPainterPath painterPath(const ObjectView& object)
-{
-    return outlineOf(object.path().subpaths(), object.style().fillRule);
 }
 
 } // namespace app

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/objects.h"
+#include "app/document/path.h"
+#include "app/document/style.h"
 
 #include <QPainterPath>
 
 namespace app {
 
-/// The shape's outline in user units, curves as curves, with its fill rule.
-QPainterPath painterPath(const Shape& shape);
-QPainterPath painterPath(const ObjectView& object);
+/// An object's outline in user units, curves as curves, with its fill rule.
+QPainterPath painterPath(const Path& path, FillRule rule);
+QPainterPath painterPath(std::span<const Subpath> subpaths, FillRule rule);
 
 } // namespace app

@@ -19,10 +19,10 @@ std::string text(double value)
 }
 
 // A square cap on a line without length, which PDF does not paint, as a line that fills it.
-Shape squareAt(const Point& p, const Style& style)
+Object squareAt(const Point& p, const Style& style)
 {
     const Point half{style.width / 2, 0};
-    Shape square{{{p - half, {{p + half}}, false}}, style, {}, 0, false};
+    Object square{Path(clipping::Segment{p - half, p + half}), style};
     square.style.cap = Cap::Butt;
     square.style.fill.reset();
     square.style.dashes.clear();
@@ -82,28 +82,29 @@ void Content::place(double scale, const Point& origin)
              + " cm\n";
 }
 
-void Content::paint(const Shape& shape)
+void Content::paint(const Object& object)
 {
-    const Style& style = shape.style;
+    const Style& style = object.style;
+    const std::vector<Subpath> subpaths = object.path.subpaths();
     if (style.fill) {
         setAlpha(style.fill->alpha);
         set(fill_, colour(*style.fill) + " rg\n");
-        outline(shape);
+        outline(subpaths);
         text_ += style.fillRule == FillRule::EvenOdd ? "f*\n" : "f\n";
     }
     if (style.stroke && style.width > 0) {
         setAlpha(style.stroke->alpha);
         set(stroke_, colour(*style.stroke) + " RG\n");
         set(pen_, pen(style));
-        outline(shape);
+        outline(subpaths);
         text_ += "S\n";
-        for (const Subpath& path : shape.paths)
+        for (const Subpath& path : subpaths)
             if (path.segments.empty() && style.cap == Cap::Square)
                 paint(squareAt(path.start, style));
     }
 }
 
-void Content::outline(const Shape& shape)
+void Content::outline(std::span<const Subpath> subpaths)
 {
     const auto point = [&](const Point& p, const char* operation) {
         appendPoint(text_, p, ' ', options_);
@@ -115,7 +116,7 @@ void Content::outline(const Shape& shape)
             text_ += ' ';
         }
     };
-    for (const Subpath& path : shape.paths) {
+    for (const Subpath& path : subpaths) {
         point(path.start, " m\n");
         for (const PathSegment& segment : path.segments) {
             if (segment.curved)

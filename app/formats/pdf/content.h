@@ -8,7 +8,7 @@
 
 namespace app::pdf {
 
-/// The content stream of a page: the operators that paint shapes.
+/// The content stream of a page: the operators that paint objects.
 class Content {
 public:
     explicit Content(const WriteOptions& options) : options_(options) {}
@@ -17,13 +17,13 @@ public:
     /// lies at `origin` on the page.
     void place(double scale, const Point& origin);
 
-    void paint(const Shape& shape);
+    void paint(const Object& object);
 
     QByteArray bytes() const { return QByteArray::fromStdString(text_); }
     std::string resources() const; ///< the page's dictionary of what the stream names
 
 private:
-    void outline(const Shape& shape);
+    void outline(std::span<const Subpath> subpaths);
     void setAlpha(std::uint8_t alpha);
     void set(std::string& last, const std::string& now); ///< a state, where it changes
 

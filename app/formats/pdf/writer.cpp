@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/pdf/writer.h"
 
-#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
@@ -93,8 +92,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
 
     Content content(options);
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
-    for (const Shape& shape : seenPart(sheetOf(document)).shapes)
-        content.paint(shape);
+    visitSeen(document, [&](const Object& object) { content.paint(object); });
 
     Objects objects(out);
     objects.add("<</Type/Catalog/Pages 2 0 R>>");

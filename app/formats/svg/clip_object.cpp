@@ -38,7 +38,8 @@ std::vector<Run> strokeRuns(const Subpath& path, std::span<const Chord> chords,
     for (std::size_t i = 0; i < chords.size(); ++i)
         if (const auto part = region.clip(chords[i], i))
             parts.push_back(*part);
-    return joinRuns(path, chords, parts, region.bounds(), overStart);
+    const ClipRegion bounds{{{region.bounds(), WindowOperation::Add}}};
+    return joinRuns(path, chords, parts, bounds, overStart);
 }
 
 // The area of a filled line, but for rounding.
@@ -73,10 +74,10 @@ std::optional<Subpath> filledPart(std::span<const Chord> chords, const ConvexReg
 
 void addStroke(const Drawn& drawn, std::vector<Run> runs, std::vector<Drawn>& objects)
 {
-    Shape outline{{}, drawn.style, {}, 0, false};
+    Object outline{{}, drawn.style};
     outline.style.fill.reset();
-    for (Shape& shape : shapesOfRuns(outline, std::move(runs)))
-        objects.push_back({std::move(shape.paths), std::move(shape.style), {}, drawn.hidden});
+    for (const Object& object : objectsOfRuns(std::move(outline), std::move(runs)))
+        objects.push_back({object.path.subpaths(), object.style, {}, drawn.hidden});
 }
 
 } // namespace

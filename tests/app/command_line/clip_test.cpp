@@ -261,7 +261,7 @@ private slots:
         const auto commands = app::commands();
         const app::Given given(commands.front(), {"-", "-o", "-", "--page"});
         QCOMPARE(commands.front().key, "clip");
-        const app::CutOptions usual{&clipping::findAlgorithm("exact")->corrected};
+        app::CutOptions options{clipping::findAlgorithm("exact")->corrected.clipAll};
         for (int size = 1; size <= 5000; ++size) {
             const QByteArray n = QByteArray::number(size), length = n + unit;
             const QByteArray border = boxed ? n : length;
@@ -273,9 +273,9 @@ private slots:
             buffer.open(QIODevice::ReadOnly);
             const auto imported = app::findFormat(u"svg")->read(buffer);
             QVERIFY(imported);
-            auto options = usual;
-            options.window = app::windowOf(given, *imported.value);
-            const auto cut = app::cut(app::sheetOf(imported.value->document), options);
+            options.region.steps = {
+                {app::windowOf(given, *imported.value), app::WindowOperation::Add}};
+            const auto cut = app::cut(imported.value->document, options);
             QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
         }
     }

@@ -62,8 +62,8 @@ private slots:
         before.shapes.front().hidden = true;
         app::EditedDocument document(app::documentOf(before));
         app::CutOptions options;
-        options.algorithm = &clipping::findAlgorithm("exact")->corrected;
-        options.window = before.window;
+        options.clipAll = clipping::findAlgorithm("exact")->corrected.clipAll;
+        options.region.steps = {{before.window, app::WindowOperation::Add}};
         options.reach = app::Reach::Editable;
         app::CropToWindow crop(document, options);
         QCOMPARE(crop.counts().cut, 1u);
@@ -79,10 +79,12 @@ private slots:
         QCOMPARE(after[1].paths[0].start.x, 1.0);
 
         options.reach = app::Reach::Everything; // as the command line cuts
-        const app::Cut all = app::cut(before, options);
+        app::Document other = app::documentOf(before);
+        const app::Cut all = app::cut(other, options);
+        other.apply(all.edit);
         QCOMPARE(all.counts.leftLocked + all.counts.leftHidden, 0u);
         QCOMPARE(all.counts.hidden, 3u);
-        for (const app::Shape& shape : all.sheet.shapes)
+        for (const app::Shape& shape : app::sheetOf(other).shapes)
             QVERIFY(shape.paths[0].start.x >= 1 && shape.paths[0].segments[0].to.x <= 2);
     }
     void quickNudgesAreOneStepAndDragsAreNot()

@@ -82,8 +82,8 @@ private:
         if (random_() % 4 != 0) // there would soon be nothing left
             return nullptr;
         app::CutOptions options;
-        options.algorithm = &clipping::algorithms().front().corrected;
-        options.window = sheetOf(document_).window;
+        options.clipAll = clipping::algorithms().front().corrected.clipAll;
+        options.region = app::regionOf(document_.now().windows());
         options.reach = app::Reach::Editable;
         return new app::CropToWindow(document_, options);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/cut.h"
-#include "app/document/flatten.h"
+#include "app/document/document_builder.h"
+#include "app/document/legacy.h"
 
 #include <QTest>
 
@@ -25,10 +26,25 @@ Sheet sheetOf(std::vector<Subpath> paths, app::Style style = {.stroke = app::Col
     return sheet;
 }
 
-app::Cut cutAt(const Sheet& sheet, Keep keep, double tolerance = 1e-3)
+struct Left {
+    Sheet sheet;
+    app::CutCounts counts;
+    std::vector<std::uint32_t> sources;
+};
+
+Left cutAt(const Sheet& sheet, const app::ClipRegion& region, double tolerance = 1e-3)
 {
     const auto* algorithm = clipping::findAlgorithm("matthes-drakopoulos");
-    return app::cut(sheet, {&algorithm->corrected, window, keep, tolerance});
+    app::Document document = app::documentOf(sheet);
+    const app::Cut cut = app::cut(document, {algorithm->corrected.clipAll, region, tolerance});
+    const auto sources = app::sourcesOf(cut, document.objects().size());
+    document.apply(cut.edit);
+    return {app::sheetOf(document), cut.counts, sources};
+}
+
+Left cutAt(const Sheet& sheet, Keep keep, double tolerance = 1e-3)
+{
+    return cutAt(sheet, {{{window, app::WindowOperation::Add}}, keep}, tolerance);
 }
 
 double lengthOf(const Sheet& sheet, double tolerance = 1e-6)
@@ -123,8 +139,8 @@ private slots:
         };
         add({{-5, 0}, {{{5, 0}}, {{5, 1}}, {{-5, 1}}}, false});
         add({{0, 0}, {{{1, 1}}}, false});
-        QCOMPARE(cutAt(sheet, Keep::Inside).sources, (std::vector<std::size_t>{1, 1, 2}));
-        QCOMPARE(cutAt(sheet, Keep::Outside).sources, (std::vector<std::size_t>{0, 1, 1, 1}));
+        QCOMPARE(cutAt(sheet, Keep::Inside).sources, (std::vector<std::uint32_t>{1, 1, 2}));
+        QCOMPARE(cutAt(sheet, Keep::Outside).sources, (std::vector<std::uint32_t>{0, 1, 1, 1}));
     }
 
     void aContactIsLeftOutAPointIsKept()
@@ -166,6 +182,114 @@ private slots:
         QVERIFY(part.segments[0].curved);
         QCOMPARE(part.segments[0].to.y, 2.0);                  // on the edge, bit for bit
         QVERIFY(std::abs(part.segments[0].to.x - 1.5) < 1e-3); // 2.5² = 1.5² + 2²
+    }
+
+    void severalWindowsAreFolded()
+    {
+        using app::WindowOperation;
+        // Two windows side by side, and a hole across the edge that they share.
+        const app::ClipRegion region{{{{{0, 0}, {2, 4}}, WindowOperation::Add},
+                                      {{{2, 0}, {4, 4}}, WindowOperation::Add},
+                                      {{{1, 1}, {3, 2}}, WindowOperation::CutOut}}};
+        const Subpath across{{-1, 3}, {{{5, 3}}}, false}, holed{{-1, 1.5}, {{{5, 1.5}}}, false};
+        const auto cut = cutAt(sheetOf({across}), region);
+        QCOMPARE(cut.sheet.shapes.at(0).paths, (std::vector{Subpath{{0, 3}, {{{4, 3}}}, false}}));
+        QCOMPARE(cutAt(sheetOf({holed}), region).sheet.shapes.at(0).paths,
+                 (std::vector{Subpath{{0, 1.5}, {{{1, 1.5}}}, false},
+                              Subpath{{3, 1.5}, {{{4, 1.5}}}, false}}));
+        app::ClipRegion outside = region;
+        outside.keep = Keep::Outside;
+        QCOMPARE(cutAt(sheetOf({holed}), outside).sheet.shapes.at(0).paths,
+                 (std::vector{Subpath{{-1, 1.5}, {{{0, 1.5}}}, false},
+                              Subpath{{1, 1.5}, {{{3, 1.5}}}, false},
+                              Subpath{{4, 1.5}, {{{5, 1.5}}}, false}}));
+        QCOMPARE(cutAt(sheetOf({across}), app::ClipRegion()).sheet, sheetOf({across}));
+    }
+
+    void curvesEndOnTheEdgeOfTheWindowThatCutsThem()
+    {
+        using app::WindowOperation;
+        const app::ClipRegion region{{{{{-9, -9}, {0, 9}}, WindowOperation::Add},
+                                      {{{1, -9}, {9, 9}}, WindowOperation::Add}}};
+        std::mt19937_64 random(9);
+        std::size_t ends = 0;
+        for (int round = 0; round < 200; ++round) {
+            const auto cut = cutAt(sheetOf({randomPath(random, true)}), region);
+            for (const auto& shape : cut.sheet.shapes)
+                for (const auto& path : shape.paths)
+                    if (!path.closed)
+                        for (const Point& end : {path.start, path.segments.back().to}) {
+                            QVERIFY(end.x <= 0 || end.x >= 1);
+                            ends += end.x == 0 || end.x == 1;
+                        }
+        }
+        QVERIFY(ends > 100);
+    }
+
+    // The same as object by object, however many are clipped at once.
+    void manyObjectsAreCutAsEachAlone()
+    {
+        std::mt19937_64 random(10);
+        const app::Style style{.stroke = app::Colour{}};
+        app::Objects objects, left;
+        std::vector<std::uint32_t> sources;
+        app::CutOptions options{clipping::algorithms().front().corrected.clipAll};
+        options.region.steps = {{window, app::WindowOperation::Add}};
+        options.tolerance = 1e-3;
+        for (std::uint32_t i = 0; i < 3'000; ++i) {
+            const std::vector paths{randomPath(random, true), randomPath(random, i % 2 == 0)};
+            const app::Object object{app::Path(paths), style};
+            objects.append(object);
+            for (const app::Object& part : app::cutAlone(object, options)) {
+                left.append(part);
+                sources.push_back(i);
+            }
+        }
+        app::DocumentBuilder builder;
+        builder.open({});
+        builder.add(objects);
+        builder.close();
+        app::Document document = builder.take({});
+        const app::Cut cut = app::cut(document, options);
+        QVERIFY(cut.counts.segmentsBefore > 200'000);
+        QCOMPARE(app::sourcesOf(cut, objects.size()), sources);
+        document.apply(cut.edit);
+        QVERIFY(document.objects() == left);
+    }
+
+    void whatIsKeptIsSharedAndEmptyGroupsGo()
+    {
+        app::DocumentBuilder builder;
+        const auto style = builder.style({.stroke = app::Colour{}});
+        builder.open({.name = "layer"});
+        for (int i = 0; i < 10'000; ++i)
+            builder.addLine({{0, 0}, {1e-4 * i, 1}}, style);
+        builder.open({.kind = app::Container::Kind::Group, .name = "outside"});
+        builder.addLine({{8, 8}, {9, 9}}, style);
+        builder.close();
+        builder.open({.kind = app::Container::Kind::Group, .name = "across"});
+        app::Object object{app::Path(clipping::Segment{{0, 1}, {9, 1}}), {}};
+        object.particulars = {"id", "<title/>", {}, app::EllipseRecipe{}};
+        builder.add(object);
+        builder.close();
+        builder.close();
+        builder.open({.name = "empty afterwards"});
+        builder.addLine({{8, 8}, {9, 9}}, style);
+        builder.close();
+        const app::Document before = builder.take({});
+        app::CutOptions options{clipping::exactAlgorithm().corrected.clipAll};
+        options.region.steps = {{window, app::WindowOperation::Add}};
+        app::Document after = before;
+        after.apply(app::cut(before, options).edit);
+        QVERIFY(sameAddress(after.objects().blocks()[0], before.objects().blocks()[0]));
+        const app::Containers& containers = after.containers();
+        QStringList names;
+        for (const app::ContainerId id : containers.inOrder())
+            names << containers[id].name;
+        QCOMPARE(names, (QStringList{"layer", "across", "empty afterwards"}));
+        const app::ObjectView last = after.objects()[after.objects().size() - 1];
+        QCOMPARE(last.singleLine()->b, Point(3, 1));
+        QVERIFY(last.particulars() == (app::Particulars{"id", "<title/>"}));
     }
 
     void insideAndOutsideAreTheWhole()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/object.h"
 
 class QPainter;
 
@@ -9,11 +9,11 @@ class QPainter;
 
 namespace app {
 
-/// Paints the shape's area by summing, where that takes less time than QPainter does. False:
+/// Paints an object's area by summing, where that takes less time than QPainter does. False:
 /// nothing is painted. The painter paints an image.
-bool fillSummed(QPainter& painter, const Shape& shape);
+bool fillSummed(QPainter& painter, const Object& object);
 
 /// The same for its stroke; every pixel gets the ink once, however often the stroke crosses itself.
-bool strokeSummed(QPainter& painter, const Shape& shape);
+bool strokeSummed(QPainter& painter, const Object& object);
 
 } // namespace app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/painter_path.h"
-#include "app/view/summed_shape.h"
+#include "app/view/summed_object.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -17,7 +17,7 @@ constexpr double scale = 1.5; // device pixels of a user unit
 constexpr app::Colour blue{20, 60, 200, 150};
 
 // Two paths, one of them with curves, that cross themselves and each other.
-app::Shape scribble(std::size_t count, bool closed)
+std::vector<app::Subpath> scribble(std::size_t count, bool closed)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(-1, side / scale + 1);
@@ -25,16 +25,16 @@ app::Shape scribble(std::size_t count, bool closed)
         const double x = anywhere(random);
         return app::Point(x, anywhere(random));
     };
-    app::Shape shape;
+    std::vector<app::Subpath> paths;
     for (const bool curved : {false, true}) {
         app::Subpath path{point(), {}, closed};
         for (std::size_t i = 0; i < count; ++i) {
             const app::Point to = point(), one = point();
             path.segments.push_back({to, one, point(), curved && i % 4 == 0});
         }
-        shape.paths.push_back(path);
+        paths.push_back(path);
     }
-    return shape;
+    return paths;
 }
 
 QImage painted(const std::function<void(QPainter& painter)>& paint)
@@ -49,15 +49,15 @@ QImage painted(const std::function<void(QPainter& painter)>& paint)
 }
 
 // QPainter would flatten curves a quarter of a pixel from where they are.
-QPainterPath finelyFlattened(const app::Shape& shape)
+QPainterPath finelyFlattened(const app::Object& object)
 {
     constexpr double finer = 64;
     QPainterPath flat;
-    flat.setFillRule(app::painterPath(shape).fillRule());
-    for (const auto& points :
-         app::painterPath(shape).toSubpathPolygons(QTransform::fromScale(finer, finer))) {
+    const QPainterPath outline = app::painterPath(object.path, object.style.fillRule);
+    flat.setFillRule(outline.fillRule());
+    for (const auto& points : outline.toSubpathPolygons(QTransform::fromScale(finer, finer))) {
         flat.addPolygon(QTransform::fromScale(1 / finer, 1 / finer).map(points));
-        if (shape.paths[0].closed)
+        if (object.path.subpaths()[0].closed)
             flat.closeSubpath();
     }
     return flat;
@@ -93,7 +93,7 @@ QString distanceOf(const QImage& found, const QImage& expected)
 
 } // namespace
 
-class SummedShapeTest : public QObject {
+class SummedObjectTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -116,40 +116,40 @@ private slots:
     void strokesLookAsQPaintersDo()
     {
         QFETCH(bool, closed);
-        app::Shape shape = scribble(180, closed);
-        shape.style.stroke = blue;
+        auto paths = scribble(180, closed);
+        app::Style style{.stroke = blue};
         QFETCH(app::Cap, cap);
         QFETCH(app::Join, join);
-        shape.style.cap = cap;
-        shape.style.join = join;
+        style.cap = cap;
+        style.join = join;
         QFETCH(double, width);
         QFETCH(std::vector<double>, dashes);
-        shape.style.width = width;
-        shape.style.dashes = dashes;
+        style.width = width;
+        style.dashes = dashes;
         if (!dashes.empty()) // flattened otherwise, curves are longer, and later dashes move on
-            shape.paths.resize(1);
+            paths.resize(1);
+        const app::Object object{app::Path(paths), style};
         bool summed = false;
         const QImage found =
-            painted([&](QPainter& painter) { summed = app::strokeSummed(painter, shape); });
+            painted([&](QPainter& painter) { summed = app::strokeSummed(painter, object); });
         QVERIFY(summed);
-        const QImage expected = painted([&](QPainter& painter) {
-            painter.strokePath(finelyFlattened(shape), penOf(shape.style));
-        });
+        const QImage expected = painted(
+            [&](QPainter& painter) { painter.strokePath(finelyFlattened(object), penOf(style)); });
         QVERIFY2(shareBeyond(found, expected, 8) < 0.01, qPrintable(distanceOf(found, expected)));
     }
 
     void areasLookAsQPaintersDo()
     {
         for (const auto rule : {app::FillRule::EvenOdd, app::FillRule::NonZero}) {
-            app::Shape shape = scribble(300, true);
-            shape.style.fill = blue;
-            shape.style.fillRule = rule;
+            app::Object object{app::Path(scribble(300, true)), {.fill = blue}};
+            object.style.fillRule = rule;
             bool summed = false;
             const QImage found =
-                painted([&](QPainter& painter) { summed = app::fillSummed(painter, shape); });
+                painted([&](QPainter& painter) { summed = app::fillSummed(painter, object); });
             QVERIFY(summed);
-            const QImage expected = painted(
-                [&](QPainter& painter) { painter.fillPath(finelyFlattened(shape), qColor(blue)); });
+            const QImage expected = painted([&](QPainter& painter) {
+                painter.fillPath(finelyFlattened(object), qColor(blue));
+            });
             QVERIFY2(shareBeyond(found, expected, 8) < 0.01,
                      qPrintable(distanceOf(found, expected)));
         }
@@ -157,24 +157,23 @@ private slots:
 
     void whatIsSmallIsLeftToQPainter()
     {
-        app::Shape shape = scribble(5, true);
-        shape.style.stroke = shape.style.fill = blue;
+        const app::Object object{app::Path(scribble(5, true)), {.stroke = blue, .fill = blue}};
         const QImage found = painted([&](QPainter& painter) {
-            QVERIFY(!app::strokeSummed(painter, shape));
-            QVERIFY(!app::fillSummed(painter, shape));
+            QVERIFY(!app::strokeSummed(painter, object));
+            QVERIFY(!app::fillSummed(painter, object));
         });
         QCOMPARE(found, painted([](QPainter&) {}));
     }
 
     void endlessDashesAreLeftToQPainter()
     {
-        app::Shape shape = scribble(300, false);
-        shape.style.stroke = blue;
-        shape.style.dashes = {1, 1};
-        shape.paths[0].segments[9].to = {1e100, 1e100};
-        painted([&](QPainter& painter) { QVERIFY(!app::strokeSummed(painter, shape)); });
+        auto paths = scribble(300, false);
+        paths[0].segments[9].to = {1e100, 1e100};
+        app::Object object{app::Path(paths), {.stroke = blue}};
+        object.style.dashes = {1, 1};
+        painted([&](QPainter& painter) { QVERIFY(!app::strokeSummed(painter, object)); });
     }
 };
 
-QTEST_GUILESS_MAIN(SummedShapeTest)
-#include "summed_shape_test.moc"
+QTEST_GUILESS_MAIN(SummedObjectTest)
+#include "summed_object_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/summed_shape.h"
+#include "app/view/summed_object.h"
 
 #include "app/view/coverage.h"
 #include "app/view/dashes.h"
@@ -27,17 +27,16 @@ struct Polyline {
     bool closed;
 };
 
-std::vector<Polyline> polylinesOf(const Shape& shape, const QTransform& toDevice)
+std::vector<Polyline> polylinesOf(const Path& path, const QTransform& toDevice)
 {
     const QTransform toFiner = toDevice * QTransform::fromScale(finer, finer);
     const QTransform back = QTransform::fromScale(1 / finer, 1 / finer);
     std::vector<Polyline> polylines;
-    for (const Subpath& path : shape.paths) {
-        Shape alone;
-        alone.paths = {path};
-        for (const QPolygonF& points : painterPath(alone).toSubpathPolygons(toFiner))
+    for (const Subpath& subpath : path.subpaths()) {
+        const QPainterPath alone = painterPath({&subpath, 1}, FillRule::NonZero);
+        for (const QPolygonF& points : alone.toSubpathPolygons(toFiner))
             if (points.size() > 1)
-                polylines.push_back({back.map(points), path.closed});
+                polylines.push_back({back.map(points), subpath.closed});
     }
     return polylines;
 }
@@ -109,26 +108,26 @@ void addStroke(Coverage& coverage, const Polyline& part, const Ink& ink)
 
 } // namespace
 
-bool fillSummed(QPainter& painter, const Shape& shape)
+bool fillSummed(QPainter& painter, const Object& object)
 {
-    const auto polylines = polylinesOf(shape, painter.transform());
+    const auto polylines = polylinesOf(object.path, painter.transform());
     const auto pixels = pixelsToSum(polylines, 0, painter);
     if (!pixels)
         return false;
-    sum(painter, *pixels, shape.style.fillRule, *shape.style.fill, [&](Coverage& coverage) {
+    sum(painter, *pixels, object.style.fillRule, *object.style.fill, [&](Coverage& coverage) {
         for (const Polyline& polyline : polylines)
             coverage.add(polyline.points);
     });
     return true;
 }
 
-bool strokeSummed(QPainter& painter, const Shape& shape)
+bool strokeSummed(QPainter& painter, const Object& object)
 {
-    const Style& style = shape.style;
+    const Style& style = object.style;
     const QTransform toDevice = painter.transform();
     const double scale = std::sqrt(std::abs(toDevice.determinant()));
     const Ink ink{*style.stroke, style.width * scale, style.cap, style.join, style.miterLimit};
-    std::vector<Polyline> polylines = polylinesOf(shape, toDevice);
+    std::vector<Polyline> polylines = polylinesOf(object.path, toDevice);
     const double margin = ink.width * std::max(1.0, ink.join == Join::Miter ? ink.miterLimit : 1);
     const auto pixels = pixelsToSum(polylines, margin, painter);
     const auto parts = pixels ? drawnParts(std::move(polylines), style, scale) : std::nullopt;
