@@ -30,14 +30,15 @@ using Copies = std::map<app::ContainerId, app::Objects>;
 void add(app::Session& session, const std::vector<app::ObjectInHand>& copies, const QString& text)
 {
     const app::Document& document = session.now();
-    app::Objects objects;
+    app::Objects all;
     for (const app::ObjectInHand& copy : copies)
-        objects.append(copy.object);
+        all.append(copy.object);
     const app::Point step(stepMillimetres / document.page().millimetresPerUnit());
-    const app::Placement where{{1, 1}, app::copyOffset(document, objects, step)};
+    const app::Placement where{{1, 1}, app::copyOffset(document, all, step)};
     Copies byContainer;
     for (app::ObjectInHand copy : copies) {
         copy.object.path = copy.object.path.placed(where);
+        copy.object.particulars.id.clear(); // an id is there once
         copy.object.particulars.recipe = placed(copy.object.particulars.recipe, where);
         byContainer.try_emplace(copy.into, document.objects().slice(0, 0))
             .first->second.append(copy.object);

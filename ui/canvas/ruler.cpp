@@ -58,14 +58,15 @@ void Ruler::paintEvent(QPaintEvent*)
         painter.rotate(-90);
     }
     const auto along = [&](double v) { return across() ? v : length - v; };
-    const clipping::Window window = controller_.window();
-    const double a = along(controller_.view().toScreen(window.min)[axis]);
-    const double b = along(controller_.view().toScreen(window.max)[axis]);
-    QColor tint = look.accent;
-    tint.setAlphaF(0.18F);
-    const double left = std::clamp(std::min(a, b), -1.0, length + 1),
-                 right = std::clamp(std::max(a, b), -1.0, length + 1);
-    painter.fillRect(QRectF(left, 0, right - left, rulerWidth), tint);
+    if (const auto window = controller_.clipWindow()) {
+        const double a = along(controller_.view().toScreen(window->min)[axis]);
+        const double b = along(controller_.view().toScreen(window->max)[axis]);
+        QColor tint = look.accent;
+        tint.setAlphaF(0.18F);
+        const double left = std::clamp(std::min(a, b), -1.0, length + 1),
+                     right = std::clamp(std::max(a, b), -1.0, length + 1);
+        painter.fillRect(QRectF(left, 0, right - left, rulerWidth), tint);
+    }
     paintTicks(painter, length);
     painter.fillRect(QRectF(0, rulerWidth - pixel, length, pixel), look.rule);
     if (const auto& pointer = controller_.pointer())

@@ -10,12 +10,30 @@
 
 namespace ui {
 
-static std::vector<app::ContainerId> layersOf(const app::Document& document)
+namespace {
+
+constexpr std::size_t mostRows = 1000; // as many as a file may have
+
+// The topmost first, each above those that lie in it.
+void append(std::vector<app::ContainerId>& layers, const app::Containers& containers,
+            app::ContainerId around)
 {
-    std::vector<app::ContainerId> layers = document.containers().childrenOf(0);
-    std::ranges::reverse(layers);
+    const auto children = containers.childrenOf(around);
+    for (auto id = children.rbegin(); id != children.rend() && layers.size() < mostRows; ++id)
+        if (containers[*id].kind == app::Container::Kind::Layer) {
+            layers.push_back(*id);
+            append(layers, containers, *id);
+        }
+}
+
+std::vector<app::ContainerId> layersOf(const app::Document& document)
+{
+    std::vector<app::ContainerId> layers;
+    append(layers, document.containers(), 0);
     return layers;
 }
+
+} // namespace
 
 LayerModel::LayerModel(app::Session& session, QObject* parent)
     : QAbstractListModel(parent), session_(session), layers_(layersOf(session.now()))
@@ -52,6 +70,8 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
         return layer.locked;
     case CountRole:
         return qulonglong(app::linesOf(session_, id));
+    case DepthRole:
+        return session_.now().containers().depthOf(id);
     case Qt::DecorationRole:
         if (const auto ink = app::inkOf(session_.now(), id))
             return QColor(ink->red, ink->green, ink->blue);
@@ -94,16 +114,23 @@ Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
 void LayerModel::addLayer()
 {
     const app::Containers& containers = session_.now().containers();
-    const std::size_t count = layers_.size(), top = containers.objects();
-    auto more = containers.inserted({.name = tr("Layer %1").arg(count + 1)}, 0, count, {top, top});
+    const std::size_t top = containers.objects();
+    auto more = containers.inserted({.name = tr("Layer %1").arg(layers_.size() + 1)}, 0,
+                                    containers.childrenOf(0).size(), {top, top});
     if (more)
         session_.history.push(
             new app::SetContainers(session_.document, std::move(*more), tr("Add layer")));
 }
 
+bool LayerModel::mayRemove(app::ContainerId layer) const
+{
+    const app::Containers& containers = session_.now().containers();
+    return containers.parentOf(layer) != 0 || containers.childrenOf(0).size() > 1;
+}
+
 void LayerModel::removeLayer(app::ContainerId layer)
 {
-    if (layers_.size() > 1)
+    if (mayRemove(layer))
         session_.history.push(new app::RemoveLayer(session_.document, layer));
 }
 

@@ -7,12 +7,12 @@
 
 namespace ui {
 
-/// The layers of the drawing, the topmost first. Every change is an undoable step.
+/// The layers of the drawing, the topmost first; those in another one follow it. Every change is an undoable step.
 class LayerModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { VisibleRole = Qt::UserRole, LockedRole, CountRole };
+    enum Role { VisibleRole = Qt::UserRole, LockedRole, CountRole, DepthRole };
 
     explicit LayerModel(app::Session& session, QObject* parent = nullptr);
 
@@ -25,7 +25,8 @@ public:
     QModelIndex indexOf(app::ContainerId layer) const;
 
     void addLayer();
-    void removeLayer(app::ContainerId layer); ///< not the last one
+    bool mayRemove(app::ContainerId layer) const; ///< one layer stays
+    void removeLayer(app::ContainerId layer);     ///< with those that lie in it
 
 private:
     void follow(const app::DocumentChange& change);

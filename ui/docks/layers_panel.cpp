@@ -12,6 +12,8 @@
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -25,11 +27,12 @@ public:
         return {160, space::rowHeight};
     }
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+    void paint(QPainter* painter, const QStyleOptionViewItem& given,
                const QModelIndex& index) const override
     {
-        const Look& look = lookOf(option.palette);
-        drawRowGround(*painter, option);
+        const Look& look = lookOf(given.palette);
+        drawRowGround(*painter, given);
+        const QStyleOptionViewItem option = indented(given, index);
         const bool visible = index.data(LayerModel::VisibleRole).toBool();
         const bool locked = index.data(LayerModel::LockedRole).toBool();
         const bool hovered = option.state & QStyle::State_MouseOver;
@@ -52,14 +55,15 @@ public:
     }
 
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-                              const QModelIndex&) const override
+                              const QModelIndex& index) const override
     {
-        editor->setGeometry(nameBox(option.rect));
+        editor->setGeometry(nameBox(indented(option, index).rect));
     }
 
-    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& given,
                      const QModelIndex& index) override
     {
+        const QStyleOptionViewItem option = indented(given, index);
         if (event->type() != QEvent::MouseButtonRelease)
             return false;
         const QPoint at = static_cast<QMouseEvent*>(event)->position().toPoint();
@@ -71,6 +75,13 @@ public:
     }
 
 private:
+    static constexpr int indent = 14, deepest = 5; // pixels a level; deeper ones are not moved on
+    static QStyleOptionViewItem indented(QStyleOptionViewItem option, const QModelIndex& index)
+    {
+        const int depth = index.data(LayerModel::DepthRole).toInt();
+        option.rect.adjust(std::min(depth - 1, deepest) * indent, 0, 0, 0);
+        return option;
+    }
     static QRect eye(const QRect& row)
     {
         return {row.left() + space::dockMargin, row.center().y() - 7, 16, 16};
@@ -129,8 +140,10 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
             [this] { model_->removeLayer(session_.pen.layer); });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
-                if (current.isValid())
-                    session_.pen.layer = model_->layerOf(current);
+                if (!current.isValid())
+                    return;
+                session_.pen.layer = model_->layerOf(current);
+                remove_->setEnabled(model_->mayRemove(session_.pen.layer));
             });
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
@@ -152,7 +165,7 @@ QToolButton* LayersPanel::button(std::string_view key, const QString& name)
 void LayersPanel::follow()
 {
     list_->setCurrentIndex(model_->indexOf(session_.pen.layer));
-    remove_->setEnabled(model_->rowCount() > 1);
+    remove_->setEnabled(model_->mayRemove(session_.pen.layer));
 }
 
 } // namespace ui
