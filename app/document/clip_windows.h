@@ -45,6 +45,8 @@ struct ClipWindow {
 /// nothing if the first of them adds, else to everything. `keep` comes last. Without a visible
 /// window nothing is cut, whatever `keep` says.
 struct ClipWindows {
+    static constexpr std::size_t most = 1000; ///< what makes lists keeps to it
+
     std::vector<ClipWindow> list{};
     Keep keep = Keep::Inside;
     friend bool operator==(const ClipWindows&, const ClipWindows&) = default;

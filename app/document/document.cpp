@@ -21,6 +21,7 @@ std::optional<T> exchange(T& value, std::optional<T> by) noexcept
 Document::Document(DocumentParts parts) : parts_(std::move(parts))
 {
     assert(containers().objects() == objects().size());
+    assert(windows().list.size() <= ClipWindows::most);
 }
 
 bool Document::shown(std::size_t object) const
@@ -49,6 +50,7 @@ Edit Document::apply(const Edit& edit)
     back.windows = exchange(parts.windows, std::move(by.windows));
     back.page = exchange(parts.page, std::move(by.page));
     assert(parts.containers.objects() == parts.objects.size());
+    assert(parts.windows.list.size() <= ClipWindows::most);
     return back;
 }
 
