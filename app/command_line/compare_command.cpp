@@ -51,9 +51,9 @@ void append(QStringList& row, const std::optional<clipping::Segment>& piece)
 QStringList rowOf(const Difference& difference, const Comparison& comparison, const Scene& scene,
                   const clipping::Window& window)
 {
-    const clipping::Segment& line = scene.segments()[difference.source];
+    const clipping::Segment line = scene.lines()[difference.source];
     QStringList row{QString::number(difference.source + 1),
-                    QString::number(scene.shapeOf(difference.source) + 1),
+                    QString::number(scene.lines().objectOf(difference.source) + 1),
                     QLatin1StringView(words[std::size_t(difference.kind)]),
                     QString::number(difference.ulps, 'g', 6)};
     append(row, clipped(comparison.a, line, window));
@@ -99,8 +99,8 @@ void compare(const Given& given)
     const Imported imported = readDrawing(given, given.operands().first());
     const EditedDocument document(imported.document);
     const Scene scene(document);
-    const Differences found = extended({windowOf(given, imported)}, comparison, scene.segments(),
-                                       scene.segments().size());
+    const Differences found =
+        extended({windowOf(given, imported)}, comparison, scene.lines(), scene.lines().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
     // A person who wants the sum, or where there is no difference, gets the sentence alone.

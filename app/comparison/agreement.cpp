@@ -37,13 +37,41 @@ std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, s
     return kept;
 }
 
-Dissent dissentOf(const Variant& variant, std::span<const Difference> fromMajority)
+void add(Dissent& to, std::span<const Difference> fromMajority, std::size_t firstLine)
 {
     const DifferenceCounts counts = counted(fromMajority);
-    Dissent dissent{variant, counts.onlyB, counts.onlyA, counts.endsApart};
+    to.lost += counts.onlyB;
+    to.shown += counts.onlyA;
+    to.moved += counts.endsApart;
     for (const Difference& difference : fromMajority)
-        dissent.segments.push_back(difference.source);
-    return dissent;
+        to.segments.push_back(std::uint32_t(firstLine) + difference.source);
+}
+
+/// Those that are judged: the published form first.
+std::vector<Dissent> allToJudge(const Algorithm& chosen, Form form)
+{
+    std::vector<Dissent> all;
+    if (form == Form::Published && chosen.published)
+        all.push_back({.variant = {&chosen, form}});
+    for (const Algorithm& algorithm : algorithms())
+        all.push_back({.variant = {&algorithm}});
+    return all;
+}
+
+/// Adds what they do on the lines of one run. What the majority says is known line by line.
+void judge(std::vector<Dissent>& all, const SceneLines::Run& run, const Window& window,
+           const Variant& corrected)
+{
+    std::vector<std::vector<Clipped>> answers;
+    for (const Dissent& one : all)
+        answers.push_back(clipped(one.variant, run.segments, window));
+    const auto votes = std::span(answers).last(algorithms().size());
+    const auto majority = majorityOf(votes, run.segments.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        add(all[i],
+            differences(run.segments, window, answers[i], majority,
+                        {contractOfTwo, endsOf(all[i].variant, corrected)}),
+            run.firstLine);
 }
 
 QString counted(const char* one, const char* many, std::size_t count)
@@ -70,27 +98,14 @@ QString sentence(const Dissent& dissent)
 
 } // namespace
 
-std::vector<Dissent> dissents(std::span<const Segment> segments, const Window& window,
+std::vector<Dissent> dissents(const SceneLines& lines, const Window& window,
                               const Algorithm& chosen, Form form)
 {
-    std::vector<std::vector<Clipped>> answers;
-    for (const Algorithm& algorithm : algorithms())
-        answers.push_back(clipped(Variant{&algorithm}, segments, window));
-    const auto majority = majorityOf(answers, segments.size());
+    std::vector<Dissent> found = allToJudge(chosen, form);
     const Variant corrected{&chosen}; // stands for the majority: what it promises is the same
-    std::vector<Dissent> found;
-    const auto judge = [&](const Variant& variant, std::span<const Clipped> answer) {
-        auto dissent = dissentOf(variant, differences(segments, window, answer, majority,
-                                                      {contractOfTwo, endsOf(variant, corrected)}));
-        if (!dissent.none())
-            found.push_back(std::move(dissent));
-    };
-    if (form == Form::Published && chosen.published) {
-        const Variant published{&chosen, form};
-        judge(published, clipped(published, segments, window));
-    }
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        judge(Variant{&algorithms()[i]}, answers[i]);
+    for (const SceneLines::Run& run : lines.runs())
+        judge(found, run, window, corrected);
+    std::erase_if(found, [](const Dissent& one) { return one.none(); });
     return found;
 }
 

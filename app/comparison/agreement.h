@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/comparison/variants.h"
+#include "app/document/scene_lines.h"
 
 #include <QString>
 
@@ -24,9 +25,8 @@ struct Dissent {
 /// The verdict on a drawing and a window: one entry for each corrected form of the catalogue that
 /// differs from what the majority of them says, and one for `chosen` in `form` if that is the
 /// published one. Empty: they agree. Takes as long as clipping once with every algorithm.
-std::vector<Dissent> dissents(std::span<const clipping::Segment> segments,
-                              const clipping::Window& window, const clipping::Algorithm& chosen,
-                              clipping::Form form);
+std::vector<Dissent> dissents(const SceneLines& lines, const clipping::Window& window,
+                              const clipping::Algorithm& chosen, clipping::Form form);
 
 /// "All algorithms, corrected, agree here", or "KWC as published loses 456 lines that are visible".
 QString sentence(std::span<const Dissent> dissents);

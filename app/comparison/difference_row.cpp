@@ -34,14 +34,14 @@ const Variant& variantOf(const Comparison& comparison, Side side)
 
 bool isThere(const Session& session, const Difference& difference)
 {
-    return session.differences.asked() && difference.source < session.scene.segments().size();
+    return session.differences.asked() && difference.source < session.scene.lines().size();
 }
 
 /// Of a line that is there.
 std::optional<Segment> pieceOf(const Session& session, const Difference& difference, Side side)
 {
     return clipped(variantOf(*session.differences.asked(), side),
-                   session.scene.segments()[difference.source], session.differences.found().window);
+                   session.scene.lines()[difference.source], session.differences.found().window);
 }
 
 QString inFull(double number)
@@ -72,7 +72,7 @@ QString shortPieceText(const Session& session, const Difference& difference)
 {
     if (!isThere(session, difference))
         return {};
-    const double size = session.sheet().page.millimetresPerUnit();
+    const double size = session.now().page().millimetresPerUnit();
     const auto rounded = [&](double length) {
         return std::isfinite(length) ? lengthNumber(length, session.display().unit, size)
                                      : inFull(length);
@@ -103,7 +103,7 @@ double leastToRead(const Session& session)
 {
     const Unit unit = session.display().unit;
     return fromUnit(std::pow(10, -infoOf(unit).decimals), unit,
-                    session.sheet().page.millimetresPerUnit());
+                    session.now().page().millimetresPerUnit());
 }
 
 QString amountText(const Session& session, double length)
@@ -112,7 +112,7 @@ QString amountText(const Session& session, double length)
         return QStringLiteral("∞");
     const double least = leastToRead(session);
     const QString text = lengthText(std::max(length, least), session.display().unit,
-                                    session.sheet().page.millimetresPerUnit());
+                                    session.now().page().millimetresPerUnit());
     return length == 0 ? Rows::tr("a point") : length < least ? QStringLiteral("< ") + text : text;
 }
 
@@ -148,10 +148,10 @@ QString placeText(const Session& session, const Difference& difference)
 {
     if (!isThere(session, difference))
         return {};
-    const std::size_t shape = session.scene.shapeOf(difference.source);
+    const std::size_t object = session.scene.lines().objectOf(difference.source);
+    const Containers& containers = session.now().containers();
     return Rows::tr("%1, shape %2")
-        .arg(session.sheet().layers[session.sheet().shapes[shape].layer].name,
-             countText(shape + 1));
+        .arg(containers[containers.layerOf(object)].name, countText(object + 1));
 }
 
 Key byLine(const Session&, const Difference& difference) { return {double(difference.source), 0}; }
@@ -226,7 +226,7 @@ std::span<const DifferenceColumn> differenceColumns()
                          byPiece<Side::A>, false},
         DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,
                          byPiece<Side::B>, false},
-        // Shapes, and layers, come in the order of their lines.
+        // Objects, and layers, come in the order of their lines.
         DifferenceColumn{
             [](const Comparison&) { return Rows::tr("Layer and shape"); },
             [](const Comparison&) { return Rows::tr("Where in the drawing the line is"); },

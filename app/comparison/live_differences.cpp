@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/live_differences.h"
-#include "app/document/compared_window.h"
 
 #include <glm/common.hpp>
 
@@ -15,8 +14,7 @@ using clipping::Window;
 
 namespace {
 
-constexpr std::size_t sliceLines = 20'000; // some milliseconds
-constexpr int idleMilliseconds = 150;      // many lines wait until a series of changes is over
+constexpr std::size_t sliceLines = 5'000; // a millisecond or two
 
 /// The pieces of the lines that differ; both ascend by line, which are counted from `first`.
 void appendPieces(std::vector<Clipped>& to, std::span<const Difference> list,
@@ -39,14 +37,12 @@ bool isFinite(const Segment& s)
 
 } // namespace
 
-Differences extended(Differences so, const Comparison& comparison, std::span<const Segment> lines,
-                     std::size_t count)
+Differences extended(Differences so, const Comparison& comparison, std::span<const Segment> more)
 {
     const auto first = std::uint32_t(so.lines);
-    const auto part = lines.subspan(so.lines, std::min(count, lines.size() - so.lines));
-    const auto a = clipped(comparison.a, part, so.window);
-    const auto b = clipped(comparison.b, part, so.window);
-    auto found = differences(part, so.window, a, b,
+    const auto a = clipped(comparison.a, more, so.window);
+    const auto b = clipped(comparison.b, more, so.window);
+    auto found = differences(more, so.window, a, b,
                              {comparison.allowed(), endsOf(comparison.a, comparison.b)});
     appendPieces(so.pieces, found, a, first);
     appendPieces(so.pieces, found, b, first);
@@ -54,7 +50,18 @@ Differences extended(Differences so, const Comparison& comparison, std::span<con
         difference.source += first;
         so.list.push_back(difference);
     }
-    so.lines += part.size();
+    so.lines += more.size();
+    return so;
+}
+
+Differences extended(Differences so, const Comparison& comparison, const SceneLines& lines,
+                     std::size_t count)
+{
+    const std::size_t first = so.lines, end = first + std::min(count, lines.size() - first);
+    lines.forEachPart(first, end, [&](std::size_t run, std::size_t from, std::size_t to) {
+        const auto part = lines.runs()[run].segments.subspan(from, to - from);
+        so = extended(std::move(so), comparison, part);
+    });
     return so;
 }
 
@@ -72,13 +79,10 @@ Window placeOf(const Comparison& comparison, const Segment& line, const Window& 
     return *place;
 }
 
-LiveDifferences::LiveDifferences(const EditedDocument& document, const Scene& scene, QObject* parent)
-    : QObject(parent), scene_(scene), window_(comparedWindow(document.now().windows(), document.now().page()).window)
+LiveDifferences::LiveDifferences(const EditedDocument& document, const Scene& scene,
+                                 QObject* parent)
+    : LiveFinding(document, scene, {mostAtOnce, sliceLines}, parent)
 {
-    connect(&document, &EditedDocument::changed, this, &LiveDifferences::outdate);
-    soon_.setSingleShot(true);
-    connect(&soon_, &QTimer::timeout, this, &LiveDifferences::begin);
-    connect(&work_, &QTimer::timeout, this, &LiveDifferences::work);
 }
 
 void LiveDifferences::ask(const std::optional<Comparison>& comparison)
@@ -86,99 +90,23 @@ void LiveDifferences::ask(const std::optional<Comparison>& comparison)
     if (comparison == asked_)
         return;
     asked_ = comparison;
-    ofTheseLines_ = false;
-    found_ = {};
-    restart();
-    emit changed();
+    askAnew(asked_.has_value());
 }
 
-void LiveDifferences::setWindow(const Window& window)
+void LiveDifferences::start(const Window& window) { growing_ = {window}; }
+
+void LiveDifferences::look(const SceneLines& lines, std::size_t count)
 {
-    if (window == window_)
-        return;
-    window_ = window;
-    if (asked_ && ofTheseLines_ && found_.window == window)
-        return keep(std::move(found_)); // a gesture was dropped
-    const bool was = upToDate_;
-    restart();
-    if (asked_ && was && scene_.segments().size() > mostAtOnce)
-        emit changed(); // what was found is of another window for a while
+    growing_ = extended(std::move(growing_), *asked_, lines, count);
 }
 
-void LiveDifferences::outdate(const DocumentChange& change)
-{
-    if (!asked_ || !change.drawing())
-        return;
-    ofTheseLines_ = false;
-    restart();
-    if (!change.everything)
-        return;
-    found_ = {};
-    emit changed();
-}
+void LiveDifferences::keep() { found_ = std::exchange(growing_, {}); }
 
-void LiveDifferences::restart()
-{
-    growing_.reset();
-    work_.stop();
-    soon_.stop();
-    upToDate_ = !asked_;
-    if (!asked_)
-        return;
-    if (scene_.segments().size() > mostAtOnce)
-        return soon_.start(idleMilliseconds);
-    // Posted, not by a timer: requests to paint are posted, too, with less priority.
-    if (!std::exchange(posted_, true))
-        QMetaObject::invokeMethod(this, &LiveDifferences::findAtOnce, Qt::QueuedConnection);
-}
-
-void LiveDifferences::findAtOnce()
-{
-    posted_ = false;
-    if (!upToDate_ && scene_.segments().size() <= mostAtOnce)
-        keep(extended({window_}, *asked_, scene_.segments(), mostAtOnce));
-}
-
-void LiveDifferences::begin()
-{
-    soon_.stop();
-    growing_ = Differences{window_};
-    work_.start(0);
-    if (scene_.segments().size() > mostAtOnce)
-        emit begun();
-    work();
-}
-
-void LiveDifferences::work()
-{
-    growing_ = extended(std::move(*growing_), *asked_, scene_.segments(), sliceLines);
-    if (growing_->lines == scene_.segments().size())
-        keep(*std::exchange(growing_, std::nullopt));
-}
-
-void LiveDifferences::keep(Differences found)
-{
-    growing_.reset();
-    soon_.stop();
-    work_.stop();
-    found_ = std::move(found);
-    upToDate_ = ofTheseLines_ = true;
-    emit changed();
-}
-
-void LiveDifferences::finish()
-{
-    if (upToDate_)
-        return;
-    if (!growing_)
-        begin();
-    while (!upToDate_)
-        work();
-}
+void LiveDifferences::forget() { found_ = growing_ = {}; }
 
 const Differences* LiveDifferences::at(const Window& window) const
 {
-    return asked_ && upToDate_ && found_.window == window ? &found_ : nullptr;
+    return asked_ && upToDate() && found_.window == window ? &found_ : nullptr;
 }
 
 std::span<const Clipped> LiveDifferences::piecesAt(const Window& window) const

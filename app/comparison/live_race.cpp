@@ -56,7 +56,7 @@ void LiveRace::stop()
 // Requests to paint are posted, and a timer waits for all that is posted: the frame comes first.
 void LiveRace::followWindow()
 {
-    if (running() && !race_->running() && !now().sameAs(race_->frame()))
+    if (running() && !race_->running() && !isOnWhatIsShown())
         next_.start(0);
 }
 
@@ -71,40 +71,37 @@ std::size_t LiveRace::lines() const { return running() ? race_->frame().lines.si
 
 bool LiveRace::upToDate() const
 {
-    return running() && !race_->running() && race_->rounds() > 0 && now().sameAs(race_->frame());
+    return running() && !race_->running() && race_->rounds() > 0 && isOnWhatIsShown();
 }
 
 // The scene hears of it first: its lines are the new ones already.
 void LiveRace::follow(const DocumentChange& change)
 {
-    if (!change.drawing())
-        return;
-    ++revision_;
-    if (!running())
+    if (!change.drawing() || !running())
         return;
     race_->drop();
     work_.stop();
     next_.start(tenthOfASecond);
 }
 
-RaceFrame LiveRace::now() const
+bool LiveRace::isOnWhatIsShown() const
 {
-    return {session_.scene.segments(), session_.window(), revision_};
+    return race_->frame().is(session_.scene.lines(), session_.window());
 }
 
 void LiveRace::begin()
 {
-    const RaceFrame frame = now();
     next_.stop();
     sinceBegin_.start();
-    const bool same = frame.sameAs(race_->frame()) && race_->rounds() > 0;
+    const bool same = isOnWhatIsShown() && race_->rounds() > 0;
     if (!same)
         sinceNew_.start();
     const bool quick =
         !same && sinceFindings_.isValid() && sinceFindings_.elapsed() < tenthOfASecond;
     if (!quick)
         sinceFindings_.start();
-    race_->begin(frame, quick ? Race::Purpose::Times : Race::Purpose::Findings);
+    race_->begin({session_.scene.lines(), session_.window()},
+                 quick ? Race::Purpose::Times : Race::Purpose::Findings);
     settled_ = false;
     work_.start(0);
 }
@@ -124,7 +121,7 @@ void LiveRace::roundOver()
     work_.stop();
     if (!show_.isActive())
         show_.start();
-    if (!now().sameAs(race_->frame()))
+    if (!isOnWhatIsShown())
         return begin();
     settled_ = enough();
     if (!settled_)

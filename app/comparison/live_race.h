@@ -41,7 +41,7 @@ signals:
 private:
     void followWindow();
     void follow(const DocumentChange& change);
-    RaceFrame now() const; ///< what is shown
+    bool isOnWhatIsShown() const; ///< the round under way, or the last one
     void begin();
     void work();
     void roundOver();
@@ -50,7 +50,6 @@ private:
     const Session& session_;
     std::vector<Variant> variants_;
     std::optional<Race> race_;
-    std::uint64_t revision_ = 0; ///< of the lines
     bool settled_ = false;
     QElapsedTimer sinceNew_, sinceBegin_, sinceFindings_;
     QTimer work_, next_, show_;

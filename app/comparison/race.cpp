@@ -15,13 +15,22 @@ namespace {
 constexpr std::size_t blockSize = 16384; // lines: some milliseconds even of the slowest
 constexpr std::size_t leastTelling = 6;  // rounds, from which on their spread says something
 
-std::span<const clipping::Segment> linesOf(const RaceFrame& frame, std::size_t block)
+/// One at least: without lines there is nothing to clip, but there are rounds.
+std::vector<std::span<const clipping::Segment>> blocksOf(const SceneLines& lines)
 {
-    const std::size_t begin = block * blockSize;
-    return frame.lines.subspan(begin, std::min(blockSize, frame.lines.size() - begin));
+    std::vector<std::span<const clipping::Segment>> blocks;
+    for (const SceneLines::Run& run : lines.runs())
+        for (auto rest = run.segments; !rest.empty();) {
+            const std::size_t size = std::min(rest.size(), blockSize);
+            blocks.push_back(rest.first(size));
+            rest = rest.subspan(size);
+        }
+    if (blocks.empty())
+        blocks.emplace_back();
+    return blocks;
 }
 
-std::vector<clipping::Segment> evenly(std::span<const clipping::Segment> lines, std::size_t most)
+std::vector<clipping::Segment> evenly(const SceneLines& lines, std::size_t most)
 {
     const std::size_t count = std::min(lines.size(), most);
     std::vector<clipping::Segment> sample(count);
@@ -60,6 +69,7 @@ void Race::begin(const RaceFrame& frame, Purpose purpose)
     if (!frame.sameAs(frame_) || begun_ == 0)
         rounds_ = looks_ = 0;
     frame_ = frame;
+    blocks_ = blocksOf(frame_.lines);
     purpose_ = purpose;
     next_ = rows_;
     for (RaceRow& row : next_)
@@ -95,12 +105,6 @@ bool Race::step()
     return !racing_;
 }
 
-// One at least: without lines there is nothing to clip, but there are rounds.
-std::size_t Race::blocks() const
-{
-    return std::max<std::size_t>(1, (frame_.lines.size() + blockSize - 1) / blockSize);
-}
-
 bool Race::counts() const
 {
     return purpose_ == Purpose::Findings
@@ -116,21 +120,19 @@ std::size_t Race::turns() const
 void Race::tellTruth(std::size_t block)
 {
     const std::size_t begin = truthEnds_.empty() ? 0 : truthEnds_.back();
-    truthEnds_.push_back(
-        begin
-        + clipping::exactAlgorithm().corrected.clipAll(linesOf(frame_, block), frame_.window,
-                                                       std::span(truth_).subspan(begin)));
+    truthEnds_.push_back(begin
+                         + clipping::exactAlgorithm().corrected.clipAll(
+                             blocks_[block], frame_.window, std::span(truth_).subspan(begin)));
 }
 
 void Race::clip(std::size_t variant, std::size_t block)
 {
     RaceRow& row = next_[variant];
-    const auto lines = linesOf(frame_, block);
     const auto out = std::span(found_).subspan(row.visible);
     const auto& uses = usesOf(row.variant);
     emptyUpperHalves();
     const double start = clock_.nanoseconds();
-    const std::size_t visible = uses.clipAll(lines, frame_.window, out);
+    const std::size_t visible = uses.clipAll(blocks_[block], frame_.window, out);
     nanoseconds_[variant] += clock_.nanoseconds() - start;
     row.visible += visible;
     if (judges())
@@ -142,7 +144,7 @@ void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found
     const std::size_t from = block == 0 ? 0 : truthEnds_[block - 1];
     const auto truth = std::span(truth_).first(truthEnds_[block]).subspan(from);
     const DifferenceCounts here = counted(differences(
-        linesOf(frame_, block), frame_.window, found, truth,
+        blocks_[block], frame_.window, found, truth,
         {contractUlps(row.variant, exactVariant()), endsOf(row.variant, exactVariant())}));
     row.differences.onlyA += here.onlyA;
     row.differences.onlyB += here.onlyB;

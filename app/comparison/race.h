@@ -2,20 +2,21 @@
 #pragma once
 
 #include "app/comparison/difference.h"
+#include "app/document/scene_lines.h"
 #include "app/experiment/experiment.h"
 
 namespace app {
 
-/// What is raced on. Lines and window of two frames are the same if these are equal, the lines by
-/// their revision.
+/// What is raced on.
 struct RaceFrame {
-    std::span<const clipping::Segment> lines; ///< stay where they are until the round is over
+    SceneLines lines;
     clipping::Window window{};
-    std::uint64_t revision = 0; ///< another number: other lines
 
-    bool sameAs(const RaceFrame& other) const
+    bool sameAs(const RaceFrame& other) const { return is(other.lines, other.window); }
+    /// It is of the very same lines, at this window.
+    bool is(const SceneLines& ofThese, const clipping::Window& atThis) const
     {
-        return revision == other.revision && window == other.window;
+        return lines.revision() == ofThese.revision() && window == atThis;
     }
 };
 
@@ -65,7 +66,7 @@ public:
     std::size_t rounds() const { return rounds_; }    ///< finished ones, of this frame
 
 private:
-    std::size_t blocks() const;
+    std::size_t blocks() const { return blocks_.size(); }
     bool judges() const { return purpose_ == Purpose::Findings && looks_ == 0; }
     bool counts() const;
     std::size_t turns() const;
@@ -79,6 +80,7 @@ private:
     std::vector<RaceRow> rows_, next_; ///< next_: what the round under way finds
     std::vector<double> nanoseconds_;  ///< of the round under way
     RaceFrame frame_;
+    std::vector<std::span<const clipping::Segment>> blocks_; ///< of its lines, one at least
     std::size_t rounds_ = 0;
     std::size_t looks_ = 0; ///< rounds for findings among them
     std::size_t begun_ = 0; ///< rounds of all frames: whose turn it is to begin

@@ -143,30 +143,38 @@ double errorOf(const LineTruth& line, Yardstick yardstick)
                                            : std::max(line.ends[0].ownUlps, line.ends[1].ownUlps);
 }
 
-Truths extended(Truths so, const Variant& variant, std::span<const Segment> lines,
-                std::size_t count)
+Truths extended(Truths so, const Variant& variant, std::span<const Segment> more)
 {
     const auto first = std::uint32_t(so.lines);
-    const auto part = lines.subspan(so.lines, std::min(count, lines.size() - so.lines));
-    std::vector<Segment> turned(part.size());
-    std::ranges::transform(part, turned.begin(), reversed);
-    const auto straight = clipped(variant, part, so.window),
+    std::vector<Segment> turned(more.size());
+    std::ranges::transform(more, turned.begin(), reversed);
+    const auto straight = clipped(variant, more, so.window),
                fromOther = clipped(variant, turned, so.window);
     Pieces pieces(straight), others(fromOther);
-    for (std::uint32_t line = 0; line < part.size(); ++line) {
+    for (std::uint32_t line = 0; line < more.size(); ++line) {
         const Answer answer{pieces.of(line), others.of(line)};
-        if (auto truth = judged(part[line], so.window, answer, endsOf(variant))) {
+        if (auto truth = judged(more[line], so.window, answer, endsOf(variant))) {
             truth->source = first + line;
             so.list.push_back(*truth);
         }
     }
-    so.lines += part.size();
+    so.lines += more.size();
+    return so;
+}
+
+Truths extended(Truths so, const Variant& variant, const SceneLines& lines, std::size_t count)
+{
+    const std::size_t first = so.lines, end = first + std::min(count, lines.size() - first);
+    lines.forEachPart(first, end, [&](std::size_t run, std::size_t from, std::size_t to) {
+        const auto part = lines.runs()[run].segments.subspan(from, to - from);
+        so = extended(std::move(so), variant, part);
+    });
     return so;
 }
 
 std::optional<LineTruth> truthOf(const Variant& variant, const Segment& line, const Window& window)
 {
-    const Truths one = extended({window}, variant, {&line, 1}, 1);
+    const Truths one = extended({window}, variant, {&line, 1});
     return one.list.empty() ? std::nullopt : std::optional(one.list.front());
 }
 

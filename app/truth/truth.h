@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/comparison/variants.h"
+#include "app/document/scene_lines.h"
 #include "app/truth/true_part.h"
 
 #include <array>
@@ -48,9 +49,10 @@ struct Truths {
     std::size_t lines = 0;         ///< that were judged
     std::vector<LineTruth> list{}; ///< ascending by line: those of which anybody sees something
 };
-/// Judges lines[first, first + count) too, where first is how many were.
-Truths extended(Truths so, const Variant& variant, std::span<const clipping::Segment> lines,
-                std::size_t count);
+/// Judges these lines too, which come after those that were judged.
+Truths extended(Truths so, const Variant& variant, std::span<const clipping::Segment> more);
+/// The same with the next `count` of all lines, or as many as there are.
+Truths extended(Truths so, const Variant& variant, const SceneLines& lines, std::size_t count);
 
 /// Of one line; empty if nothing of it is visible.
 std::optional<LineTruth> truthOf(const Variant& variant, const clipping::Segment& line,

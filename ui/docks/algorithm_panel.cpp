@@ -77,7 +77,7 @@ void AlgorithmPanel::compare()
 {
     idle_.stop();
     const auto& display = session_.display();
-    dissents_ = app::dissents(session_.scene.segments(), session_.window(), *display.algorithm,
+    dissents_ = app::dissents(session_.scene.lines(), session_.window(), *display.algorithm,
                               display.usedForm());
     verdict_->setText(app::sentence(dissents_));
     verdict_->show();
@@ -97,7 +97,7 @@ void AlgorithmPanel::followWindow()
 
 void AlgorithmPanel::outdate()
 {
-    const bool unasked = session_.scene.segments().size() <= mostLinesUnasked;
+    const bool unasked = session_.scene.lines().size() <= mostLinesUnasked;
     if (unasked && isVisible())
         idle_.start();
     if (!unasked) {

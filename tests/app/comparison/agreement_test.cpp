@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "tests/app/document/scene_lines_of.h"
+
 using namespace clipping;
 
 class AgreementTest : public QObject {
@@ -18,8 +20,8 @@ private slots:
         std::vector<Segment> segments(20000);
         for (Segment& s : segments)
             s = {{x(random), y(random)}, {x(random), y(random)}};
-        const auto found = app::dissents(segments, {{-100, -75}, {100, 75}}, *findAlgorithm("md"),
-                                         Form::Corrected);
+        const auto found = app::dissents(sceneLinesOf(segments, 3'000), {{-100, -75}, {100, 75}},
+                                         *findAlgorithm("md"), Form::Corrected);
         QCOMPARE(app::sentence(found), "All algorithms, corrected, agree here");
     }
     /// Published KWC takes a line with |dx| < 1 for a vertical one at x1 (algorithms.md).
@@ -27,12 +29,43 @@ private slots:
     {
         const std::vector<Segment> segments{{{-0.2, -10}, {0.6, 10}}, {{0, 0}, {1, 1}}};
         const Window window{{0, -5}, {10, 5}};
-        const auto found = app::dissents(segments, window, *findAlgorithm("kwc"), Form::Published);
+        const auto found =
+            app::dissents(sceneLinesOf(segments), window, *findAlgorithm("kwc"), Form::Published);
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found[0].variant.form, Form::Published);
         QCOMPARE(found[0].lost + found[0].moved, std::size_t(1));
         QCOMPARE(found[0].segments, std::vector<std::uint32_t>{0});
         QVERIFY(app::sentence(found).startsWith("KWC as published "));
+    }
+    /// In whichever blocks the lines are.
+    void theyAreNumberedOverAllLines()
+    {
+        std::mt19937_64 random(2);
+        std::uniform_real_distribution<double> x(-10, 10);
+        std::vector<Segment> segments(1000);
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            const Segment any{{x(random), x(random)}, {x(random), x(random)}};
+            segments[i] = i % 3 ? any : Segment{any.a, {any.a.x + 0.7, any.b.y}};
+        }
+        const Window window{{-5, -5}, {5, 5}};
+        const auto found = [&](std::size_t inBlock) {
+            return app::dissents(sceneLinesOf(segments, inBlock), window, *findAlgorithm("kwc"),
+                                 Form::Published);
+        };
+        const auto whole = found(1000);
+        QCOMPARE(whole.front().variant.form, Form::Published);
+        QVERIFY(whole.front().segments.size() > 50);
+        for (const std::size_t inBlock : {1, 7, 999}) {
+            const auto some = found(inBlock);
+            QCOMPARE(some.size(), whole.size());
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                QCOMPARE(some[i].variant, whole[i].variant);
+                QCOMPARE(some[i].segments, whole[i].segments);
+                QCOMPARE(some[i].lost, whole[i].lost);
+                QCOMPARE(some[i].shown, whole[i].shown);
+                QCOMPARE(some[i].moved, whole[i].moved);
+            }
+        }
     }
     void nothingToCompare()
     {

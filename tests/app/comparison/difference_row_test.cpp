@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(list.size(), std::size_t(1));
         QCOMPARE(list[0].kind, app::Difference::Kind::EndsApart);
         // x1 + (x2 - x1) / (y2 - y1) (ymax - x1) = 40 + 20 / 40 * 60 = 70, not 50
-        const double size = session.sheet().page.millimetresPerUnit();
+        const double size = session.now().page().millimetresPerUnit();
         QCOMPARE(app::differenceColumns()[2].text(session, list[0]),
                  app::lengthText(20, session.display().unit, size));
     }

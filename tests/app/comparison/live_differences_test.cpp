@@ -8,6 +8,7 @@
 
 #include <random>
 
+#include "tests/app/document/scene_lines_of.h"
 #include "tests/app/document/sheet_edits.h"
 
 using namespace clipping;
@@ -42,7 +43,7 @@ Comparison kwcAgainstExact()
 std::vector<app::Difference> atOnce(const app::Session& session, const Comparison& comparison,
                                     const Window& window)
 {
-    return app::differences(session.scene.segments(), window, comparison.a, comparison.b,
+    return app::differences(allOf(session.scene.lines()), window, comparison.a, comparison.b,
                             comparison.allowed());
 }
 
@@ -142,8 +143,7 @@ private slots:
                     return piece.source == difference.source
                            && piece.segment
                                   == app::clipped(app::exactVariant(),
-                                                  session.scene.segments()[difference.source],
-                                                  moved);
+                                                  session.scene.lines()[difference.source], moved);
                 }));
         session.setPreview({});
         QCoreApplication::sendPostedEvents();

@@ -191,9 +191,7 @@ private slots:
         t.race.start();
         QTRY_VERIFY_WITH_TIMEOUT(t.race.settled(), 1000);
         QCOMPARE(t.race.rows().front().visible,
-                 t.session.scene
-                     .clip(t.session.uses(), t.session.sheet().window, app::Scene::Removed::Left)
-                     .inside.size());
+                 t.session.scene.clip(t.session.region(), app::exactVariant()).visible);
     }
     /// The lines of a round go away in the middle of it.
     void otherLinesBeginAnew()
@@ -236,6 +234,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(LiveRaceTest)
-#include "app/document/legacy.h"
-
 #include "live_race_test.moc"

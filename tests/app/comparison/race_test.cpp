@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/app/document/scene_lines_of.h"
 #include "tests/not_empty.h"
 
 using namespace clipping;
@@ -127,8 +128,9 @@ private slots:
     {
         QFETCH(int, count);
         const auto lines = scattered(std::size_t(count));
+        const auto scene = sceneLinesOf(lines);
         app::Race race(everyForm());
-        run(race, {lines, window});
+        run(race, {scene, window});
         for (const app::RaceRow& row : notEmpty(race.rows())) {
             const auto* algorithm = row.variant.algorithm;
             const auto pieces = clipped(*usesOf(*algorithm, row.variant.form), lines);
@@ -143,17 +145,18 @@ private slots:
     void whoBeginsChangesFromRoundToRound()
     {
         ThreeRows t;
-        const auto lines = scattered(100);
+        const auto scene = sceneLinesOf(scattered(100));
         for (int i = 0; i < 4; ++i)
-            run(t.race, {lines, window});
+            run(t.race, {scene, window});
         QCOMPARE(order, (std::vector<int>{1, 2, 0, 2, 0, 1, 0, 1, 2, 1, 2, 0}));
     }
     void twoNamesOfOneFunctionDoNotDiffer()
     {
         ThreeRows t;
         const auto lines = scattered(1000);
+        const auto scene = sceneLinesOf(lines);
         for (std::size_t i = 0; i < app::Race::length; ++i)
-            run(t.race, {lines, window});
+            run(t.race, {scene, window});
         std::vector<std::vector<double>> runs;
         for (const app::RaceRow& row : t.race.rows())
             runs.emplace_back(row.times().begin(), row.times().end());
@@ -174,9 +177,9 @@ private slots:
     void remembersTheLastRoundsOnly()
     {
         ThreeRows t;
-        const auto lines = scattered(10);
+        const auto scene = sceneLinesOf(scattered(10));
         for (std::size_t i = 0; i < app::Race::length + 3; ++i)
-            run(t.race, {lines, window});
+            run(t.race, {scene, window});
         QCOMPARE(t.race.rows()[0].milliseconds.size(), app::Race::length);
         QCOMPARE(t.race.rows()[0].ofThisFrame, app::Race::length);
         QCOMPARE(t.race.rounds(), app::Race::length + 3);
@@ -184,15 +187,14 @@ private slots:
     void anotherWindowIsAnotherFrameAndOtherLinesBeginAnew()
     {
         ThreeRows t;
-        const auto lines = scattered(10);
+        const auto scene = sceneLinesOf(scattered(10));
         for (int i = 0; i < 8; ++i)
-            run(t.race, {lines, window});
-        run(t.race, {lines, {{-1, -1}, {1, 1}}});
+            run(t.race, {scene, window});
+        run(t.race, {scene, {{-1, -1}, {1, 1}}});
         QCOMPARE(t.race.rounds(), std::size_t(1));
         QCOMPARE(t.race.rows()[0].ofThisFrame, std::size_t(1));
         QCOMPARE(t.race.rows()[0].milliseconds.size(), std::size_t(9));
-        const auto more = scattered(11);
-        run(t.race, {more, window, 1});
+        run(t.race, {sceneLinesOf(scattered(11)), window});
         QCOMPARE(t.race.rows()[0].milliseconds.size(), std::size_t(1));
     }
     /// The times of other windows do not count as soon as this one's tell something.
@@ -208,15 +210,16 @@ private slots:
     void findingsMayComeLater()
     {
         const auto lines = scattered(2000);
+        const auto scene = sceneLinesOf(lines);
         const app::Variant kwc{findAlgorithm("kwc"), Form::Published};
         app::Race race({{kwc.algorithm, kwc.form}});
         const Window other{{0, 0}, {9, 9}};
         const auto found = [&] { return race.rows()[0].differences; };
-        run(race, {lines, window});
-        run(race, {lines, other}, app::Race::Purpose::Times);
+        run(race, {scene, window});
+        run(race, {scene, other}, app::Race::Purpose::Times);
         QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, window).size());
         QVERIFY(found() == countedOneByOne(kwc, lines, window));
-        run(race, {lines, other});
+        run(race, {scene, other});
         QCOMPARE(race.rows()[0].visible, app::clipped(kwc, lines, other).size());
         QVERIFY(found() == countedOneByOne(kwc, lines, other));
         QCOMPARE(race.rounds(), std::size_t(2));
@@ -257,33 +260,34 @@ private slots:
     void whatIsDroppedLeavesNothing()
     {
         ThreeRows t;
-        const auto lines = scattered(100);
-        run(t.race, {lines, window});
+        const auto scene = sceneLinesOf(scattered(100));
+        run(t.race, {scene, window});
         const std::size_t visible = t.race.rows()[0].visible;
-        t.race.begin({lines, {{100, 100}, {101, 101}}});
+        t.race.begin({scene, {{100, 100}, {101, 101}}});
         t.race.step();
         t.race.step();
         t.race.drop();
         QVERIFY(!t.race.running());
         QCOMPARE(t.race.rows()[0].visible, visible);
         QCOMPARE(t.race.rows()[0].milliseconds.size(), std::size_t(1));
-        run(t.race, {lines, {{100, 100}, {101, 101}}});
+        run(t.race, {scene, {{100, 100}, {101, 101}}});
         QCOMPARE(t.race.rows()[0].visible, std::size_t(0));
         QCOMPARE(t.race.rows()[0].differences.all(), std::size_t(0));
     }
     void operationsAreCountedOnMoreLinesTheSecondTime()
     {
         const auto lines = scattered(app::Race::thoroughSample);
+        const auto scene = sceneLinesOf(lines);
         app::Race race({{findAlgorithm("md"), Form::Corrected}});
         const auto c = findAlgorithm("md")->corrected.count(lines, window);
         const double all = double(c.comparisons + c.additions + c.multiplications + c.divisions)
                            / double(lines.size());
-        run(race, {lines, window});
+        run(race, {scene, window});
         const double quick = race.rows()[0].operations;
         QVERIFY2(std::abs(quick / all - 1) < 0.2, qPrintable(QString::number(quick / all)));
-        run(race, {lines, window});
+        run(race, {scene, window});
         QCOMPARE(race.rows()[0].operations, all);
-        run(race, {lines, window});
+        run(race, {scene, window});
         QCOMPARE(race.rows()[0].operations, all);
     }
 };

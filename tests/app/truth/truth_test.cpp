@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/app/document/scene_lines_of.h"
 #include "tests/clipping/oracle.h"
 
 using namespace clipping;
@@ -140,7 +141,7 @@ private slots:
         const Variant variant = *findVariant(key);
         const bool ours = variant.form == Form::Corrected;
         const auto check = [&](std::span<const Segment> lines, const Window& window) {
-            const Truths all = extended({window}, variant, lines, lines.size());
+            const Truths all = extended({window}, variant, lines);
             auto next = all.list.begin();
             for (std::uint32_t i = 0; i < lines.size(); ++i) {
                 const auto oracle = oracleOf(lines[i], window);
@@ -187,8 +188,7 @@ private slots:
     void exactIsNeverOffByMoreThanOneUlpOfItself()
     {
         const auto check = [&](std::span<const Segment> lines, const Window& window) {
-            for (const LineTruth& line :
-                 extended({window}, exactVariant(), lines, lines.size()).list) {
+            for (const LineTruth& line : extended({window}, exactVariant(), lines).list) {
                 QVERIFY2(!line.isWrong() && !line.orderMatters, text(lines[line.source]));
                 QVERIFY2(errorOf(line, Yardstick::Own) <= 1, text(lines[line.source]));
             }
@@ -233,7 +233,7 @@ private slots:
         std::size_t outside = 0;
         const auto lines = paperLines(20'000);
         for (const LineTruth& line :
-             extended({paperWindow}, *findVariant("lb:published"), lines, lines.size()).list)
+             extended({paperWindow}, *findVariant("lb:published"), lines).list)
             outside += line.outside();
         QVERIFY2(outside > 100, qPrintable(QString::number(outside))); // 8 % of what is visible
     }
@@ -299,10 +299,11 @@ private slots:
     {
         const auto lines = paperLines(5'000);
         const Variant variant = *findVariant("skala:published");
+        const SceneLines scene = sceneLinesOf(lines, 1'200);
         Truths slices{paperWindow};
         while (slices.lines < lines.size())
-            slices = extended(std::move(slices), variant, lines, 700);
-        const Truths all = extended({paperWindow}, variant, lines, lines.size());
+            slices = extended(std::move(slices), variant, scene, 700);
+        const Truths all = extended({paperWindow}, variant, lines);
         QCOMPARE(slices.list.size(), all.list.size());
         for (std::size_t i = 0; i < all.list.size(); ++i) {
             QCOMPARE(slices.list[i].source, all.list[i].source);
