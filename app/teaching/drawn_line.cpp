@@ -56,7 +56,7 @@ void DrawnLine::show(std::size_t segment, const Variant& variant)
 
 void DrawnLine::go(std::ptrdiff_t lines)
 {
-    const auto count = std::ptrdiff_t(session_.scene.segments().size());
+    const auto count = std::ptrdiff_t(session_.scene.lines().size());
     if (count == 0)
         return;
     const auto now = line_ ? std::ptrdiff_t(*line_) : lines > 0 ? -1 : count;
@@ -92,7 +92,7 @@ bool DrawnLine::changed() const { return attached_ && own_ && line_; }
 
 std::optional<clipping::Segment> DrawnLine::drawn() const
 {
-    const auto lines = session_.scene.segments();
+    const SceneLines& lines = session_.scene.lines();
     return line_ && *line_ < lines.size() ? std::optional(lines[*line_]) : std::nullopt;
 }
 

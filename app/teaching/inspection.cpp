@@ -189,11 +189,11 @@ Variant explaining(const Session& session, std::size_t segment)
 
 Inspection inspect(const Session& session, std::size_t segment)
 {
-    const clipping::Window& window = session.window();
+    const clipping::Window window = session.window();
     Inspection line{.variant = explaining(session, segment),
                     .number = segment,
-                    .shape = session.scene.shapeOf(segment),
-                    .segment = session.scene.segments()[segment]};
+                    .object = session.scene.lines().objectOf(segment),
+                    .segment = session.scene.lines()[segment]};
     line.from = regionOf(line.segment.a, window);
     line.to = regionOf(line.segment.b, window);
     line.visible = clipped(line.variant, line.segment, window);

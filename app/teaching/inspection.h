@@ -25,8 +25,8 @@ struct Inspection {
     /// The variant that is explained. For a line that differs between A and B, while a panel shows
     /// it: A, or B if A is `exact`, which is never wrong. Otherwise the chosen variant.
     Variant variant{};
-    std::size_t number = 0; ///< index into the scene's segments
-    std::size_t shape = 0;
+    std::size_t number = 0; ///< of the scene's lines
+    std::size_t object = 0; ///< that it belongs to
     clipping::Segment segment{};
     Region from{}, to{};
     LineClass lineClass = LineClass::Inside;

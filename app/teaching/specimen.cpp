@@ -28,7 +28,7 @@ struct Ranked {
     bool unlocked = false; ///< locked layers hold grids and the like
     int cutEnds = 0;
     double length = 0;    ///< of a line with one end cut
-    std::size_t line = 0; ///< index into the scene's segments
+    std::size_t line = 0; ///< one of the scene's
 
     bool operator>(const Ranked& other) const
     {
@@ -37,24 +37,39 @@ struct Ranked {
     }
 };
 
-Ranked rankOf(const Session& session, std::size_t segment)
+Ranked rankOf(const clipping::Segment& line, const clipping::Window& window)
 {
-    const clipping::Segment& line = session.scene.segments()[segment];
-    const Sheet& sheet = session.sheet();
-    const auto layer = sheet.shapes[session.scene.shapeOf(segment)].layer;
-    Ranked ranked{.unlocked = !sheet.layers[layer].locked, .line = segment};
-    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, session.window()))
+    Ranked ranked;
+    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, window))
         ranked.cutEnds = (piece->a != line.a) + (piece->b != line.b);
     if (ranked.cutEnds == 1)
         ranked.length = glm::distance(line.a, line.b);
     return ranked;
 }
 
+/// Of lines that there are.
+std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
+                      const ObjectRanges& locked)
+{
+    Ranked best;
+    for (const SceneLines::Run& run : lines.runs())
+        for (std::size_t i = 0; i < run.segments.size(); ++i) {
+            Ranked ranked = rankOf(run.segments[i], window);
+            ranked.line = run.firstLine + i;
+            ranked.unlocked = locked.empty() || !locked.contains(lines.objectOf(ranked.line));
+            if (ranked > best)
+                best = ranked;
+            if (best.unlocked && best.cutEnds == 2)
+                return best.line;
+        }
+    return best.line;
+}
+
 } // namespace
 
 Specimen specimenOf(const Session& session, std::size_t segment)
 {
-    const auto lines = session.scene.segments();
+    const SceneLines& lines = session.scene.lines();
     return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = lines[segment],
             .window = session.window(),
@@ -64,25 +79,19 @@ Specimen specimenOf(const Session& session, std::size_t segment)
 
 std::optional<std::size_t> firstLine(const Session& session)
 {
-    const auto lines = session.scene.segments();
-    if (lines.empty() || (session.inspected() && *session.inspected() < lines.size()))
-        return lines.empty() ? std::nullopt : session.inspected();
-    Ranked best{.line = 0};
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Ranked ranked = rankOf(session, i);
-        if (ranked > best)
-            best = ranked;
-        if (best.unlocked && best.cutEnds == 2)
-            break;
-    }
-    return best.line;
+    const SceneLines& lines = session.scene.lines();
+    if (lines.size() == 0)
+        return std::nullopt;
+    if (const auto inspected = session.inspected(); inspected && *inspected < lines.size())
+        return inspected;
+    return mostToSee(lines, session.window(), session.now().containers().lockedRanges());
 }
 
 Specimen firstSpecimen(const Session& session)
 {
     if (const auto line = firstLine(session))
         return specimenOf(session, *line);
-    const clipping::Window& window = session.window();
+    const clipping::Window window = session.window();
     return {.variant = {session.display().algorithm, session.display().usedForm()},
             .line = across(window),
             .window = window,

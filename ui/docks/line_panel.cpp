@@ -87,7 +87,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
 void LinePanel::show()
 {
     const auto inspected = session_.inspected();
-    const bool some = inspected && *inspected < session_.scene.segments().size();
+    const bool some = inspected && *inspected < session_.scene.lines().size();
     nothing_->setVisible(!some);
     table_->setVisible(some);
     microscope_->setVisible(some);
@@ -100,12 +100,13 @@ void LinePanel::show()
 
 void LinePanel::showLine(const app::Inspection& line)
 {
-    const app::Page& page = session_.sheet().page;
+    const app::Page& page = session_.now().page();
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const app::Point origin = app::originOf(page, unit);
     const auto number = [&](double length) { return app::lengthNumber(length, unit, size, 1); };
-    const auto& layer = session_.sheet().layers[session_.sheet().shapes[line.shape].layer];
+    const app::Containers& containers = session_.now().containers();
+    const QString layer = containers[containers.layerOf(line.object)].name;
 
     const auto point = [&](int row, const app::Point& p) {
         put(row, XColumn, number(p.x - origin.x), Qt::AlignRight);
@@ -137,7 +138,7 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Cost, Name, tr("Cost"));
     cost_->setText(line.variant.exhibit ? tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
-    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer.name));
+    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer));
 }
 
 QLabel* LinePanel::cell(int row, int column)

@@ -17,21 +17,21 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
 
-/// The shapes whose lines some algorithm treats in another way; locked ones are left alone.
+/// The objects whose lines some algorithm treats in another way; locked ones are left alone.
 void selectDiffering(MainWindow& window)
 {
     AlgorithmPanel& panel = window.algorithmPanel();
     panel.compare();
     const app::Session& session = window.session();
-    app::ObjectRanges shapes;
+    app::ObjectRanges objects;
     for (const app::Dissent& dissent : panel.dissents()) {
         app::ObjectRanges treated; // ascending, hence each is added at the end
         for (const std::uint32_t segment : dissent.segments)
-            treated.insert(session.scene.shapeOf(segment));
-        shapes = united(shapes, treated);
+            treated.insert(session.scene.lines().objectOf(segment));
+        objects = united(objects, treated);
     }
-    window.tell({shapes.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
-    window.session().select(common(shapes, app::editableObjects(session.now())));
+    window.tell({objects.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
+    window.session().select(common(objects, app::editableObjects(session.now())));
 }
 
 /// The next line, or the one before, in the inspector; from the first or last one on.
@@ -40,13 +40,13 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     app::Session& session = window.session();
     if (session.microscope.isOpen())
         return window.drawnLine().go(by);
-    const auto count = std::ptrdiff_t(session.scene.segments().size());
+    const auto count = std::ptrdiff_t(session.scene.lines().size());
     const auto now = session.inspected() ? std::ptrdiff_t(*session.inspected())
                      : by > 0            ? -1
                                          : count;
     const auto line = std::size_t((now + by + count) % count);
     session.inspect(line);
-    window.canvas().go(app::bringing(window.canvas().view(), session.scene.segments()[line]));
+    window.canvas().go(app::bringing(window.canvas().view(), session.scene.lines()[line]));
     window.raisePanel("line");
 }
 
@@ -127,7 +127,7 @@ void gatherPanes(MainWindow&, QMenu& menu)
     menu.addMenu(panes);
 }
 
-bool someLines(const MainWindow& window) { return !window.session().scene.segments().empty(); }
+bool someLines(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
 
 } // namespace
 

@@ -42,12 +42,12 @@ void Overview::forget()
 
 app::View Overview::view() const
 {
-    const app::Sheet& sheet = session_.sheet();
-    const clipping::Window& window = session_.window();
+    const app::Page& page = session_.now().page();
+    const clipping::Window window = session_.window();
     app::View view;
     view.size = {width(), height()};
-    const app::Point corner = sheet.page.min + sheet.page.size;
-    view.fit({{std::min(sheet.page.min.x, window.min.x), std::min(sheet.page.min.y, window.min.y)},
+    const app::Point corner = page.min + page.size;
+    view.fit({{std::min(page.min.x, window.min.x), std::min(page.min.y, window.min.y)},
               {std::max(corner.x, window.max.x), std::max(corner.y, window.max.y)}},
              margin);
     return view;
@@ -56,7 +56,7 @@ app::View Overview::view() const
 /// All that can be seen, or of many some.
 std::vector<QLineF> Overview::linesIn(const app::View& view) const
 {
-    const auto lines = session_.scene.segments();
+    const app::SceneLines& lines = session_.scene.lines();
     const std::size_t step = lines.size() / mostLines + 1;
     std::vector<QLineF> shown;
     for (std::size_t i = 0; i < lines.size(); i += step)
