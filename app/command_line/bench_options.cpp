@@ -2,7 +2,7 @@
 #include "app/command_line/bench_options.h"
 
 #include "app/command_line/refusal.h"
-#include "app/document/legacy.h"
+#include "app/document/scene.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/threads.h"
@@ -56,8 +56,7 @@ void takeDrawing(const QString& path, ExperimentOptions& options)
         throw Failure{imported.error};
     const EditedDocument document(imported.value->document);
     const Scene scene(document);
-    const auto subject =
-        drawingSubject(QFileInfo(path).fileName(), scene, sheetOf(document.now()));
+    const auto subject = drawingSubject(QFileInfo(path).fileName(), scene.lines(), document.now());
     if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;

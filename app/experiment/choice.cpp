@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 
+#include "app/document/compared_window.h"
 #include "app/experiment/duration.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/short_names.h"
@@ -98,21 +99,25 @@ std::vector<Subject> subjects()
     return all;
 }
 
-std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, const Sheet& sheet)
+std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lines,
+                                      const Document& document)
 {
-    const auto lines = scene.segments();
-    if (lines.empty())
+    if (lines.size() == 0)
         return std::nullopt;
-    return Subject{
-        "drawing",
-        Experiments::tr("Lines of %1").arg(name),
-        Experiments::tr(
-            "Its %1 lines, clipped at its window; if more are asked for, the same again.")
-            .arg(countText(lines.size())),
-        {},
-        {.scene = drawingScene(name, {lines.begin(), lines.end()}),
-         .field = {sheet.page.rectangle(), sheet.window},
-         .lines = lines.size()}};
+    const Page& page = document.page();
+    const ComparedWindow at = comparedWindow(document.windows(), page);
+    const QString meaning =
+        at.isPage ? Experiments::tr("Its %1 lines, clipped at its page, for there is no clip "
+                                    "window; if more are asked for, the same again.")
+                  : Experiments::tr("Its %1 lines, clipped at its window; if more are asked for, "
+                                    "the same again.");
+    return Subject{"drawing",
+                   Experiments::tr("Lines of %1").arg(name),
+                   meaning.arg(countText(lines.size())),
+                   {},
+                   {.scene = drawingScene(name, lines),
+                    .field = {page.rectangle(), at.window},
+                    .lines = lines.size()}};
 }
 
 QString leftOutText(const Choice& choice)

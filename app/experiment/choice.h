@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/scene.h"
+#include "app/document/document.h"
+#include "app/document/scene_lines.h"
 #include "app/experiment/study.h"
 #include "app/result.h"
 
@@ -19,8 +20,10 @@ struct Subject {
 /// The paper's tables together and one by one, then every scene.
 std::vector<Subject> subjects();
 
-/// The lines that a drawing shows in its page, and its clip window; nothing if it shows none.
-std::optional<Subject> drawingSubject(const QString& name, const Scene& scene, const Sheet& sheet);
+/// The lines that a document shows in its page, to be clipped at the window that is compared;
+/// nothing if it shows none.
+std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lines,
+                                      const Document& document);
 
 /// What a person asks for.
 struct Choice {

@@ -23,7 +23,7 @@ std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipp
     options.easel = nullptr;
     if (lines.empty())
         return Record{options, {}, {}, {}};
-    options.scene = drawingScene(scene.scene.name, std::move(lines));
+    options.scene = repeatedScene(scene.scene.name, std::move(lines));
     auto record = recorded(options, variants, follower);
     if (record)
         record->options.scene = scene.scene; // without the lines

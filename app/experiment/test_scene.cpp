@@ -11,7 +11,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 namespace app {
@@ -92,7 +91,7 @@ bool isWithin(const Segment& line, const Field& field)
     return within(line.a) && within(line.b);
 }
 
-bool isInside(const Segment& s, const Field& f) { return is(s, f, LineClass::Inside); }
+bool liesInside(const Segment& s, const Field& f) { return is(s, f, LineClass::Inside); }
 bool isRejected(const Segment& s, const Field& f) { return is(s, f, LineClass::Rejected); }
 bool isCrossing(const Segment& s, const Field& f)
 {
@@ -166,15 +165,28 @@ private:
 };
 
 /// The lines in their order, again and again.
-LineSource repeated(std::shared_ptr<const std::vector<Segment>> all)
-{
-    return [all = std::move(all), next = std::size_t(0)](std::span<Segment> some) mutable {
-        for (Segment& line : some) {
-            line = (*all)[next];
-            next = (next + 1) % all->size();
+class Repeated {
+public:
+    explicit Repeated(SceneLines lines) : lines_(std::move(lines)) {}
+    void operator()(std::span<Segment> some)
+    {
+        while (!some.empty()) {
+            const auto left = lines_.runs()[run_].segments.subspan(next_);
+            const std::size_t count = std::min(left.size(), some.size());
+            std::ranges::copy(left.first(count), some.begin());
+            some = some.subspan(count);
+            next_ += count;
+            if (count == left.size()) {
+                run_ = (run_ + 1) % lines_.runs().size();
+                next_ = 0;
+            }
         }
-    };
-}
+    }
+
+private:
+    SceneLines lines_;
+    std::size_t run_ = 0, next_ = 0; ///< next_: in the run
+};
 
 template <auto line, auto wanted, auto tight = line>
 LineSource begin(const Field& field, std::uint64_t seed)
@@ -207,7 +219,7 @@ std::vector<TestScene> testScenes()
         {"paper", Scenes::tr("The paper's"),
          Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper},
         {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends in the window."),
-         begin<inside, isInside>},
+         begin<inside, liesInside>},
         {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
          begin<rejected, isRejected>},
         {"crossing", Scenes::tr("Crossing"),
@@ -230,13 +242,18 @@ std::optional<TestScene> findTestScene(QStringView key)
     return std::nullopt;
 }
 
-TestScene drawingScene(const QString& name, std::vector<clipping::Segment> lines)
+TestScene drawingScene(const QString& name, const SceneLines& lines)
 {
-    assert(!lines.empty());
-    const auto all = std::make_shared<const std::vector<Segment>>(std::move(lines));
-    const auto begin = [all](const Field&, std::uint64_t) { return repeated(all); };
+    assert(lines.size() > 0);
+    const auto begin = [lines](const Field&, std::uint64_t) { return Repeated(lines); };
     return {"drawing", name, Scenes::tr("The lines of a drawing, in its order."), begin,
-            all->size()};
+            lines.size()};
+}
+
+TestScene repeatedScene(const QString& name, std::vector<clipping::Segment> lines)
+{
+    return drawingScene(name,
+                        SceneLines(std::vector{Shared(SceneBlock{.segments = std::move(lines)})}));
 }
 
 } // namespace app

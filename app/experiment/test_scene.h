@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/scene_lines.h"
 #include "app/experiment/paper_scene.h"
 
 #include <QString>
@@ -39,7 +40,9 @@ std::vector<TestScene> testScenes();
 std::optional<TestScene> findTestScene(QStringView key);
 
 /// The lines of a drawing as a scene, again and again in their order, whatever the seed. They are
-/// not empty.
-TestScene drawingScene(const QString& name, std::vector<clipping::Segment> lines);
+/// not empty. It shares them with the drawing.
+TestScene drawingScene(const QString& name, const SceneLines& lines);
+/// The same of any lines.
+TestScene repeatedScene(const QString& name, std::vector<clipping::Segment> lines);
 
 } // namespace app

@@ -86,7 +86,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
                                    QWidget* parent)
     : QDialog(parent, Qt::Window), session_(session), name_(std::move(name)),
       exports_(new Exports(*this)), choice_(new ChoicePanel([this] {
-          return app::drawingSubject(name_(), session_.scene, session_.sheet());
+          return app::drawingSubject(name_(), session_.scene.lines(), session_.now());
       })),
       run_(button(tr("&Run"), "play")), quick_(button(tr("&Quick run"))),
       cancel_(button(tr("&Cancel"))), copy_(button(tr("Co&py table"))), export_(new QToolButton),
@@ -300,7 +300,7 @@ void ExperimentWindow::showState()
 void ExperimentWindow::followDrawing()
 {
     if (isVisible())
-        choice_->followDrawing(session_.scene.segments().size());
+        choice_->followDrawing(session_.scene.lines().size());
 }
 
 void ExperimentWindow::showEvent(QShowEvent* event)
@@ -308,7 +308,7 @@ void ExperimentWindow::showEvent(QShowEvent* event)
     if (!event->spontaneous())
         fitToScreens(*this);
     QDialog::showEvent(event);
-    choice_->followDrawing(session_.scene.segments().size());
+    choice_->followDrawing(session_.scene.lines().size());
 }
 
 void ExperimentWindow::hideEvent(QHideEvent* event)

@@ -109,7 +109,7 @@ private slots:
     void aDrawingHasNoStandIns()
     {
         const auto scene =
-            app::drawingScene("two", {{{0, 0}, {1, 1}}, {{-500, 0}, {-400, 2}}, {{0, 0}, {2, 2}}});
+            app::repeatedScene("two", {{{0, 0}, {1, 1}}, {{-500, 0}, {-400, 2}}, {{0, 0}, {2, 2}}});
         const auto classes = app::linesByClass(scene, {}, 1, 5000).value();
         QCOMPARE(classes[0].lines.size(), 2u);
         QCOMPARE(classes[1].lines.size(), 1u);
@@ -184,7 +184,7 @@ private slots:
                                          {{-200, -20}, {200, 30}},
                                          {{-200, 0}, {0, 200}}};
         auto options = thePapers(4);
-        options.scene = app::drawingScene("four", lines);
+        options.scene = app::repeatedScene("four", lines);
         const auto profile = *app::operationProfile(options, all());
         QCOMPARE(profile.mix, (std::array<std::uint64_t, 4>{1, 1, 1, 1}));
         const auto of = [&](const char* abbreviation, std::size_t c) {
@@ -244,7 +244,7 @@ private slots:
         };
         auto options = thePapers(3);
         options.scene =
-            app::drawingScene("three", {{{0, 0}, {1, 1}}, {{0, 0}, {2, 2}}, {{0, 0}, {3, 3}}});
+            app::repeatedScene("three", {{{0, 0}, {1, 1}}, {{0, 0}, {2, 2}}, {{0, 0}, {3, 3}}});
         const Variant who{&odd, Form::Corrected};
         const auto row = app::accuracies(options, {{who}})->front();
         QCOMPARE(row.mostUlps, 2 * 0x1p46);       // one ulp of 100 is 2^-46

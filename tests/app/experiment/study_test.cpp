@@ -234,7 +234,7 @@ private slots:
     void aDrawingIsASubjectWithItsLinesAndWindow()
     {
         app::EditedDocument empty;
-        QVERIFY(!app::drawingSubject("empty", app::Scene(empty), app::Sheet()));
+        QVERIFY(!app::drawingSubject("empty", app::Scene(empty).lines(), empty.now()));
         app::Sheet sheet;
         sheet.page.size = {100, 80};
         sheet.window = {{10, 10}, {50, 50}};
@@ -242,7 +242,7 @@ private slots:
         shape.paths.push_back({{0, 20}, {{{90, 20}}, {{90, 70}}}, false});
         sheet.shapes.push_back(shape);
         const app::EditedDocument document(app::documentOf(sheet));
-        const auto two = app::drawingSubject("two", app::Scene(document), sheetOf(document));
+        const auto two = app::drawingSubject("two", app::Scene(document).lines(), document.now());
         QVERIFY(two);
         QCOMPARE(two->options.lines, 2u);
         app::Choice choice{.subject = *two};
@@ -252,6 +252,19 @@ private slots:
         const auto study = app::study(*app::planOf(choice).value);
         for (const auto& timing : study->trials[0].record.timings)
             QCOMPARE(timing.found.visible, 1u);
+    }
+
+    void withoutAWindowItIsClippedAtItsPage()
+    {
+        app::Sheet sheet;
+        sheet.shapes.push_back({.paths = {{{0, 20}, {{{90, 20}}}, false}}});
+        app::Document document = app::documentOf(sheet);
+        document.apply({.windows = app::ClipWindows()});
+        const app::EditedDocument edited(document);
+        const auto subject = app::drawingSubject("it", app::Scene(edited).lines(), document);
+        QVERIFY(subject);
+        QCOMPARE(subject->options.field.window, document.page().rectangle());
+        QVERIFY(subject->meaning.contains("at its page, for there is no clip window"));
     }
 
     void aStudyHasWhatWasPlanned()

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/app/document/scene_lines_of.h"
 #include "tests/clipping/oracle.h"
 
 using app::LineClass;
@@ -178,12 +179,28 @@ private slots:
     void aDrawingIsRepeated()
     {
         const std::vector<Segment> lines{{{0, 1}, {2, 3}}, {{4, 5}, {6, 7}}, {{8, 9}, {9, 8}}};
-        const auto scene = app::drawingScene("Bee", lines);
+        const auto scene = app::repeatedScene("Bee", lines);
         QCOMPARE(scene.lines, 3u);
         QCOMPARE(scene.name, "Bee");
         const auto all = linesOf(scene, {}, 1, 7);
         for (std::size_t i = 0; i < all.size(); ++i)
             QCOMPARE(all[i], lines[i % 3]);
+    }
+
+    void itsLinesMayLieInSeveralBlocks()
+    {
+        std::vector<Segment> lines(1000);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            lines[i] = {{double(i), 0}, {0, 1}};
+        const auto scene = app::drawingScene("Bee", sceneLinesOf(lines, 70));
+        QCOMPARE(scene.lines, 1000u);
+        const auto next = scene.begin({}, 1);
+        std::vector<Segment> some(333);
+        for (std::size_t first = 0; first < 5000; first += some.size()) {
+            next(some);
+            for (std::size_t i = 0; i < some.size(); ++i)
+                QCOMPARE(some[i], lines[(first + i) % lines.size()]);
+        }
     }
 
     void thereMustBeRoomAroundTheWindow()

@@ -127,7 +127,7 @@ private slots:
     void wordsAreQuotedForAShell()
     {
         auto study = studyOf({"-n", "1000", "-r", "1", "-a", "cs"});
-        study.trials[0].record.options.scene = app::drawingScene("it's; $HOME \"x\".svg", {{}});
+        study.trials[0].record.options.scene = app::repeatedScene("it's; $HOME \"x\".svg", {{}});
         QVERIFY(app::commandToRepeat(study).contains("'--scene=file:it'\\''s; $HOME \"x\".svg'"));
     }
 };
