@@ -74,11 +74,11 @@ void Files::startNew()
         show({app::documentOf(emptySheet()), {}}, {}, {});
 }
 
-bool Files::openMade(const app::Sheet& sheet, const QString& title)
+bool Files::openMade(app::Document document, const QString& title)
 {
     if (!mayClose())
         return false;
-    show({app::documentOf(sheet), {}}, {}, title);
+    show({std::move(document), {}}, {}, title);
     return true;
 }
 

@@ -27,7 +27,7 @@ public:
     void open(const QString& path);
     void openSample(const app::Sample& sample);
     /// Made by the program; false: kept.
-    bool openMade(const app::Sheet& sheet, const QString& title);
+    bool openMade(app::Document document, const QString& title);
     bool save();                                           ///< true: saved
     bool saveAs();
     void exportCut();

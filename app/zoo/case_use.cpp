@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/zoo/case_use.h"
 
+#include "app/document/document_builder.h"
+
 #include <QCoreApplication>
 
 #include <glm/common.hpp>
@@ -28,9 +30,9 @@ Specimen specimenOf(const HardCase& hard, const Variant& variant)
             .origin = hard.title};
 }
 
-Result<Sheet> sheetOf(const HardCase& hard)
+Result<Document> documentOf(const HardCase& hard)
 {
-    using R = Result<Sheet>;
+    using R = Result<Document>;
     const auto& [min, max] = hard.window;
     const auto& [a, b] = hard.line;
     for (const double number : {a.x, a.y, b.x, b.y, min.x, min.y, max.x, max.y})
@@ -45,19 +47,16 @@ Result<Sheet> sheetOf(const HardCase& hard)
     if (extent > 0 && extent < leastExtent)
         return R::failure(tr("These numbers are too small for a drawing."));
     const double around = extent > 0 ? extent * 0.1 : 1;
-    Sheet sheet;
-    sheet.page.min = low - around;
-    sheet.page.size = high - low + 2 * around;
-    const Point millimetres = sheet.page.size * (200 / (extent + 2 * around));
-    sheet.page.width = {millimetres.x, Unit::Mm};
-    sheet.page.height = {millimetres.y, Unit::Mm};
-    sheet.window = hard.window;
-    Shape shape;
-    shape.paths = {{a, {{b}}}};
-    shape.style.stroke = Colour{};
-    shape.style.width = (extent + 2 * around) / 400;
-    sheet.shapes.push_back(std::move(shape));
-    return R::of(std::move(sheet));
+    Page page{.min = low - around, .size = high - low + 2 * around};
+    const Point millimetres = page.size * (200 / (extent + 2 * around));
+    page.width = {millimetres.x, Unit::Mm};
+    page.height = {millimetres.y, Unit::Mm};
+    DocumentBuilder builder;
+    builder.open({.name = QStringLiteral("Drawing")});
+    builder.addLine(hard.line,
+                    builder.style({.stroke = Colour{}, .width = (extent + 2 * around) / 400}));
+    builder.close();
+    return R::of(builder.take(page, {}, {{{.shape = RectangleShape{hard.window}}}}));
 }
 
 Variant firstToLookAt(const HardCase& hard)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/document.h"
 #include "app/result.h"
 #include "app/teaching/walk.h"
 #include "app/zoo/hard_case.h"
@@ -15,7 +15,7 @@ Specimen specimenOf(const HardCase& hard, const Variant& variant);
 
 /// A drawing of the line, with its window; the very same numbers, so that y points down there. Or
 /// the sentence why there is none.
-Result<Sheet> sheetOf(const HardCase& hard);
+Result<Document> documentOf(const HardCase& hard);
 
 /// The variant that is shown first: one that never ends, else the one farthest outside the window,
 /// else the first that fails; if none fails, the first of all.

@@ -109,12 +109,12 @@ void CaseView::show(const app::HardCase& hard)
                                                               hard.window.min, hard.window.max})));
     expected_->setText(tr("Truly visible: %1").arg(app::pieceText(hard.visible)));
     showOrigin();
-    const auto sheet = app::sheetOf(hard);
-    draw_->setEnabled(sheet.value.has_value());
-    draw_->setToolTip(sheet
+    const auto document = app::documentOf(hard);
+    draw_->setEnabled(document.value.has_value());
+    draw_->setToolTip(document
                           ? tr("As a new drawing with the very same numbers. In drawings y points "
                                "down, so that it is seen upside down.")
-                          : sheet.error);
+                          : document.error);
     table_->show(hard, app::firstToLookAt(hard));
     ensureVisible(0, 0);
 }

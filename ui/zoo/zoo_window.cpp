@@ -107,8 +107,8 @@ void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Variant& va
 /// With what was looked at, so that its answer is what the canvas shows.
 void ZooWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
-    auto sheet = app::sheetOf(hard);
-    if (!sheet || !window_.files().openMade(*sheet.value, hard.title))
+    const auto document = app::documentOf(hard);
+    if (!document || !window_.files().openMade(*document.value, hard.title))
         return;
     app::Display display = window_.session().display();
     display.algorithm = variant.algorithm;

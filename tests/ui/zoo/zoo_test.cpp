@@ -156,9 +156,9 @@ private slots:
         auto* draw = visit.button("canvas");
         QTest::mouseClick(draw, Qt::LeftButton);
         const app::Session& session = visit.test.window->session();
-        QCOMPARE(session.scene.segments().size(), std::size_t(1));
-        QCOMPARE(session.scene.segments()[0], theCase("one-decimal").line);
-        QCOMPARE(session.sheet().window, theCase("one-decimal").window);
+        QCOMPARE(session.scene.lines().size(), std::size_t(1));
+        QCOMPARE(session.scene.lines()[0], theCase("one-decimal").line);
+        QCOMPARE(session.window(), theCase("one-decimal").window);
         QCOMPARE(session.display().form, clipping::Form::Published);
         QVERIFY(visit.test.window->windowTitle().contains(theCase("one-decimal").title));
         for (const char* key : {"nan", "infinite-end", "tiny", "sdl-6116", "inside-out"}) {
@@ -173,11 +173,11 @@ private slots:
         app::Session& session = visit.test.window->session();
         session.history.push(addLayer(session.document, "Something"));
         visit.test.answers->answer = Questions::Answer::Cancel;
-        const auto before = visit.test.window->session().sheet();
+        const app::Document before = visit.test.window->session().now();
         visit.zoo->choose(theCase("one-decimal"));
         QTest::mouseClick(visit.button("canvas"), Qt::LeftButton);
         QCOMPARE(visit.test.answers->asked, 1);
-        QVERIFY(visit.test.window->session().sheet() == before);
+        QVERIFY(visit.test.window->session().now() == before);
     }
 
     // Every picture can be painted, however large, small or absent its numbers are.
