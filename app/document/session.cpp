@@ -131,7 +131,7 @@ void Session::follow(const DocumentChange& change)
         inspect(std::nullopt);
     if (change.everything || !now().containers().contains(pen.layer))
         pen.layer = now().containers().childrenOf(0).back();
-    if (change.windows)
+    if (change.windows || change.page) // without a clip window the page is compared
         emit previewChanged();
 }
 

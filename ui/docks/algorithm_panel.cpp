@@ -4,6 +4,7 @@
 #include "ui/docks/algorithm_list.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
+#include "ui/widgets/page_caption.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -54,6 +55,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     column->addWidget(list);
     column->addLayout(form);
     column->addLayout(agree);
+    column->addWidget(new PageCaption(session));
     column->addStretch();
 
     const auto choose = [this](clipping::Form chosen) {

@@ -7,6 +7,7 @@
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"
 #include "ui/look.h"
+#include "ui/widgets/page_caption.h"
 #include "ui/widgets/segments.h"
 
 #include <QSettings>
@@ -63,6 +64,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     rows->addWidget(table_);
     column->addLayout(rows, 1);
     column->addLayout(footer);
+    column->addWidget(new PageCaption(session));
 
     connect(forms_, &Segments::picked, this, [this](int index) {
         QSettings().setValue(setting, index);

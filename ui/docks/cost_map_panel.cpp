@@ -7,6 +7,7 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
@@ -99,6 +100,9 @@ void CostMapPanel::addMap()
     column->addWidget(words_);
     column->addWidget(view_, 1);
     column->addWidget(notes_);
+    auto* page = new PageCaption(session_);
+    page->setContentsMargins({});
+    column->addWidget(page);
     connect(view_, &CostMapView::fixedEndMoved, this, [this](const app::Point& to) {
         plan_.fixed = to;
         ask();

@@ -5,6 +5,7 @@
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/variant_box.h"
 
@@ -109,6 +110,7 @@ void DifferencePanel::addTable()
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addLayout(margins);
     column->addLayout(found);
+    column->addWidget(new PageCaption(session_));
     column->addWidget(table_, 1);
     column->addStretch();
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

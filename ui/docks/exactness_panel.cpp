@@ -8,6 +8,7 @@
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/magnifier_view.h"
+#include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/variant_box.h"
@@ -98,6 +99,7 @@ QWidget* ExactnessPanel::listPage()
     auto* below = within();
     below->addWidget(hint);
     column->addLayout(sentence);
+    column->addWidget(new PageCaption(session_));
     column->addLayout(bars);
     column->addWidget(table_, 1);
     column->addLayout(below);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/microscope_page.h"
 
+#include "app/comparison/at_text.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/microscope/code_view.h"
@@ -184,7 +185,10 @@ void MicroscopePage::showStep()
 void MicroscopePage::showPlace()
 {
     const QString origin = session_.microscope.specimen().origin;
-    place_->setText(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
+    QStringList lines(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
+    if (const QString at = app::atText(session_.compared()); !at.isEmpty() && drawn_.line())
+        lines << at;
+    place_->setText(lines.join(u'\n'));
     overview_->setVisible(drawn_.line().has_value());
     back_->setVisible(drawn_.changed());
     placeOverview();

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/at_text.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+QString atText(const ComparedWindow& window)
+{
+    return window.isPage ? QCoreApplication::translate("ComparedWindow",
+                                                       "At the page: there is no clip window.")
+                         : QString();
+}
+
+} // namespace app

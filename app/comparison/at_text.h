@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/compared_window.h"
+
+#include <QString>
+
+namespace app {
+
+/// For captions: that algorithms are compared at the page. Empty if there is a clip window, which
+/// goes without saying.
+QString atText(const ComparedWindow& window);
+
+} // namespace app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/at_text.h"
+#include "app/document/session.h"
+
+#include <QTest>
+
+#include "tests/app/document/sheet_edits.h"
+
+using clipping::Window;
+
+namespace {
+
+app::Sheet sheetAt(const clipping::Window& window)
+{
+    app::Sheet sheet;
+    sheet.window = window;
+    return sheet;
+}
+
+void setVisible(app::Session& session, bool visible)
+{
+    app::Edit edit;
+    edit.windows = session.now().windows();
+    edit.windows->list.at(0).visible = visible;
+    session.document.apply(edit);
+}
+
+} // namespace
+
+class AtTextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theWindowGoesWithoutSaying()
+    {
+        QVERIFY(app::atText(app::ComparedWindow{{}, false}).isEmpty());
+        QCOMPARE(app::atText(app::ComparedWindow{{}, true}),
+                 "At the page: there is no clip window.");
+    }
+    /// What is computed follows, too.
+    void aHiddenWindowIsNone()
+    {
+        app::Session session;
+        ::load(session.document, sheetAt({{10, 10}, {50, 50}}));
+        QVERIFY(app::atText(session.compared()).isEmpty());
+        session.differences.ask(app::Comparison{*app::findVariant("kwc:published")});
+        setVisible(session, false);
+        QVERIFY(!app::atText(session.compared()).isEmpty());
+        session.differences.finish();
+        QCOMPARE(session.differences.found().window, session.now().page().rectangle());
+        app::Page page = session.now().page();
+        page.size *= 2;
+        ::setPage(session.document, page);
+        session.differences.finish();
+        QCOMPARE(session.differences.found().window, page.rectangle());
+        session.setPreview({.window = Window{{1, 1}, {2, 2}}}); // one is being drawn
+        QVERIFY(app::atText(session.compared()).isEmpty());
+        session.setPreview({});
+        QVERIFY(!app::atText(session.compared()).isEmpty());
+        setVisible(session, true);
+        QVERIFY(app::atText(session.compared()).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(AtTextTest)
+#include "at_text_test.moc"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/cost_map_panel.h"
+#include "ui/docks/difference_panel.h"
+#include "ui/docks/exactness_panel.h"
+#include "ui/look.h"
+#include "ui/widgets/page_caption.h"
+
+#include <QTest>
+
+#include "tests/app/document/sheet_edits.h"
+
+using namespace ui;
+
+namespace {
+
+app::Sheet sheetAt(const clipping::Window& window)
+{
+    app::Sheet sheet;
+    sheet.window = window;
+    return sheet;
+}
+
+void setVisible(app::Session& session, bool visible)
+{
+    app::Edit edit;
+    edit.windows = session.now().windows();
+    edit.windows->list.at(0).visible = visible;
+    session.document.apply(edit);
+}
+
+using Maker = std::function<QWidget*(app::Session&)>;
+
+template <class Panel>
+QWidget* made(app::Session& session)
+{
+    return new Panel(session);
+}
+
+} // namespace
+
+class PageCaptionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { applyTheme(*qApp, Theme::Light); }
+
+    void itIsThereWithoutAClipWindow()
+    {
+        app::Session session;
+        ::load(session.document, sheetAt({{10, 10}, {50, 50}}));
+        PageCaption caption(session);
+        QVERIFY(caption.isHidden());
+        setVisible(session, false);
+        QVERIFY(!caption.isHidden());
+        QCOMPARE(caption.text(), "At the page: there is no clip window.");
+        setVisible(session, true);
+        QVERIFY(caption.isHidden());
+    }
+
+    void everyPanelThatComparesHasOne_data()
+    {
+        QTest::addColumn<Maker>("make");
+        QTest::addRow("algorithm") << Maker(made<AlgorithmPanel>);
+        QTest::addRow("compare") << Maker(made<ComparePanel>);
+        QTest::addRow("cost map") << Maker(made<CostMapPanel>);
+        QTest::addRow("differences") << Maker(made<DifferencePanel>);
+        QTest::addRow("exactness") << Maker(made<ExactnessPanel>);
+    }
+    void everyPanelThatComparesHasOne()
+    {
+        QFETCH(Maker, make);
+        app::Session session;
+        ::load(session.document, sheetAt({{10, 10}, {50, 50}}));
+        const std::unique_ptr<QWidget> panel(make(session));
+        panel->resize(600, 600);
+        panel->show();
+        const auto* caption = panel->findChild<PageCaption*>();
+        QVERIFY(caption && !caption->isVisible());
+        setVisible(session, false);
+        QVERIFY(caption->isVisible());
+    }
+};
+
+QTEST_MAIN(PageCaptionTest)
+#include "page_caption_test.moc"

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/page_caption.h"
+
+#include "app/comparison/at_text.h"
+#include "ui/look.h"
+
+namespace ui {
+
+PageCaption::PageCaption(const app::Session& session, QWidget* parent)
+    : QLabel(parent), session_(session)
+{
+    setFont(captionFont(font()));
+    setForegroundRole(QPalette::PlaceholderText);
+    setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    setWordWrap(true);
+    connect(&session, &app::Session::previewChanged, this, &PageCaption::follow);
+    follow();
+}
+
+void PageCaption::follow()
+{
+    setText(app::atText(session_.compared()));
+    setHidden(text().isEmpty());
+}
+
+} // namespace ui

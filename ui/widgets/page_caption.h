@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/session.h"
+
+#include <QLabel>
+
+namespace ui {
+
+/// Says that a panel is about the page, as long as there is no clip window; hidden otherwise.
+class PageCaption : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit PageCaption(const app::Session& session, QWidget* parent = nullptr);
+
+private:
+    void follow();
+
+    const app::Session& session_;
+};
+
+} // namespace ui
