@@ -24,7 +24,6 @@ int sideOf(int column)
 DifferenceModel::DifferenceModel(const app::Session& session, QObject* parent)
     : QAbstractTableModel(parent), session_(session)
 {
-    connect(&session.differences, &app::LiveDifferences::changed, this, &DifferenceModel::follow);
     connect(&session, &app::Session::displayChanged, this, [this] { // the unit
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     });
@@ -84,7 +83,7 @@ std::optional<std::size_t> DifferenceModel::lineOf(int row) const
 {
     const auto& list = session_.differences.found().list;
     const std::uint32_t at = rows_[std::size_t(row)];
-    if (at >= list.size() || list[at].source >= session_.scene.segments().size())
+    if (at >= list.size() || list[at].source >= session_.scene.lines().size())
         return std::nullopt;
     return list[at].source;
 }

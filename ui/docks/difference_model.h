@@ -8,7 +8,7 @@
 namespace ui {
 
 /// The lines that differ, sorted. Only the rows that are shown are put into words, so that half a
-/// million of them cost no more than a sort.
+/// million of them cost no more than a sort; when, its panel says.
 class DifferenceModel final : public QAbstractTableModel {
     Q_OBJECT
 
@@ -20,15 +20,14 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
+    void follow(); ///< shows what is found now
 
-    /// The line of a row, an index into the scene's segments; nothing if it is gone.
+    /// The line of a row, one of the scene's; nothing if it is gone.
     std::optional<std::size_t> lineOf(int row) const;
     /// The row of a line; -1 if it does not differ.
     int rowOf(std::size_t line) const;
 
 private:
-    void follow();
-
     const app::Session& session_;
     std::vector<std::uint32_t> rows_; ///< indices into the list that was found
     int column_ = 0;

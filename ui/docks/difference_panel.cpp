@@ -43,7 +43,11 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     setBoth(firstA(), app::exactVariant());
     addChoosers();
     addTable();
-    connect(&session.differences, &app::LiveDifferences::changed, this, &DifferencePanel::follow);
+    soon_.setSingleShot(true);
+    soon_.setInterval(0);
+    connect(&soon_, &QTimer::timeout, this, &DifferencePanel::follow);
+    connect(&session.differences, &app::LiveDifferences::changed, &soon_,
+            qOverload<>(&QTimer::start));
     connect(&session.differences, &app::LiveDifferences::begun, this,
             &DifferencePanel::paintSummary);
     follow();
@@ -170,9 +174,12 @@ void DifferencePanel::swap()
     ask();
 }
 
+// A timer waits for all that is posted, also for the frame that is due: that comes first.
 void DifferencePanel::follow()
 {
     const QScopedValueRollback quietly(following_, true);
+    soon_.stop();
+    model_.follow();
     const app::Comparison comparison = wanted();
     const double contract = app::contractUlps(comparison.a, comparison.b);
     const int decimals = contract == std::floor(contract) ? 0 : 1;
@@ -213,7 +220,7 @@ void DifferencePanel::paintSummary()
     const bool known = live.asked() && live.upToDate();
     const bool good = known && !differ && live.found().lines > 0 && comparison.a != comparison.b;
     summary_->setText(
-        !known ? tr("Comparing %1 lines…").arg(app::countText(session_.scene.segments().size()))
+        !known ? tr("Comparing %1 lines…").arg(app::countText(session_.scene.lines().size()))
                : app::sentence(comparison.a, comparison.b, app::counted(live.found().list),
                                live.found().lines)
                      + u'.');
@@ -235,7 +242,7 @@ void DifferencePanel::showRow(int row)
     if (!line)
         return;
     session_.inspect(*line);
-    emit placeWanted(app::placeOf(wanted(), session_.scene.segments()[*line], session_.window()));
+    emit placeWanted(app::placeOf(wanted(), session_.scene.lines()[*line], session_.window()));
 }
 
 void DifferencePanel::choose(int row)
@@ -250,6 +257,8 @@ void DifferencePanel::go(int rows)
 {
     session_.differences.ask(wanted());
     session_.differences.finish();
+    if (soon_.isActive())
+        follow();
     const int count = model_.rowCount();
     if (count == 0)
         return;
@@ -270,6 +279,7 @@ void DifferencePanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     ask();
+    follow();
 }
 
 void DifferencePanel::hideEvent(QHideEvent* event)

@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QSpinBox>
+#include <QTimer>
 
 namespace ui {
 
@@ -59,6 +60,7 @@ private:
     QLabel *tick_, *summary_, *explanation_;
     DenseTable* table_;
     std::optional<app::Comparison> fittedTo_; ///< whose texts the columns have room for
+    QTimer soon_;                             ///< follow(), after the next frame
     bool following_ = false;
 };
 

@@ -48,7 +48,10 @@ ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     pages_->addWidget(listPage());
     pages_->addWidget(magnifierPage());
     column->addWidget(pages_, 1);
-    connect(&session.truth, &app::LiveTruth::changed, this, &ExactnessPanel::follow);
+    soon_.setSingleShot(true);
+    soon_.setInterval(0);
+    connect(&soon_, &QTimer::timeout, this, &ExactnessPanel::follow);
+    connect(&session.truth, &app::LiveTruth::changed, &soon_, qOverload<>(&QTimer::start));
     connect(&session.truth, &app::LiveTruth::progressed, this, &ExactnessPanel::paintSummary);
     connect(&session, &app::Session::displayChanged, this, [this] {
         if (isVisible())
@@ -165,9 +168,12 @@ void ExactnessPanel::ask()
         session_.truth.ask(wanted());
 }
 
+// A timer waits for all that is posted, also for the frame that is due: that comes first.
 void ExactnessPanel::follow()
 {
     const QScopedValueRollback quietly(following_, true);
+    soon_.stop();
+    model_.follow();
     histogram_->show(session_.truth.counts());
     paintSummary();
     const auto line = session_.inspected();
@@ -175,7 +181,7 @@ void ExactnessPanel::follow()
     if (row >= 0)
         table_->setCurrentIndex(model_.index(row, 0));
     if (magnifies())
-        line_ < session_.scene.segments().size() ? showEnd() : leaveMagnifier();
+        line_ < session_.scene.lines().size() ? showEnd() : leaveMagnifier();
 }
 
 void ExactnessPanel::paintSummary()
@@ -187,7 +193,7 @@ void ExactnessPanel::paintSummary()
     summary_->setText(
         known ? app::sentence(truth.asked()->variant, truth.counts(), truth.asked()->yardstick)
               : tr("Judging %1 lines… %2")
-                    .arg(app::countText(session_.scene.segments().size()),
+                    .arg(app::countText(session_.scene.lines().size()),
                          app::percentText(truth.progress())));
     const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
     summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
@@ -201,7 +207,7 @@ void ExactnessPanel::showRow(int row)
     const std::size_t line = truth->source;
     session_.inspect(line);
     emit placeWanted(
-        app::placeOf({wanted().variant}, session_.scene.segments()[line], session_.window()));
+        app::placeOf({wanted().variant}, session_.scene.lines()[line], session_.window()));
 }
 
 void ExactnessPanel::magnifyRow(int row)
@@ -224,8 +230,8 @@ void ExactnessPanel::magnify(std::size_t line, int end)
 void ExactnessPanel::showEnd()
 {
     const app::Variant variant = wanted().variant;
-    const auto seen = app::magnified(variant, session_.scene.segments()[line_], session_.window(),
-                                     end_->chosen());
+    const auto seen =
+        app::magnified(variant, session_.scene.lines()[line_], session_.window(), end_->chosen());
     magnifier_->setVisible(seen.has_value());
     if (!seen)
         return magnified_->setText(
@@ -252,6 +258,7 @@ void ExactnessPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     ask();
+    follow();
 }
 
 void ExactnessPanel::hideEvent(QHideEvent* event)

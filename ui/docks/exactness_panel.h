@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QStackedWidget>
+#include <QTimer>
 
 namespace ui {
 
@@ -63,6 +64,7 @@ private:
     DenseTable* table_;
     Magnifier* magnifier_;
     QStackedWidget* pages_;
+    QTimer soon_;          ///< follow(), after the next frame
     std::size_t line_ = 0; ///< under the magnifier
     bool following_ = false;
 };

@@ -21,7 +21,6 @@ int sideOf(int column)
 TruthModel::TruthModel(const app::Session& session, QObject* parent)
     : QAbstractTableModel(parent), session_(session), column_(app::errorColumn)
 {
-    connect(&session.truth, &app::LiveTruth::changed, this, &TruthModel::follow);
     follow();
 }
 
@@ -75,7 +74,7 @@ const app::LineTruth* TruthModel::truthOf(int row) const
     if (row < 0 || row >= int(rows_.size()) || rows_[std::size_t(row)] >= list.size())
         return nullptr;
     const app::LineTruth& truth = list[rows_[std::size_t(row)]];
-    return truth.source < session_.scene.segments().size() ? &truth : nullptr;
+    return truth.source < session_.scene.lines().size() ? &truth : nullptr;
 }
 
 int TruthModel::rowOf(std::size_t line) const

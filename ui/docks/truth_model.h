@@ -8,7 +8,7 @@
 namespace ui {
 
 /// The lines that were judged, sorted; the worst come first. Only rows that are shown are put into
-/// words.
+/// words; when, its panel says.
 class TruthModel final : public QAbstractTableModel {
     Q_OBJECT
 
@@ -20,14 +20,13 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
+    void follow(); ///< shows what is found now
 
     /// What was found of a row's line; null if it is gone.
     const app::LineTruth* truthOf(int row) const;
     int rowOf(std::size_t line) const; ///< -1: it is not in the list
 
 private:
-    void follow();
-
     const app::Session& session_;
     std::vector<std::uint32_t> rows_; ///< indices into the list that was found
     int column_;

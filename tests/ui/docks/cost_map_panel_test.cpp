@@ -180,7 +180,7 @@ private slots:
         CostMapPanel& panel = test.window->costMapPanel();
         QTRY_VERIFY(panel.live().asked());
         test.window->files().open(test.twoLines());
-        QTRY_COMPARE(panel.live().asked()->window, test.window->session().sheet().window);
+        QTRY_COMPARE(panel.live().asked()->window, test.window->session().window());
     }
 };
 
