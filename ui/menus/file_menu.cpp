@@ -71,7 +71,7 @@ MenuInfo fileMenu()
                  Reach::Window,
                  "export",
                  [](MainWindow& w) { w.files().exportCut(); },
-                 [](const MainWindow& w) { return !w.session().scene.segments().empty(); }},
+                 [](const MainWindow& w) { return w.session().scene.lines().size() > 0; }},
                 {},
                 {"close",
                  tr("&Close"),
