@@ -98,23 +98,6 @@ private:
     const Style* style_ = nullptr;
 };
 
-class ShapeStyles {
-public:
-    ShapeStyles(const Sheet& sheet, const Scene& scene) : sheet_(sheet), scene_(scene) {}
-    std::size_t lines() const { return scene_.segments().size(); }
-    const Style& of(std::size_t line)
-    {
-        if (line < scene_.firstSegmentOf(shape_) || line >= scene_.firstSegmentOf(shape_ + 1))
-            shape_ = scene_.shapeOf(line);
-        return sheet_.shapes[shape_].style;
-    }
-
-private:
-    const Sheet& sheet_;
-    const Scene& scene_;
-    std::size_t shape_ = 0; // mostly that of the line before
-};
-
 /// How thick marks are, in pixels.
 struct Thickness {
     double least, more;
@@ -126,8 +109,7 @@ struct Thickness {
 };
 
 /// In one colour, each as thick as its line wants.
-template <class Styles>
-void addMarks(Plating& plating, Styles& styles, const Thickness& thickness, double zoom,
+void addMarks(Plating& plating, LineStyles& styles, const Thickness& thickness, double zoom,
               std::span<const Clipped> seen, Style mark)
 {
     std::vector<Segment> alike; // as thick as each other
@@ -162,8 +144,7 @@ void append(Plate& to, Plate plate)
     to.points.insert(to.points.end(), plate.points.begin(), plate.points.end());
 }
 
-template <class Styles>
-Plate gradedMarks(Styles& styles, const PictureOptions& options)
+Plate gradedMarks(LineStyles& styles, const PictureOptions& options)
 {
     PictureOptions asTheyAre = options; // their colours are for the page
     asTheyAre.page.reset();
@@ -177,36 +158,26 @@ Plate gradedMarks(Styles& styles, const PictureOptions& options)
     return plating.take();
 }
 
-template <class Styles>
-Plate marks(Styles styles, const PictureOptions& options)
+} // namespace
+
+Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
+                      const PictureOptions& options)
 {
-    const std::vector<Clipped> seen = seenOf(styles.lines(), options, options.differing);
+    LineStyles lineStyles(styles, lines);
+    const std::vector<Clipped> seen = seenOf(lines.size(), options, options.differing);
     Plating plating(options, 2 * seen.size());
     Style mark;
     mark.stroke = options.marked;
-    addMarks(plating, styles, {leastWidth, thicker}, options.view.zoom, seen, mark);
+    addMarks(plating, lineStyles, {leastWidth, thicker}, options.view.zoom, seen, mark);
     if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
         mark.width = leastWidth / options.view.zoom;
         plating.add(mark, ticks, 0, untouched(ticks));
     }
     if (options.graded.empty())
         return plating.take();
-    Plate plate = gradedMarks(styles, options);
+    Plate plate = gradedMarks(lineStyles, options);
     append(plate, plating.take());
     return plate;
-}
-
-} // namespace
-
-Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options)
-{
-    return marks(ShapeStyles(sheet, scene), options);
-}
-
-Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
-                      const PictureOptions& options)
-{
-    return marks(LineStyles(styles, lines), options);
 }
 
 } // namespace app

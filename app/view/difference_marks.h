@@ -5,9 +5,8 @@
 
 namespace app {
 
-/// What `options.graded`, and over it `options.differing`, look like: always thicker than the lines that it lies upon, with ticks
-/// where they help.
-Plate differenceMarks(const Sheet& sheet, const Scene& scene, const PictureOptions& options);
+/// What `options.graded`, and over it `options.differing`, look like: always thicker than the lines
+/// that it lies upon, with ticks where they help.
 Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
                       const PictureOptions& options);
 

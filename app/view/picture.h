@@ -72,7 +72,6 @@ struct Ghosting {
 /// What a frame is made for.
 struct PictureOptions {
     View view;
-    Keep keep = Keep::Inside;
     RemovedPart removed = RemovedPart::Ghosted;
     std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
@@ -80,7 +79,7 @@ struct PictureOptions {
     /// For projectors: ghosts are opaque inks that can be told from this page (ink.h, ghostInk)
     /// instead of a layer that is painted with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
-    ObjectRanges selection{}; ///< shapes to draw once more, over all, in `light`
+    ObjectRanges selection{}; ///< objects to draw once more, over all, in `light`
     Colour light{};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
     Colour marked{};
@@ -96,14 +95,10 @@ struct PictureOptions {
     std::vector<Graded> graded{};
 };
 
-/// The frame as the canvases paint it. Everything is clipped to the view, so that deep zoom never
-/// hands them huge numbers; dashes are cut up; shapes of which all is kept are filled, cut ones are
-/// outlines. Strokes move by less than a quarter of a pixel where many points fall into one.
-Picture picture(const Sheet& sheet, const Scene& scene, const Frame& frame,
-                const PictureOptions& options);
-
-/// The same of a frame that a scene of blocks was clipped to. `lines` are those of the frame,
-/// `styles` those of their document. Which side is kept, the frame says.
+/// A frame as the canvases paint it. `lines` are those that it was made of, `styles` those of their
+/// document. Everything is clipped to the view, so that deep zoom never hands them huge numbers;
+/// dashes are cut up; objects of which all is kept are filled, cut ones are outlines. Strokes move
+/// by less than a quarter of a pixel where many points fall into one.
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options);
 

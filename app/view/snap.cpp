@@ -30,7 +30,7 @@ std::optional<Snap> snapToWindow(const Point& p, double radius, const clipping::
 
 std::optional<Snap> snap(const Point& pointer, double radius,
                          std::span<const clipping::Segment> segments,
-                         const clipping::Window& window, SnapTo to)
+                         const std::optional<clipping::Window>& window, SnapTo to)
 {
     std::optional<Snap> best;
     double least = radius;
@@ -46,8 +46,8 @@ std::optional<Snap> snap(const Point& pointer, double radius,
         offer(s.a, SnapTo::Ends);
         offer(s.b, SnapTo::Ends);
     }
-    if (!best && (to & SnapTo::WindowEdges))
-        return snapToWindow(pointer, radius, window);
+    if (!best && window && (to & SnapTo::WindowEdges))
+        return snapToWindow(pointer, radius, *window);
     return best;
 }
 

@@ -19,9 +19,9 @@ struct Snap {
 };
 
 /// The nearest end or middle of `segments` within `radius` of the pointer, and failing that the
-/// window's nearest edge (its corner, if two are near).
+/// window's nearest edge (its corner, if two are near); there may be no window.
 std::optional<Snap> snap(const Point& pointer, double radius,
                          std::span<const clipping::Segment> segments,
-                         const clipping::Window& window, SnapTo to);
+                         const std::optional<clipping::Window>& window, SnapTo to);
 
 } // namespace app

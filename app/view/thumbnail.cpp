@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/thumbnail.h"
 
+#include "app/document/compared_window.h"
+#include "app/document/document_lines.h"
 #include "app/document/legacy.h"
+#include "app/document/scene_clipping.h"
+#include "app/view/picture.h"
 #include "app/view/raster.h"
 
 #include <QPainter>
@@ -20,46 +24,48 @@ Colour plain(const QColor& colour)
 }
 
 /// The page fills the picture, around the clip window; but the window is seen whole.
-void cover(View& view, const Sheet& sheet)
+void cover(View& view, const Page& page, const clipping::Window& window)
 {
-    const Point page = sheet.page.size, window = sheet.window.max - sheet.window.min;
-    const double filling = std::max(view.size.x / page.x, view.size.y / page.y);
-    view.fit(sheet.window, margin + outline);
-    if (!(view.zoom < filling) || window == Point(0, 0))
+    const double filling = std::max(view.size.x / page.size.x, view.size.y / page.size.y);
+    view.fit(window, margin + outline);
+    if (!(view.zoom < filling) || window.max == window.min)
         view.zoom = filling;
-    const Point half = view.size / view.zoom * 0.5, middle = sheet.page.min + page * 0.5;
+    const Point half = view.size / view.zoom * 0.5, middle = page.min + page.size * 0.5;
     for (glm::length_t axis = 0; axis < 2; ++axis) {
-        const double low = sheet.page.min[axis] + half[axis];
-        const double high = sheet.page.min[axis] + page[axis] - half[axis];
+        const double low = page.min[axis] + half[axis];
+        const double high = page.min[axis] + page.size[axis] - half[axis];
         view.centre[axis] = low > high ? middle[axis] : std::clamp(view.centre[axis], low, high);
     }
 }
 
 } // namespace
 
-QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
+QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours)
 {
-    const EditedDocument document(documentOf(sheet));
-    Scene scene(document);
+    const auto [window, isPage] = comparedWindow(document.windows(), document.page());
     View view;
     view.size = {points.width(), points.height()};
-    cover(view, sheet);
-    const auto frame =
-        scene.clip(clipping::algorithms().front().corrected, sheet.window, Scene::Removed::Kept);
+    cover(view, document.page(), window);
+    const SceneLines lines = linesOf(document);
+    SceneClipping clips;
+    const SceneFrame frame = clips.clip(lines, regionOf(document.windows()),
+                                        clipping::exactAlgorithm().corrected.clipAll);
     PictureOptions options{.view = view, .page = plain(colours.page)};
     options.leastWidth = 0.5;
     const QSize pixels = points * pixelRatio;
-    const QImage lines = rasterised(picture(sheet, scene, frame, options), {0, pixels.height()},
-                                    {pixels.width(), pixelRatio, colours.ghost});
+    const QImage art =
+        rasterised(picture(document.styles(), lines, frame, options), {0, pixels.height()},
+                   {pixels.width(), pixelRatio, colours.ghost});
     QImage image(pixels, QImage::Format_RGB32);
     image.fill(colours.page);
     QPainter painter(&image);
-    painter.drawImage(QRect({}, pixels), lines);
+    painter.drawImage(QRect({}, pixels), art);
     painter.scale(pixelRatio, pixelRatio);
     painter.setPen(QPen(colours.accent, outline));
-    const Point a = view.toScreen(sheet.window.min), b = view.toScreen(sheet.window.max);
-    painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
+    const Point a = view.toScreen(window.min), b = view.toScreen(window.max);
+    if (!isPage)
+        painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
     painter.end();
     image.setDevicePixelRatio(pixelRatio);
     return image;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/session.h"
+#include "app/document/document.h"
 
 #include <QColor>
 #include <QImage>
@@ -11,12 +11,12 @@ namespace app {
 /// The colours of a small picture of a drawing.
 struct ThumbnailColours {
     QColor page, accent;
-    double ghost; ///< opacity of what the window removes
+    double ghost; ///< opacity of what the windows remove
 };
 
-/// A drawing with its clip window, really clipped by the library; `points` in size, each as many
+/// A document with its clip windows, really clipped by the library; `points` in size, each as many
 /// pixels wide as the ratio says. Takes no screen: may be made on any thread.
-QImage thumbnail(const Sheet& sheet, const QSize& points, double pixelRatio,
+QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours);
 
 } // namespace app

@@ -28,17 +28,10 @@ public:
 
     void frames()
     {
-        using Removed = app::Scene::Removed;
-        document_->clip(Removed::Left);
+        document_->clip();
         printBytes("document and scene, clipped");
-        document_->clip(Removed::Kept);
-        printBytes("document and scene, with ghosts");
-        const auto clip = [&](Removed removed) {
-            return Figures::of(rounds, [&](int) { document_->clip(removed); });
-        };
-        table_.print("clip", clip(Removed::Left));
-        table_.print("clip with ghosts", clip(Removed::Kept));
-        const app::Frame frame = document_->clip(Removed::Kept);
+        table_.print("clip", Figures::of(rounds, [&](int) { document_->clip(); }));
+        const app::SceneFrame frame = document_->clip();
         app::Picture picture;
         table_.print("make a picture with ghosts", Figures::of(5, [&](int) {
                          picture = {};

@@ -3,7 +3,7 @@
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
 #include "app/comparison/live_race.h"
-#include "app/document/legacy.h"
+#include "app/document/document_builder.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -18,28 +18,27 @@
 
 namespace {
 
-app::Sheet shortLines(int count)
+app::Document shortLines(int count)
 {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17), angle(0, 2 * M_PI);
-    app::Sheet sheet;
-    sheet.page = {{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
-    sheet.window = {{320, 200}, {960, 600}};
+    app::DocumentBuilder builder;
+    builder.open({.name = "Lines"});
+    const app::StyleIndex style = builder.style({.stroke = app::Colour{}});
     for (int i = 0; i < count; ++i) {
         const app::Point a(x(random), y(random));
         const double l = length(random), t = angle(random);
-        app::Shape shape;
-        shape.style.stroke = app::Colour{};
-        shape.paths.push_back({a, {{a + l * app::Point(std::cos(t), std::sin(t))}}, false});
-        sheet.shapes.push_back(std::move(shape));
+        builder.addLine({a, a + l * app::Point(std::cos(t), std::sin(t))}, style);
     }
-    return sheet;
+    builder.close();
+    return builder.take({{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}}, {},
+                        {{{.shape = app::RectangleShape{{{320, 200}, {960, 600}}}}}});
 }
 
 app::Imported drawingOf(const QString& argument)
 {
     if (const int lines = argument.toInt(); lines > 0)
-        return {app::documentOf(shortLines(lines)), {}};
+        return {shortLines(lines), {}};
     auto read = app::readFile(argument);
     if (!read)
         qFatal("%s", qPrintable(read.error));
@@ -98,7 +97,7 @@ void hover(QWidget& surface, const QPointF& at)
 // The frames of a window that is dragged; each is over when `finish` says so.
 Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<void()>& finish)
 {
-    const clipping::Window start = session.sheet().window;
+    const clipping::Window start = session.window();
     Figures figures;
     for (int i = 0; i < 30; ++i) {
         const app::Point by(i, 0);
@@ -169,7 +168,7 @@ int main(int argc, char** argv)
     canvas.resize(1280 + 20, 800 + 20);
     canvas.show();
     QCoreApplication::processEvents();
-    out << session.scene.segments().size() << " lines, " << canvas.backendReason()
+    out << session.scene.lines().size() << " lines, " << canvas.backendReason()
         << "\nfirst frame after " << milliseconds(clock) << " ms";
     canvas.settle();
     out << ", in full quality after " << milliseconds(clock) << " ms\n";

@@ -7,6 +7,7 @@
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_style.h"
 #include "app/document/bounds.h"
+#include "app/document/document_builder.h"
 #include "app/view/picking.h"
 #include "app/view/picture.h"
 
@@ -14,8 +15,6 @@
 #include <cmath>
 #include <memory>
 #include <random>
-
-#include "tests/app/document/sheet_edits.h"
 
 /// What document.cpp draws: lines that touch nothing, or pen lines of 100 segments.
 enum class Drawn : std::uint8_t { Loose, Polylines };
@@ -27,24 +26,24 @@ public:
     using Selection = app::ObjectRanges;
 
     /// Objects are appended one by one, as readers of files do.
-    MeasuredDocument(Drawn drawn, std::size_t segments) : document_(app::documentOf(sheetOf(drawn, segments))) {}
+    MeasuredDocument(Drawn drawn, std::size_t segments) : document_(documentOf(drawn, segments)) {}
 
     void makeScene() { scene_ = std::make_unique<app::Scene>(document_); }
     void makePicking() { picking_ = std::make_unique<app::Picking>(document_, *scene_); }
     std::size_t segments() const { return scene_->lines().size(); }
     std::size_t objects() const { return document_.now().objects().size(); }
 
-    app::Frame clip(app::Scene::Removed removed)
+    app::SceneFrame clip()
     {
-        const auto& exact = clipping::findAlgorithm("exact")->corrected;
-        return scene_->clip(exact, ::sheetOf(document_).window, removed);
+        return scene_->clip(regionOf(document_.now().windows()), {&clipping::exactAlgorithm()});
     }
-    app::Picture picture(const app::Frame& frame) const
+    app::Picture picture(const app::SceneFrame& frame) const
     {
         app::PictureOptions options;
         options.view.size = {1280, 800};
-        options.view.fit(::sheetOf(document_).page.rectangle());
-        return app::picture(::sheetOf(document_), *scene_, frame, options);
+        const app::Document& now = document_.now();
+        options.view.fit(now.page().rectangle());
+        return app::picture(now.styles(), scene_->lines(), frame, options);
     }
     void hover(const app::Point& at) const { picking_->nearest(at, 5); }
 
@@ -87,27 +86,27 @@ public:
     auto snapshot() const { return std::make_unique<app::Document>(document_.snapshot()); }
 
 private:
-    static app::Sheet sheetOf(Drawn drawn, std::size_t segments)
+    static app::Document documentOf(Drawn drawn, std::size_t segments)
     {
         std::mt19937_64 random(1);
         std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17);
         std::uniform_real_distribution<double> angle(0, 2 * M_PI);
-        app::Sheet sheet;
-        sheet.page = {{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
-        sheet.window = {{320, 200}, {960, 600}};
+        const app::Page page{{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
+        const app::Style style{.stroke = app::Colour{}};
         const std::size_t each = drawn == Drawn::Loose ? 1 : 100;
+        app::DocumentBuilder builder;
+        builder.open({.name = "Lines"});
         for (std::size_t done = 0; done < segments; done += each) {
-            app::Shape shape;
-            shape.style.stroke = app::Colour{};
-            auto& [start, run, closed] = shape.paths.emplace_back();
-            app::Point at = start = {x(random), y(random)};
+            app::Subpath path{{x(random), y(random)}, {}, false};
+            app::Point at = path.start;
             for (std::size_t i = 0; i < each; ++i) {
                 const double l = length(random), t = angle(random);
-                run.push_back({at += l * app::Point(std::cos(t), std::sin(t))});
+                path.segments.push_back({at += l * app::Point(std::cos(t), std::sin(t))});
             }
-            sheet.shapes.push_back(std::move(shape));
+            builder.add({app::Path(std::span(&path, 1)), style});
         }
-        return sheet;
+        builder.close();
+        return builder.take(page, {}, {{{.shape = app::RectangleShape{{{320, 200}, {960, 600}}}}}});
     }
     void push(app::UndoCommand* step) { history_.push(step); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures what it takes to open a file, until its picture is on a canvas of 1280 x 800:
 // opening FILE
+#include "app/document/usual_algorithm.h"
 #include "app/view/raster.h"
 #include "ui/canvas/canvas.h"
 
@@ -19,17 +20,17 @@ app::Imported drawingIn(const QString& path)
     return std::move(*read.value);
 }
 
-app::Frame clip(app::Session& session)
+app::SceneFrame clip(app::Session& session)
 {
-    return session.scene.clip(session.uses(), session.sheet().window, app::Scene::Removed::Kept);
+    return session.scene.clip(session.region(), {&app::usualAlgorithm()});
 }
 
-app::Picture picture(app::Session& session, const app::Frame& frame)
+app::Picture picture(app::Session& session, const app::SceneFrame& frame)
 {
     app::PictureOptions options;
     options.view.size = {1280, 800};
-    options.view.fit(session.sheet().page.rectangle());
-    return app::picture(session.sheet(), session.scene, frame, options);
+    options.view.fit(session.now().page().rectangle());
+    return app::picture(session.now().styles(), session.scene.lines(), frame, options);
 }
 
 // A stage of opening: what it takes, and the most memory until its end.
@@ -50,9 +51,9 @@ void printParts(FigureTable& table, app::Session& session)
     const auto five = [&](const char* what, auto work) {
         table.print(what, Figures::of(5, [&](int) { work(); }));
     };
-    five("clip with ghosts", [&] { clip(session); });
-    const app::Frame frame = clip(session);
-    five("make a picture", [&] { picture(session, frame); });
+    five("clip", [&] { clip(session); });
+    const app::SceneFrame frame = clip(session);
+    five("make a picture with ghosts", [&] { picture(session, frame); });
     const app::Picture made = picture(session, frame);
     five("paint it, 1 thread", [&] {
         app::rasterised(made, {0, 800}, {.width = 1280, .ghost = 0.25});
@@ -81,6 +82,6 @@ int main(int argc, char** argv)
     });
     sum += stage(table, "show in full quality", [&] { canvas.settle(); });
     table.print("all of that", sum, "ms");
-    table.print("lines", double(session.scene.segments().size()), "lines");
+    table.print("lines", double(session.scene.lines().size()), "lines");
     printParts(table, session);
 }

@@ -117,7 +117,7 @@ void Canvas::layOut()
     const int edge = alone ? rulerWidth : 0;
     const QRect area = rect().adjusted(edge, edge, 0, 0);
     const auto count = std::exchange(parts.shown, {}).size();
-    const double breadth = breadthOf(parts.controller.session().sheet().page);
+    const double breadth = breadthOf(parts.controller.session().now().page());
     parts.shown = parts.panes.shown(
         std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()), breadth)));
     if (count != 0 && count != parts.shown.size()) {

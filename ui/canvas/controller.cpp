@@ -2,7 +2,7 @@
 #include "ui/canvas/controller.h"
 
 #include "app/commands/set_window.h"
-#include "app/view/visible_lines.h"
+#include "app/document/bounds.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/tools/shape_drawing.h"
 
@@ -135,21 +135,6 @@ QColor Controller::pageColour() const
 
 double Controller::ghostOpacity() const { return session_.display().presenting ? 1 : look_.ghost; }
 
-app::Frame Controller::clip(const Pane& pane) const
-{
-    const app::Display& display = session_.display();
-    const bool both =
-        session_.now().windows().keep == app::Keep::Outside || display.removed != app::RemovedPart::Hidden;
-    return session_.scene.clip(*clipping::usesOf(*pane.choice.algorithm, pane.choice.form),
-                               window(),
-                               both ? app::Scene::Removed::Kept : app::Scene::Removed::Left);
-}
-
-std::size_t Controller::visibleLines(const app::Frame& frame) const
-{
-    return app::visibleLines(frame, session_.now().windows().keep);
-}
-
 const app::Differences* Controller::differing(const Pane& pane) const
 {
     return pane.fromExact ? pane.fromExact->at(window()) : nullptr;
@@ -170,12 +155,12 @@ void Controller::addErrors(app::PictureOptions& options) const
         options.differing = pieces.back();
 }
 
-app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const
+app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
+                                 double pixelRatio) const
 {
     const app::Display& display = session_.display();
     app::PictureOptions options;
     options.view = view();
-    options.keep = session_.now().windows().keep;
     options.removed = display.removed;
     if (look_.dark && !display.asPrinted)
         options.page = colourOf(look_.paper);
@@ -195,17 +180,15 @@ app::Picture Controller::picture(const app::Frame& frame, const Pane& pane, doub
     options.marked = colourOf(look_.differs);
     if (look_.dark) // magenta is near the selection's blue there
         options.ticks = app::PictureOptions::Ticks::Everywhere;
-    return app::picture(session_.sheet(), session_.scene, frame, options);
+    return app::picture(session_.now().styles(), session_.scene.lines(), frame, options);
 }
 
 // The page and what is drawn beside it.
 void Controller::fitDrawing()
 {
-    clipping::Window all = session_.sheet().page.rectangle();
-    for (const auto& s : session_.scene.segments()) {
-        all.min = glm::min(all.min, glm::min(s.a, s.b));
-        all.max = glm::max(all.max, glm::max(s.a, s.b));
-    }
+    clipping::Window all = session_.now().page().rectangle();
+    if (const auto lines = app::boundsOf(session_.scene.lines()))
+        all = {glm::min(all.min, lines->min), glm::max(all.max, lines->max)};
     navigation_.show(all);
 }
 
@@ -222,7 +205,7 @@ static double pixelsPerUnit(const app::Page& page)
     return page.millimetresPerUnit() / app::infoOf(app::Unit::Px).millimetres;
 }
 
-double Controller::zoom() const { return view().zoom / pixelsPerUnit(session_.sheet().page); }
+double Controller::zoom() const { return view().zoom / pixelsPerUnit(session_.now().page()); }
 
 void Controller::setZoom(double zoom)
 {
@@ -273,9 +256,9 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
     if (to != app::SnapTo::Nothing && !(modifiers & Qt::ControlModifier)) {
         std::vector<clipping::Segment> near;
         const double radius = bench_.inDrawing(snapReach);
-        for (const std::size_t segment : picking_.near(raw, radius))
-            near.push_back(session_.scene.segments()[segment]);
-        snap_ = app::snap(raw, radius, near, session_.window(), to);
+        for (const std::size_t line : picking_.near(raw, radius))
+            near.push_back(session_.scene.lines()[line]);
+        snap_ = app::snap(raw, radius, near, firstWindow(session_.now().windows()), to);
     }
     return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
 }

@@ -19,7 +19,7 @@ namespace ui {
 struct FrameKey {
     std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
     app::View view;
-    clipping::Window window{};
+    app::ClipRegion region{};
     std::optional<app::Variant> choice{}; ///< nothing only in the key of no frame
     std::uint64_t found = 0;              ///< of what differs
     friend bool operator==(const FrameKey&, const FrameKey&) = default;
@@ -91,13 +91,14 @@ public:
     double ghostOpacity() const; ///< of the layer of ghosts
     FrameKey key(const Pane& pane) const
     {
-        return {revision_, view(), window(), pane.choice, pane.revision};
+        return {revision_, view(), session_.region(), pane.choice, pane.revision};
     }
-    /// All segments, timed. Panes take turns: the frame is valid until the next one is clipped.
-    app::Frame clip(const Pane& pane) const;
-    /// How many lines leave something to be kept, inside or outside.
-    std::size_t visibleLines(const app::Frame& frame) const;
-    app::Picture picture(const app::Frame& frame, const Pane& pane, double pixelRatio) const;
+    /// All lines, timed. Panes take turns: the frame is valid until the next one is clipped.
+    app::SceneFrame clip(const Pane& pane) const
+    {
+        return session_.scene.clip(session_.region(), pane.choice);
+    }
+    app::Picture picture(const app::SceneFrame& frame, const Pane& pane, double pixelRatio) const;
     /// What a pane leaves that is not what exact leaves; null: not known, or not asked for.
     const app::Differences* differing(const Pane& pane) const;
 

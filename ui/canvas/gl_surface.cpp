@@ -45,7 +45,7 @@ protected:
     {
         QElapsedTimer clock;
         clock.start();
-        const app::Frame frame = controller_.clip(pane_);
+        const app::SceneFrame frame = controller_.clip(pane_);
         if (const FrameKey key = controller_.key(pane_);
             key != key_ || ratio_ != devicePixelRatioF()) {
             picture_ = controller_.picture(frame, pane_, devicePixelRatioF());
@@ -66,7 +66,7 @@ protected:
         painter.end();
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.nanoseconds,
-                 controller_.visibleLines(frame), frame.total, pane_.choice});
+                 frame.visible, frame.total, pane_.choice});
     }
 
 private:

@@ -18,15 +18,15 @@ const std::vector<QRectF>& Letters::in(const app::View& view)
         return boxes_;
     view_ = view;
     boxes_.clear();
-    const auto segments = scene_.segments();
-    if (segments.size() > mostLines)
+    if (scene_.lines().size() > mostLines)
         return boxes_;
     std::vector<QLineF> lines;
-    lines.reserve(segments.size());
-    for (const clipping::Segment& segment : segments) {
-        const app::Point a = view.toScreen(segment.a), b = view.toScreen(segment.b);
-        lines.emplace_back(a.x, a.y, b.x, b.y);
-    }
+    lines.reserve(scene_.lines().size());
+    for (const app::SceneLines::Run& run : scene_.lines().runs())
+        for (const clipping::Segment& segment : run.segments) {
+            const app::Point a = view.toScreen(segment.a), b = view.toScreen(segment.b);
+            lines.emplace_back(a.x, a.y, b.x, b.y);
+        }
     boxes_ = app::boxesOfShortLines(lines, QRectF(0, 0, view.size.x, view.size.y));
     return boxes_;
 }

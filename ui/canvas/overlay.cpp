@@ -40,9 +40,9 @@ void drawLine(QPainter& painter, const Controller& controller, const Segment& se
 void paintLit(QPainter& painter, const Controller& controller)
 {
     const auto lit = controller.tool().litSegment();
-    const auto segments = controller.session().scene.segments();
-    if (lit && *lit < segments.size())
-        drawLine(painter, controller, segments[*lit],
+    const app::SceneLines& lines = controller.session().scene.lines();
+    if (lit && *lit < lines.size())
+        drawLine(painter, controller, lines[*lit],
                  QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
 }
 
@@ -68,7 +68,7 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     const app::Session& session = controller.session();
     if (!session.inspected())
         return;
-    const Segment whole = session.scene.segments()[*session.inspected()];
+    const Segment whole = session.scene.lines()[*session.inspected()];
     clipping::Clipped piece[1];
     const Segment one[1]{whole};
     const bool visible =
@@ -115,7 +115,7 @@ void paintSnap(QPainter& painter, const Controller& controller)
 void paintPaper(QPainter& painter, const Controller& controller)
 {
     const app::View& view = controller.view();
-    const auto page = controller.session().sheet().page.rectangle();
+    const auto page = controller.session().now().page().rectangle();
     const app::Point least(-2), most = view.size + 2.0;
     const app::Point min = glm::clamp(view.toScreen(page.min), least, most);
     const app::Point max = glm::clamp(view.toScreen(page.max), least, most);

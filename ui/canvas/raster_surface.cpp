@@ -84,7 +84,7 @@ protected:
     {
         QElapsedTimer clock;
         clock.start();
-        const app::Frame frame = controller_.clip(pane_);
+        const app::SceneFrame frame = controller_.clip(pane_);
         const FrameKey key = controller_.key(pane_);
         if (art_.key != key || art_.image.size() != deviceSize())
             renew(frame, key);
@@ -95,7 +95,7 @@ protected:
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         const double waitMs = art_.key == key ? 0 : lastMs_; // painted by others meanwhile
         report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
-                 controller_.visibleLines(frame), frame.total, pane_.choice, art_.key != key});
+                 frame.visible, frame.total, pane_.choice, art_.key != key});
     }
 
 private:
@@ -103,7 +103,7 @@ private:
     static QThreadPool& pool() { return *QThreadPool::globalInstance(); }
     QSize deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
 
-    void renew(const app::Frame& frame, const FrameKey& key)
+    void renew(const app::SceneFrame& frame, const FrameKey& key)
     {
         const bool known = measuredLines_ == frame.total && lastMs_ > 0;
         const double expected = known ? lastMs_ : double(frame.total) * expectedMsPerLine;

@@ -76,7 +76,7 @@ void Ruler::paintEvent(QPaintEvent*)
 
 void Ruler::paintTicks(QPainter& painter, double length)
 {
-    const app::Page& page = controller_.session().sheet().page;
+    const app::Page& page = controller_.session().now().page();
     const app::View& view = controller_.view();
     const int axis = across() ? 0 : 1;
     const app::Unit unit = controller_.session().display().unit;

@@ -12,10 +12,10 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
 {
     if (const auto& drawn = controller.session().preview().line)
         return drawn;
-    const auto segments = controller.session().scene.segments();
+    const app::SceneLines& lines = controller.session().scene.lines();
     for (const auto& index : {controller.session().inspected(), controller.tool().litSegment()})
-        if (index && *index < segments.size())
-            return segments[*index];
+        if (index && *index < lines.size())
+            return lines[*index];
     return std::nullopt;
 }
 

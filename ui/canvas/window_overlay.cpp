@@ -39,7 +39,7 @@ void paintHandles(QPainter& painter, const Controller& controller, const Look& l
 
 QString labelText(const Controller& controller)
 {
-    const app::Page& page = controller.session().sheet().page;
+    const app::Page& page = controller.session().now().page();
     const app::Unit unit = controller.session().display().unit;
     const clipping::Window window = controller.window();
     if (controller.session().preview().drag != app::Preview::Drag::Moving)

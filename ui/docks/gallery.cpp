@@ -24,8 +24,7 @@ QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
                  const app::ThumbnailColours& colours)
 {
     const auto imported = app::readFile(sample.file);
-    return imported ? app::thumbnail(sheetOf(imported.value->document), points, ratio, colours)
-                    : QImage();
+    return imported ? app::thumbnail(imported.value->document, points, ratio, colours) : QImage();
 }
 
 constexpr int behindTheCanvas = -1; // in the queue for a thread; the usual is 0

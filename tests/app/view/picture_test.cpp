@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "app/document/document_lines.h"
+#include "app/document/scene_clipping.h"
 #include "app/view/ink.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
@@ -7,41 +10,51 @@
 
 #include <cmath>
 
-#include "tests/app/document/sheet_edits.h"
-
 namespace {
 
-app::Shape square(app::Point min, double side)
+app::Subpath square(app::Point min, double side)
 {
-    app::Shape shape;
-    shape.paths.push_back(
-        {min, {{{min.x + side, min.y}}, {min + side}, {{min.x, min.y + side}}}, true});
-    shape.style.stroke = app::Colour{};
-    shape.style.fill = app::Colour{200, 0, 0};
-    return shape;
+    return {min, {{{min.x + side, min.y}}, {min + side}, {{min.x, min.y + side}}}, true};
+}
+
+app::Object object(const app::Subpath& path, const app::Style& style)
+{
+    return {app::Path(std::vector{path}), style};
+}
+
+app::Object filledSquare(app::Point min, double side)
+{
+    return object(square(min, side), {.stroke = app::Colour{}, .fill = app::Colour{200, 0, 0}});
 }
 
 // One pixel to the unit, 100 x 100, the window the left half.
 struct Stage {
-    explicit Stage(std::vector<app::Shape> shapes)
+    explicit Stage(const std::vector<app::Object>& objects)
     {
-        app::Sheet sheet;
-        sheet.page = {{0, 0}, {100, 100}, {100, app::Unit::Px}, {100, app::Unit::Px}};
-        sheet.window = {{0, 0}, {50, 100}};
-        sheet.shapes = std::move(shapes);
-        ::load(session.document, std::move(sheet));
+        app::DocumentBuilder builder;
+        builder.open({.name = "layer"});
+        for (const app::Object& object : objects)
+            builder.add(object);
+        builder.close();
+        document = builder.take({{0, 0}, {100, 100}, {100, app::Unit::Px}, {100, app::Unit::Px}});
+        lines = app::linesOf(document);
         options.view.size = {100, 100};
         options.view.centre = {50, 50};
     }
     app::Picture picture()
     {
-        const auto frame =
-            session.scene.clip(session.uses(), session.sheet().window, app::Scene::Removed::Kept);
-        return app::picture(session.sheet(), session.scene, frame, options);
+        const app::ClipRegion region{{{window, app::WindowOperation::Add}}, keep};
+        const app::SceneFrame frame =
+            clips.clip(lines, region, clipping::exactAlgorithm().corrected.clipAll);
+        return app::picture(document.styles(), lines, frame, options);
     }
     QImage image() { return app::rasterised(picture(), {0, 100}, {100, 1, 0.32}); }
 
-    app::Session session;
+    app::Document document;
+    app::SceneLines lines;
+    app::SceneClipping clips;
+    clipping::Window window{{0, 0}, {50, 100}};
+    app::Keep keep = app::Keep::Inside;
     app::PictureOptions options;
 };
 
@@ -57,9 +70,10 @@ class PictureTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void onlyWholeShapesAreFilled()
+    void onlyWholeObjectsAreFilled()
     {
-        Stage stage({square({10, 10}, 20), square({40, 10}, 20), square({70, 10}, 20)});
+        Stage stage(
+            {filledSquare({10, 10}, 20), filledSquare({40, 10}, 20), filledSquare({70, 10}, 20)});
         const app::Picture picture = stage.picture();
         QCOMPARE(fillsIn(picture.kept), std::size_t(1));
         QCOMPARE(fillsIn(picture.ghost), std::size_t(1));
@@ -70,7 +84,7 @@ private slots:
     }
     void theRemovedPartIsHiddenOrShown()
     {
-        Stage stage({square({40, 10}, 20), square({70, 10}, 20)});
+        Stage stage({filledSquare({40, 10}, 20), filledSquare({70, 10}, 20)});
         stage.options.removed = app::RemovedPart::Hidden;
         QCOMPARE(stage.image().pixelColor(80, 20).alpha(), 0);
         stage.options.removed = app::RemovedPart::Shown;
@@ -79,7 +93,7 @@ private slots:
     }
     void aProjectorGetsWiderStrokesAndGhostsThatCanBeSeen()
     {
-        Stage stage({square({40, 10}, 20)});
+        Stage stage({filledSquare({40, 10}, 20)});
         const double width = stage.picture().kept.coats.front().stroke->width;
         stage.options.strokes = 2;
         stage.options.ghosting = app::Ghosting{{255, 255, 255}, 0.32};
@@ -89,27 +103,24 @@ private slots:
     }
     void theOutsideCanBeKept()
     {
-        Stage stage({square({10, 10}, 20), square({70, 10}, 20)});
-        stage.options.keep = app::Keep::Outside;
+        Stage stage({filledSquare({10, 10}, 20), filledSquare({70, 10}, 20)});
+        stage.keep = app::Keep::Outside;
         QCOMPARE(stage.image().pixelColor(80, 20), QColor(200, 0, 0));
         QVERIFY(std::abs(stage.image().pixelColor(20, 20).alpha() - 0.32 * 255) < 2);
     }
     void anAreaWithoutStrokeIsOutlinedWhenCut()
     {
-        app::Shape shape = square({40, 10}, 20);
-        shape.style.stroke.reset();
-        Stage stage({shape});
+        app::Object area = filledSquare({40, 10}, 20);
+        area.style.stroke.reset();
+        Stage stage({area});
         const app::Picture picture = stage.picture();
         QCOMPARE(picture.kept.coats.size(), std::size_t(1));
         QCOMPARE(picture.kept.coats[0].stroke->colour, (app::Colour{200, 0, 0}));
     }
     void oneStrokeIsOneChainAndCutEndsAreButt()
     {
-        app::Shape shape;
-        shape.style.stroke = app::Colour{};
-        shape.style.cap = app::Cap::Round;
-        shape.paths.push_back({{10, 10}, {{{30, 12}}, {{30, 40}}, {{80, 40}}}, false});
-        Stage stage({shape});
+        Stage stage({object({{10, 10}, {{{30, 12}}, {{30, 40}}, {{80, 40}}}, false},
+                            {.stroke = app::Colour{}, .cap = app::Cap::Round})});
         const app::Picture picture = stage.picture();
         QCOMPARE(picture.kept.chains.size(), std::size_t(1));
         QCOMPARE(picture.kept.chains[0].count, 4U);
@@ -120,8 +131,8 @@ private slots:
     }
     void deepZoomHandsOutNoHugeNumbers()
     {
-        Stage stage({square({-1e6, -1e6}, 2.1e6), square({10, 10}, 20)});
-        ::setWindow(stage.session.document, {{-2e6, -2e6}, {2e6, 2e6}});
+        Stage stage({filledSquare({-1e6, -1e6}, 2.1e6), filledSquare({10, 10}, 20)});
+        stage.window = {{-2e6, -2e6}, {2e6, 2e6}};
         stage.options.view.zoom = 1e7;
         stage.options.view.centre = {10, 10};
         const app::Picture picture = stage.picture();
@@ -134,12 +145,8 @@ private slots:
     }
     void dashesGoOnThroughTheWindow()
     {
-        app::Shape shape;
-        shape.style.stroke = app::Colour{};
-        shape.style.dashes = {10, 10};
-        shape.style.width = 2;
-        shape.paths.push_back({{5, 50}, {{{95, 50}}}, false});
-        Stage stage({shape});
+        Stage stage({object({{5, 50}, {{{95, 50}}}, false},
+                            {.stroke = app::Colour{}, .width = 2, .dashes = {10, 10}})});
         const QImage image = stage.image();
         for (int x = 6; x < 94; ++x)
             if ((x - 5) % 10 != 0 && (x - 5) % 10 != 9 && std::abs(x - 50) > 1)
@@ -147,7 +154,7 @@ private slots:
     }
     void theSelectionIsLitWhole()
     {
-        Stage stage({square({40, 10}, 20)});
+        Stage stage({filledSquare({40, 10}, 20)});
         stage.options.selection = {0};
         stage.options.light = {0, 0, 255};
         const app::Picture picture = stage.picture();
@@ -156,15 +163,16 @@ private slots:
     }
     void bandsTogetherAreTheWhole()
     {
-        std::vector<app::Shape> shapes;
+        std::vector<app::Object> objects;
         for (int i = 0; i < 40; ++i) {
-            app::Shape shape = square({i * 2.3, i * 1.9}, 11);
-            shape.style.width = i * 0.2;
-            shape.style.cap = app::Cap(i % 3);
-            shape.paths[0].closed = i % 2 == 0;
-            shapes.push_back(shape);
+            app::Subpath path = square({i * 2.3, i * 1.9}, 11);
+            path.closed = i % 2 == 0;
+            objects.push_back(object(path, {.stroke = app::Colour{},
+                                            .fill = app::Colour{200, 0, 0},
+                                            .width = i * 0.2,
+                                            .cap = app::Cap(i % 3)}));
         }
-        Stage stage(std::move(shapes));
+        Stage stage(objects);
         const app::Picture picture = stage.picture();
         const QImage whole = app::rasterised(picture, {0, 100}, {100, 1, 0.32});
         std::vector<QImage> parts;
@@ -179,7 +187,7 @@ private slots:
 
     void whatDiffersIsThickerAndTicked()
     {
-        Stage stage({square({10, 10}, 20)});
+        Stage stage({filledSquare({10, 10}, 20)});
         const double nan = std::nan("");
         // A long one, a point, one outside the view, one that is not a number, and none any more.
         const std::vector<clipping::Clipped> pieces{{{{10, 50}, {40, 50}}, 0, 0},
@@ -214,15 +222,13 @@ private slots:
     // A file may hold the same line a hundred thousand times.
     void opaqueLinesThatLieOnOneAnotherArePaintedOnce()
     {
-        app::Shape line;
-        line.paths.push_back({{5, 5}, {{{45, 60}}}, false});
-        line.style.stroke = app::Colour{0, 0, 200};
-        app::Shape other = line;
-        other.paths.front().start = {5, 6};
-        app::Shape wider = line;
+        app::Object line =
+            object({{5, 5}, {{{45, 60}}}, false}, {.stroke = app::Colour{0, 0, 200}});
+        const app::Object other = object({{5, 6}, {{{45, 60}}}, false}, line.style);
+        app::Object wider = line;
         wider.style.width = 3;
-        const auto chainsOf = [](const std::vector<app::Shape>& shapes) {
-            return Stage(shapes).picture().kept.chains.size();
+        const auto chainsOf = [](const std::vector<app::Object>& objects) {
+            return Stage(objects).picture().kept.chains.size();
         };
         QCOMPARE(chainsOf({line}), 1u);
         QCOMPARE(chainsOf(std::vector(1000, line)), 1u);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/document/document_builder.h"
-#include "app/document/flatten.h"
 #include "app/document/scene_lines.h"
 #include "app/view/view.h"
 
@@ -58,11 +57,6 @@ public:
         builder.add({app::Path(std::vector{ring}), dashed});
         builder.close();
         return builder.take(page());
-    }
-    static app::SceneLines linesOf(const app::Document& document)
-    {
-        return app::linesOf(document.objects(), document.containers().hiddenRanges(),
-                            app::usualTolerance(document.page()));
     }
     clipping::Window window()
     {

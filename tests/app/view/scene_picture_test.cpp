@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
+#include "app/document/document_lines.h"
 #include "app/document/scene_clipping.h"
 #include "app/formats/format.h"
 #include "app/view/picture.h"
@@ -103,11 +103,10 @@ private slots:
         QFETCH(bool, isLong);
         static unsigned seed = 0;
         RandomDrawing random(++seed);
-        const app::Document document = isLong ? random.longOutline()
-                                       : file.isEmpty()
-                                           ? random.document()
-                                           : app::documentOf(app::readFile(file).value->sheet);
-        const app::SceneLines lines = RandomDrawing::linesOf(document);
+        const app::Document document = isLong           ? random.longOutline()
+                                       : file.isEmpty() ? random.document()
+                                                        : app::readFile(file).value->document;
+        const app::SceneLines lines = app::linesOf(document);
         PlainPlates plain(document, lines);
         const auto all = forms();
         for (int round = 0; round < (isLong ? 2 : 4); ++round) {

@@ -142,7 +142,7 @@ inline void theWindowIsDrawnMovedAndResized(ui::Backend backend)
 {
     Stage stage(backend);
     stage.key(Qt::Key_W);
-    const auto window = [&] { return stage.session.sheet().window; };
+    const auto window = [&] { return stage.session.window(); };
     stage.drag({20, 90}, {170, 95}); // starts outside: another window
     QVERIFY(near(window(), {{20, 90}, {170, 95}}));
     stage.drag({180, 10}, {160, 85}, Qt::LeftButton, Qt::ShiftModifier);

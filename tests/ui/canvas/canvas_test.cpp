@@ -77,7 +77,7 @@ private slots:
             QTRY_VERIFY(frames > 0);
             QVERIFY(painting);
             if (i == 0)
-                stage.session.load({app::documentOf(stage.session.sheet()), {}});
+                stage.session.load({stage.session.now(), {}});
         }
         stage.canvas.reset();
         QVERIFY(QThreadPool::globalInstance()->waitForDone(120'000));

@@ -64,7 +64,7 @@ void forget() { mostCalls = callsOutside = paints = 0; }
 void dragCorner(Stage& stage, int steps)
 {
     stage.canvas->setTool("window");
-    const app::Point corner = stage.session.sheet().window.max;
+    const app::Point corner = stage.session.window().max;
     stage.move(corner);
     stage.press(corner);
     for (int i = 1; i <= steps; ++i) {
@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(marked, paints); // no frame without its marks: they do not flicker
         QVERIFY(!stage.session.differences.found().list.empty());
         stage.key(Qt::Key_Escape);
-        QTRY_COMPARE(stage.session.differences.found().window, stage.session.sheet().window);
+        QTRY_COMPARE(stage.session.differences.found().window, stage.session.window());
         QCOMPARE(mostCalls, 0);
     }
 

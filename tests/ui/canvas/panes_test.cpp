@@ -154,16 +154,16 @@ private slots:
     {
         PaneStage stage(4);
         stage.canvas->setTool("line");
-        const std::size_t before = stage.session.sheet().shapes.size();
+        const std::size_t before = stage.session.now().objects().size();
         const QPointF a = stage.at({20, 20}), b = stage.at({150, 70});
         stage.send(3, QEvent::MouseButtonPress, a, Qt::LeftButton);
         stage.send(3, QEvent::MouseMove, (a + b) / 2, Qt::LeftButton);
         stage.send(3, QEvent::MouseMove, b, Qt::LeftButton);
         stage.send(3, QEvent::MouseButtonRelease, b, Qt::LeftButton);
-        QCOMPARE(stage.session.sheet().shapes.size(), before + 1);
+        QCOMPARE(stage.session.now().objects().size(), before + 1);
         QCOMPARE(stage.session.history.count(), 1);
         stage.session.history.undo();
-        QCOMPARE(stage.session.sheet().shapes.size(), before);
+        QCOMPARE(stage.session.now().objects().size(), before);
     }
     // Space held in one pane, dragged in another: the focus goes along.
     void spacePansInAnyPane()
@@ -183,7 +183,7 @@ private slots:
     {
         PaneStage stage(4);
         stage.canvas->setTool("window");
-        const auto window = stage.session.sheet().window;
+        const auto window = stage.session.window();
         const QPointF from = stage.at({100, 50});
         stage.send(3, QEvent::MouseButtonPress, from, Qt::LeftButton);
         stage.send(3, QEvent::MouseMove, from + QPointF(30, 10), Qt::LeftButton);
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(stage.count(), std::size_t(3));
         stage.send(2, QEvent::MouseMove, from + QPointF(60, 10), Qt::LeftButton);
         stage.send(2, QEvent::MouseButtonRelease, from, Qt::LeftButton);
-        QCOMPARE(stage.session.sheet().window, window);
+        QCOMPARE(stage.session.window(), window);
         QCOMPARE(stage.session.history.count(), 0);
         QCOMPARE(stage.canvas->focusProxy(), &stage.pane(stage.canvas->panes().active()));
         QVERIFY(stage.canvas->focusProxy()->hasFocus());
@@ -250,7 +250,7 @@ private slots:
         for (const std::size_t i : {0, 1, 3})
             QCOMPARE(magenta(i), 0);
         stage.canvas->setTool("window");
-        const QPointF corner = stage.at(stage.session.sheet().window.max);
+        const QPointF corner = stage.at(stage.session.window().max);
         stage.send(0, QEvent::MouseButtonPress, corner, Qt::LeftButton);
         stage.send(0, QEvent::MouseMove, corner - QPointF(20, 0), Qt::LeftButton);
         stage.send(0, QEvent::MouseMove, corner - QPointF(60, 0), Qt::LeftButton);

@@ -75,7 +75,7 @@ private slots:
         stage.move({190, 95}, Qt::LeftButton);
         QVERIFY(differing(stage.picture(), before) > 1000);
         stage.release({190, 95});
-        QCOMPARE(stage.session.scene.segments().size(), std::size_t(1));
+        QCOMPARE(stage.session.scene.lines().size(), std::size_t(1));
     }
 
     void eachPaneShowsItsOwn()
@@ -105,10 +105,13 @@ private slots:
         QVERIFY2(read.value.has_value(), qPrintable(read.error));
         Stage stage(ui::Backend::Raster);
         stage.session.load(*read.value);
-        const auto& sheet = stage.session.sheet();
-        const auto layer =
-            std::ranges::find(sheet.layers, QStringLiteral("Outcodes"), &app::Layer::name);
-        QVERIFY(layer != sheet.layers.end());
+        const app::Containers& containers = stage.session.now().containers();
+        const auto layers = containers.childrenOf(0);
+        const auto layer = std::ranges::find_if(layers, [&](app::ContainerId id) {
+            return containers[id].name == QStringLiteral("Outcodes");
+        });
+        QVERIFY(layer != layers.end());
+        const app::SceneLines& lines = stage.session.scene.lines();
         for (const double zoom : {0.4, 0.7, 0.8, 0.85, 0.88}) { // the whole page
             show(stage, false);
             stage.canvas->setZoom(zoom);
@@ -116,11 +119,11 @@ private slots:
             show(stage, true);
             const QImage after = stage.picture();
             int looked = 0;
-            for (std::size_t i = 0; i < stage.session.scene.segments().size(); ++i) {
-                const auto& [a, b] = stage.session.scene.segments()[i];
-                const auto& shape = sheet.shapes[stage.session.scene.shapeOf(i)];
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                const auto [a, b] = lines[i];
                 const QPoint middle = stage.at((a + b) / 2.0);
-                if (shape.layer != layer - sheet.layers.begin() || !before.rect().contains(middle))
+                if (containers.layerOf(lines.objectOf(i)) != *layer
+                    || !before.rect().contains(middle))
                     continue;
                 ++looked;
                 QVERIFY2(before.pixel(middle) == after.pixel(middle),
