@@ -5,7 +5,6 @@
 #include "app/comparison/cut_text.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
-#include "app/document/legacy.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/in_background.h"
 
@@ -22,11 +21,11 @@ constexpr double newPenMillimetres = 0.3; // the width of a fresh drawing's pen
 
 bool isNative(const QString& path) { return app::formatOfFile(path) == &app::formats().front(); }
 
-app::Sheet emptySheet()
+app::Document emptyDocument()
 {
-    app::Sheet sheet;
-    sheet.page = {{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}};
-    return sheet;
+    app::Document document;
+    document.apply({.page = app::Page{{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}}});
+    return document;
 }
 
 } // namespace
@@ -71,7 +70,7 @@ void Files::show(app::Imported imported, const QString& path, const QString& tit
 void Files::startNew()
 {
     if (mayClose())
-        show({app::documentOf(emptySheet()), {}}, {}, {});
+        show({emptyDocument(), {}}, {}, {});
 }
 
 bool Files::openMade(app::Document document, const QString& title)
@@ -299,7 +298,7 @@ void Files::noteRecent()
 {
     QSettings settings;
     app::remember(settings, {QFileInfo(session_.path()).absoluteFilePath(),
-                             session_.scene.segments().size(), QDateTime::currentDateTime()});
+                             session_.scene.lines().size(), QDateTime::currentDateTime()});
     emit recentChanged();
 }
 

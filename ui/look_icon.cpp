@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look_icon.h"
 
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/view/painter_path.h"
 #include "ui/look.h"

@@ -169,7 +169,7 @@ void StatusBar::keepRoom()
         tr("x %1  y %2")
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
     const QString total =
-        app::countText(std::max<std::size_t>(session_.scene.segments().size(), 9999));
+        app::countText(std::max<std::size_t>(session_.scene.lines().size(), 9999));
     visible_->setWidest(tr("%1 of %2 visible").arg(total, total));
     times_->setWidest(
         tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));

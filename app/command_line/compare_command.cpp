@@ -5,7 +5,6 @@
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
 #include "app/comparison/live_differences.h"
-#include "app/document/legacy.h"
 #include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "app/comparison/variants.h"
 #include "app/cost_map/measure.h"
-#include "app/document/sheet.h"
+#include "app/document/subpath.h"
 
 #include <optional>
 #include <vector>

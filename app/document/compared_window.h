@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/clip_windows.h"
-#include "app/document/sheet.h"
+#include "app/document/page.h"
 
 namespace app {
 

@@ -4,6 +4,7 @@
 #include "app/document/clip_windows.h"
 #include "app/document/containers.h"
 #include "app/document/objects.h"
+#include "app/document/page.h"
 
 #include <optional>
 #include <span>

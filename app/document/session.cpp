@@ -2,7 +2,6 @@
 #include "app/document/session.h"
 
 #include "app/document/bounds.h"
-#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/unfinished.h"
 
@@ -23,15 +22,6 @@ Session::Session(QObject* parent) : QObject(parent)
         differences.setWindow(window());
         truth.setWindow(window());
     });
-}
-
-const Sheet& Session::sheet() const
-{
-    if (!sheet_ || !sameAddress(sheetIsOf_, now())) {
-        sheet_.emplace(sheetOf(now()));
-        sheetIsOf_ = now();
-    }
-    return *sheet_;
 }
 
 ClipWindows Session::windows() const

@@ -59,8 +59,6 @@ public:
     Pen pen;
 
     const Document& now() const { return document.now(); }
-    /// The same as a sheet, for what still reads sheets: made when it is asked for and has changed.
-    const Sheet& sheet() const;
 
     /// What is being dragged or drawn. Tools alone set it, and set an empty one when the gesture
     /// is over, after the command that it became.
@@ -82,7 +80,7 @@ public:
     /// The chosen form of the chosen algorithm.
     const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
 
-    /// Indices into Sheet::shapes; follows insertions and removals.
+    /// Numbers of objects; follows insertions and removals.
     const ObjectRanges& selection() const { return selection_; }
     void select(ObjectRanges objects);
     /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
@@ -90,7 +88,7 @@ public:
     /// Scene::outdated: there the selection may not have followed the drawing yet.
     const std::optional<clipping::Window>& selectionBounds() const;
 
-    /// The line in the inspector: an index into scene.segments(); dropped when the scene changes.
+    /// The line in the inspector: its number in scene.lines(); dropped when the scene changes.
     std::optional<std::size_t> inspected() const { return inspected_; }
     void inspect(std::optional<std::size_t> segment);
 
@@ -114,8 +112,6 @@ private:
     void follow(const DocumentChange& change);
     void followSplices(std::span<const Splice> splices);
 
-    mutable Document sheetIsOf_;
-    mutable std::optional<Sheet> sheet_;
     Display display_;
     ObjectRanges selection_;
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known

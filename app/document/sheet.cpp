@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/sheet.h"
+#include "app/document/page.h"
 
 namespace app {
 

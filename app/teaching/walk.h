@@ -3,7 +3,7 @@
 
 #include "app/comparison/outcode_text.h"
 #include "app/comparison/variants.h"
-#include "app/document/sheet.h"
+#include "app/document/subpath.h"
 
 #include <QString>
 #include <QStringList>

@@ -3,7 +3,6 @@
 
 #include "app/document/compared_window.h"
 #include "app/document/document_lines.h"
-#include "app/document/legacy.h"
 #include "app/document/scene_clipping.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"

@@ -2,7 +2,6 @@
 // Measures what it costs to show what an algorithm sees while the pointer moves, at 1280 x 800 on
 // many scattered lines, and paints every algorithm's overlay for lines of every kind:
 // overlays [LINES] [FOLDER [light|dark]]
-#include "app/document/legacy.h"
 #include "ui/canvas/canvas.h"
 #include "ui/look.h"
 
@@ -16,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <random>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

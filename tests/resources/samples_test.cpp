@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/flatten.h"
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QDir>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTest>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

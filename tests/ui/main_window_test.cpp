@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
-#include "app/document/legacy.h"
 #include "app/lessons/lesson.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
@@ -22,6 +21,7 @@
 
 #include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 using namespace ui;
 

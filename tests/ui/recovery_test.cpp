@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/unfinished.h"
 #include "app/recovery/leftover.h"
 #include "ui/editor.h"
@@ -22,6 +21,8 @@
 #include <functional>
 #include <map>
 #include <unistd.h>
+
+#include "tests/app/document/sheet.h"
 
 // The editor in a process of its own is worked with by real events, ended by a signal, and started
 // again. That process is this program once more (--editor SCENARIO [FILE]): it runs the editor as

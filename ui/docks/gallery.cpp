@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/gallery.h"
 
-#include "app/document/legacy.h"
 #include "app/view/thumbnail.h"
 #include "ui/look.h"
 #include "ui/widgets/sample_button.h"

@@ -127,7 +127,7 @@ void SelectTool::startDrag(Workbench& bench)
     const auto area = bench.picking.areaAt(from_.raw);
     const bool inSelection = area && session.selection().contains(*area);
     drag_ = litSegment_ || boxGrip_ || inSelection ? Drag::Selection : Drag::Box;
-    if (litSegment_ && !session.selection().contains(session.scene.shapeOf(*litSegment_)))
+    if (litSegment_ && !session.selection().contains(session.scene.lines().objectOf(*litSegment_)))
         click(from_, bench);
     bounds_ = session.selectionBounds().value_or(clipping::Window{});
 }
@@ -181,7 +181,7 @@ void SelectTool::click(const Pointer& pointer, Workbench& bench)
 {
     app::Session& session = bench.session;
     const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-    const auto shape = segment ? std::optional(session.scene.shapeOf(*segment))
+    const auto shape = segment ? std::optional(session.scene.lines().objectOf(*segment))
                                : bench.picking.areaAt(pointer.raw);
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
     auto selection = adds ? session.selection() : app::ObjectRanges{};
@@ -221,7 +221,7 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
 QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
-    if (litSegment_ && *litSegment_ < session.scene.segments().size() && drag_ == Drag::None) {
+    if (litSegment_ && *litSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*litSegment_));
         return QCoreApplication::translate(
@@ -279,16 +279,16 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
 
 void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
 {
-    const app::Scene& scene = bench.session.scene;
+    const app::SceneLines& all = bench.session.scene.lines();
     const app::Placement where = app::fitting(bounds_, target());
     const auto at = [&](const app::Point& p) { return bench.onScreen(where(p)); };
     std::vector<QLineF> lines;
     for (const std::size_t shape : bench.session.selection()) {
         if (lines.size() >= mostPreviewed)
             break;
-        const auto end = scene.firstSegmentOf(shape + 1);
-        for (auto i = scene.firstSegmentOf(shape); i < end && lines.size() < mostPreviewed; ++i)
-            lines.emplace_back(at(scene.segments()[i].a), at(scene.segments()[i].b));
+        const auto end = all.firstLineOf(shape + 1);
+        for (auto i = all.firstLineOf(shape); i < end && lines.size() < mostPreviewed; ++i)
+            lines.emplace_back(at(all[i].a), at(all[i].b));
     }
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.drawLines(lines.data(), int(lines.size()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "app/document/subpath.h"
 
 #include <string_view>
 

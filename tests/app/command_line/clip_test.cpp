@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/window_options.h"
 #include "app/document/cut.h"
-#include "app/document/legacy.h"
 #include "app/experiment/paper_scene.h"
 #include "app/formats/format.h"
 #include "app/formats/number.h"
@@ -16,6 +15,7 @@
 #include <cmath>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/document/sheet.h"
 
 namespace {
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
 #include "app/comparison/live_race.h"
-#include "app/document/legacy.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <array>
+
+#include "tests/app/document/sheet.h"
 
 using namespace clipping;
 

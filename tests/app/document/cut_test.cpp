@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/cut.h"
 #include "app/document/document_builder.h"
-#include "app/document/legacy.h"
 
 #include <QTest>
 
@@ -9,6 +8,8 @@
 
 #include <numbers>
 #include <random>
+
+#include "tests/app/document/sheet.h"
 
 using app::Keep;
 using app::Point;

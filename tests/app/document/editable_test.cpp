@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/editable.h"
-#include "app/document/legacy.h"
 
 #include <QTest>
 
 #include <random>
 
 #include "tests/app/document/three_layers.h"
+#include "tests/app/document/sheet.h"
 
 class EditableTest : public QObject {
     Q_OBJECT

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sheets come back from documents as they were; of richer documents comes what a sheet can hold.
 #include "app/document/document_builder.h"
-#include "app/document/legacy.h"
 
 #include <QDir>
 #include <QTest>
@@ -9,6 +8,7 @@
 #include "tests/app/document/random_sheets.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
+#include "tests/app/document/sheet.h"
 
 using namespace app;
 

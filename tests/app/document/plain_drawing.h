@@ -2,12 +2,13 @@
 #pragma once
 
 #include "app/document/flatten.h"
-#include "app/document/sheet.h"
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
 #include <span>
+
+#include "tests/app/document/sheet.h"
 
 /// A drawing as plain as can be, edited in the same ways as a document: what the document and its
 /// scene are compared with.

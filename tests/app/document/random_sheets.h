@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
 
 #include <glm/common.hpp>
 
 #include <random>
+
+#include "tests/app/document/sheet.h"
 
 /// Drawings of all that a sheet can hold, and the parts that they are made of. The same seed gives
 /// the same ones.

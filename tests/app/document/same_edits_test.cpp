@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same edits, done to a sheet without more ado and to a document through Edit.
 #include "app/document/edited_document.h"
-#include "app/document/legacy.h"
 
 #include <QTest>
 
@@ -9,6 +8,7 @@
 
 #include "tests/app/document/plain_drawing.h"
 #include "tests/app/document/random_sheets.h"
+#include "tests/app/document/sheet.h"
 
 using namespace app;
 

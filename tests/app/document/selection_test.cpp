@@ -5,7 +5,6 @@
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "app/document/bounds.h"
-#include "app/document/legacy.h"
 #include "app/document/session.h"
 
 #include <QTest>
@@ -15,6 +14,7 @@
 
 #include "tests/app/document/three_layers.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 namespace {
 

@@ -3,7 +3,8 @@
 
 #include "app/commands/add_objects.h"
 #include "app/commands/set_containers.h"
-#include "app/document/legacy.h"
+
+#include "tests/app/document/sheet.h"
 
 // Edits of a document in the words of a sheet.
 

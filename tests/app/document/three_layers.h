@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/sheet.h"
+#include "tests/app/document/sheet.h"
+
 
 inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
 {

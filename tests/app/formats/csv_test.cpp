@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
 #include <QTest>
 
 #include <random>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

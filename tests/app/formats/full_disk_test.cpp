@@ -3,7 +3,6 @@
 #include "app/charts/record_chart.h"
 #include "app/command_line/command.h"
 #include "app/cost_map/files.h"
-#include "app/document/legacy.h"
 #include "app/document/session.h"
 #include "app/experiment/paper_tables.h"
 #include "app/formats/format.h"
@@ -23,6 +22,7 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/app/formats/failing_disk.h"
+#include "tests/app/document/sheet.h"
 
 using namespace app;
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
@@ -10,6 +9,7 @@
 #include <cmath>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/document/sheet.h"
 
 // PDF and PNG, against what poppler and librsvg make of the same drawing.
 

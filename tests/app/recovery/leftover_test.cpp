@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/recovery/leftover.h"
 
@@ -12,6 +11,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/app/document/sheet.h"
 
 using namespace app;
 

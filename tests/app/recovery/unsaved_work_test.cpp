@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 #include "app/recovery/unsaved_work.h"
 
@@ -13,6 +12,7 @@
 #include <new>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 namespace {
 

@@ -2,12 +2,13 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_window.h"
-#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/format.h"
 #include "app/teaching/drawn_line.h"
 
 #include <QTest>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

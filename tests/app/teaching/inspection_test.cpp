@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/teaching/inspection.h"
 
 #include <QTest>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmarks/clip/map.h"
+#include "tests/app/document/sheet.h"
 
 #include "app/document/flatten.h"
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <glm/common.hpp>

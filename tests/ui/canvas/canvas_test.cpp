@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 
 #include <QThreadPool>
 
@@ -7,6 +6,7 @@
 
 #include "tests/ui/canvas/canvas_cases.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 class CanvasTest : public QObject {
     Q_OBJECT

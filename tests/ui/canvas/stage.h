@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/legacy.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -10,6 +9,8 @@
 #include <QPointingDevice>
 #include <QTest>
 #include <QWheelEvent>
+
+#include "tests/app/document/sheet.h"
 
 // A canvas on the screen with a drawing of 200 x 100 px at 100 %, and hands that work on it.
 

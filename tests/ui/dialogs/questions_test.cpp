@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "ui/dialogs/questions.h"
 
 #include <QDir>
@@ -10,6 +9,7 @@
 #include "tests/app/formats/failing_disk.h"
 #include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 using namespace ui;
 

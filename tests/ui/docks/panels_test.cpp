@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "app/document/usual_algorithm.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
@@ -16,6 +15,7 @@
 #include <QRadioButton>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet.h"
 
 using namespace ui;
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
 #include "ui/tools/tool.h"
 
 #include <QAction>
@@ -9,6 +8,7 @@
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/sheet.h"
 
 // A polyline in hand: Undo and Redo go by corners, and nothing that ends it loses what is drawn.
 class PolylineTest : public QObject {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/legacy.h"
 #include "app/formats/format.h"
 
 #include <QBuffer>
 #include <QFile>
+
+#include "tests/app/document/sheet.h"
 
 // Between SVG texts and drawings, through the catalogue's row.
 

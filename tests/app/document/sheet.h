@@ -1,13 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/legacy.h"
+#pragma once
 
 #include "app/document/compared_window.h"
 #include "app/document/document_builder.h"
 
-namespace app {
-namespace {
+// A drawing as a plain list of shapes on plain layers: how tests write down what they draw, and
+// look at what became of it.
 
-Container containerOf(const Layer& layer)
+namespace app {
+
+/// An object of a sheet.
+struct Shape {
+    std::vector<Subpath> paths;
+    Style style;
+    QString id;              ///< the SVG's, kept through cut and export; may be empty
+    std::uint32_t layer = 0; ///< index into Sheet::layers
+    bool hidden = false;     ///< stays hidden and is not exported
+    friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+struct Layer {
+    QString name;
+    bool visible = true;
+    bool locked = false;
+    QString id{}; ///< the SVG's; may be empty
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// A whole drawing with one clip window.
+struct Sheet {
+    Page page;
+    std::vector<Layer> layers{{QStringLiteral("Drawing")}}; ///< bottom to top, never empty
+    std::vector<Shape> shapes; ///< bottom to top; `layer` never decreases
+    clipping::Window window = page.rectangle(); ///< the clip window
+    About about{};
+    friend bool operator==(const Sheet&, const Sheet&) = default;
+
+    bool shown(const Shape& shape) const { return !shape.hidden && layers[shape.layer].visible; }
+};
+
+
+inline Container containerOf(const Layer& layer)
 {
     return {.kind = Container::Kind::Layer,
             .name = layer.name,
@@ -17,9 +50,9 @@ Container containerOf(const Layer& layer)
 }
 
 // The layers of a document in a row, with their objects.
-class Row {
+class SheetRow {
 public:
-    Row(const Document& document, Sheet& sheet) : document_(document), sheet_(sheet)
+    SheetRow(const Document& document, Sheet& sheet) : document_(document), sheet_(sheet)
     {
         for (const ContainerId id : containers().childrenOf(0))
             addLayer(id, {});
@@ -91,9 +124,9 @@ private:
     Sheet& sheet_;
 };
 
-} // namespace
-
-Document documentOf(const Sheet& sheet)
+/// The same drawing as a document. Its layers follow each other on the first level; its clip window
+/// is the only one, a rectangle without a name, and its inside is kept.
+inline Document documentOf(const Sheet& sheet)
 {
     DocumentBuilder builder;
     auto shape = sheet.shapes.begin();
@@ -106,7 +139,14 @@ Document documentOf(const Sheet& sheet)
     return builder.take(sheet.page, sheet.about, {{{.shape = RectangleShape{sheet.window}}}});
 }
 
-Sheet sheetOf(const Document& document)
+/// What a sheet can hold of a document; all of it if it came from one.
+/// - Layers in layers become layers that follow each other, hidden or locked where one around them
+///   is. One whose objects are interrupted by those of another becomes several: "Roads",
+///   "Roads (2)", of which the first has the id.
+/// - Groups dissolve. Objects of hidden ones are hidden; whether one was locked is lost.
+/// - The clip window is `comparedWindow`'s.
+/// - Titles, descriptions and recipes of objects and layers are lost.
+inline Sheet sheetOf(const Document& document)
 {
     Sheet sheet;
     sheet.page = document.page();
@@ -114,7 +154,7 @@ Sheet sheetOf(const Document& document)
     sheet.window = comparedWindow(document.windows(), document.page()).window;
     sheet.layers.clear();
     sheet.shapes.reserve(document.objects().size());
-    Row(document, sheet);
+    SheetRow(document, sheet);
     return sheet;
 }
 
