@@ -33,9 +33,11 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
 CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Output& output)
 {
     CutOptions options{.clipAll = usesOf(given).clipAll};
-    options.region.steps = {{windowOf(given, imported), WindowOperation::Add}};
-    if (given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 1)
-        options.region.keep = Keep::Outside;
+    options.region = regionOf(windowsOf(given, imported));
+    if (given.has(QStringLiteral("keep")))
+        options.region.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
+                                  ? Keep::Inside
+                                  : Keep::Outside;
     options.tolerance = toleranceOf(given, imported.document.page());
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
@@ -146,7 +148,7 @@ void clip(const Given& given)
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);
     Cut result = cut(before, options);
-    result.edit.windows = ClipWindows{{{.shape = RectangleShape{options.region.steps[0].box}}}};
+    result.edit.windows = ClipWindows(); // it is cut
     Document after = before;
     after.apply(result.edit);
     stopwatch.lap(Commands::tr("cut"));
@@ -161,7 +163,7 @@ void clip(const Given& given)
     if (!given.has(QStringLiteral("quiet"))) {
         report(imported, before, result.counts);
         sayDropped(given, output, dropped);
-        say(windowText(given, imported, *options.region.single()));
+        say(windowText(given, imported, options.region));
         if (hiddenObjects(after).size() == after.objects().size())
             sayNothingIsLeft(imported, before, after, options.region.keep);
     }
@@ -178,7 +180,10 @@ Command clipCommand()
 {
     std::vector<Option> options = windowOptions();
     const std::vector<Option> further{
-        {{"k", "keep"}, "inside|outside", Commands::tr("Which part to keep (inside).")},
+        {{"k", "keep"},
+         "inside|outside",
+         Commands::tr(
+             "Which part to keep (inside, or what the drawing says of its clip windows).")},
         {{"a", "algorithm"},
          "ALGORITHM",
          Commands::tr("Key or abbreviation of what clips (%1).")
@@ -203,7 +208,8 @@ Command clipCommand()
         {{"stats"}, {}, Commands::tr("Say how many lines there were, and the times.")});
     return {"clip",
             "INPUT -o OUTPUT [OPTIONS]",
-            Commands::tr("Cuts a drawing at a window: lines and curves really end there."),
+            Commands::tr("Cuts a drawing at a window, or at all that it has: lines and curves "
+                         "really end there."),
             std::move(options),
             {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",

@@ -3,7 +3,6 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
-#include "app/document/compared_window.h"
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
 #include "app/document/hidden_objects.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace app {
 namespace {
@@ -46,23 +46,82 @@ QString stateOf(const Container& container)
            + (container.locked ? Commands::tr(", locked") : QString());
 }
 
-// Each with what is in it, also in those in it.
-Rows layerRows(const Document& document, double tolerance)
+// Groups of other programs may have none.
+QString nameOf(const Container& container)
+{
+    return container.name.isEmpty() ? container.svgId : container.name;
+}
+
+// Where each object's lines begin when all are counted, and the end.
+std::vector<std::size_t> linesBefore(const Document& document, Contents& all)
+{
+    const Objects& objects = document.objects();
+    const double tolerance = usualTolerance(document.page());
+    std::vector<std::size_t> before{0};
+    before.reserve(objects.size() + 1);
+    objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
+        add(all, object, tolerance);
+        before.push_back(all.lines);
+    });
+    return before;
+}
+
+// Each with what is in it and in those in it, which follow further to the right.
+Rows containerRows(const Containers& containers, std::span<const std::size_t> linesBefore)
 {
     Rows rows;
-    for (const ContainerId id : document.containers().childrenOf(0)) {
-        const ObjectRange range = document.containers().rangeOf(id);
-        Contents contents;
-        document.objects().forEach(
-            range.first, range.size(),
-            [&](std::size_t, const ObjectView& object) { add(contents, object, tolerance); });
-        const Container& layer = document.containers()[id];
-        rows.emplace_back(Commands::tr("layer"), Commands::tr("“%1”: shapes %2, lines %3%4")
-                                                     .arg(layer.name)
-                                                     .arg(contents.objects)
-                                                     .arg(contents.lines)
-                                                     .arg(stateOf(layer)));
+    for (const ContainerId id : containers.inOrder()) {
+        const Container& container = containers[id];
+        const ObjectRange range = containers.rangeOf(id);
+        const QString indent(2 * (containers.depthOf(id) - 1), u' ');
+        rows.emplace_back(container.kind == Container::Kind::Layer ? Commands::tr("layer")
+                                                                   : Commands::tr("group"),
+                          indent
+                              + Commands::tr("“%1”: shapes %2, lines %3%4")
+                                    .arg(nameOf(container))
+                                    .arg(range.size())
+                                    .arg(linesBefore[range.end] - linesBefore[range.first])
+                                    .arg(stateOf(container)));
     }
+    return rows;
+}
+
+QString shapeText(const WindowShape& shape)
+{
+    if (const auto* polygon = std::get_if<PolygonShape>(&shape))
+        return Commands::tr("polygon of %1 corners").arg(polygon->corners.size());
+    const auto& [box, angle] = std::get<RectangleShape>(shape);
+    return angle == 0 ? rectangleText(box)
+                      : Commands::tr("%1 turned by %2°")
+                            .arg(rectangleText(box), text(angle * 180 / std::numbers::pi));
+}
+
+QString operationText(WindowOperation operation)
+{
+    return operation == WindowOperation::Add      ? Commands::tr("adds")
+           : operation == WindowOperation::CutOut ? Commands::tr("cuts out")
+                                                  : Commands::tr("intersects");
+}
+
+// One that is nothing but a rectangle is its numbers alone.
+QString windowText(const ClipWindow& window, bool only)
+{
+    QString text = window.name.isEmpty() ? QString() : Commands::tr("“%1”: ").arg(window.name);
+    text += shapeText(window.shape);
+    if (!only || window.operation != WindowOperation::Add)
+        text += QStringLiteral(", ") + operationText(window.operation);
+    return window.visible ? text : text + Commands::tr(", hidden");
+}
+
+Rows windowRows(const ClipWindows& windows)
+{
+    if (windows.list.empty())
+        return {{Commands::tr("window"), Commands::tr("none")}};
+    Rows rows;
+    for (const ClipWindow& window : windows.list)
+        rows.emplace_back(Commands::tr("window"), windowText(window, windows.list.size() == 1));
+    if (windows.keep == Keep::Outside)
+        rows.emplace_back(Commands::tr("keep"), Commands::tr("outside"));
     return rows;
 }
 
@@ -70,7 +129,8 @@ Rows rowsOf(const Imported& imported)
 {
     const Document& document = imported.document;
     const Page& page = document.page();
-    const Contents all = contentsOf(document);
+    Contents all;
+    const std::vector<std::size_t> lines = linesBefore(document, all);
     const double unit = page.millimetresPerUnit();
     Rows rows{
         {Commands::tr("lines"), QString::number(all.lines)},
@@ -85,14 +145,17 @@ Rows rowsOf(const Imported& imported)
         {Commands::tr("bounds"), all.bounds ? rectangleText(*all.bounds) : Commands::tr("none")},
         {Commands::tr("in mm"),
          all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
-        {Commands::tr("window"), rectangleText(windowOf(imported))},
+    };
+    for (auto& row : windowRows(document.windows()))
+        rows.push_back(std::move(row));
+    const Rows paper{
         {Commands::tr("page"),
          Commands::tr("%1, on paper %2 × %3")
              .arg(rectangleText(page.rectangle()), text(page.width), text(page.height))},
         {Commands::tr("unit"), text(page.millimetresPerUnit()) + QStringLiteral("mm")},
     };
-    for (auto& row : layerRows(document, usualTolerance(page)))
-        rows.push_back(std::move(row));
+    for (const Rows& more : {paper, containerRows(document.containers(), lines)})
+        rows.insert(rows.end(), more.begin(), more.end());
     const QStringList lost = losses(imported);
     for (const QString& line : lost)
         rows.emplace_back(Commands::tr("import"), line);
@@ -112,7 +175,8 @@ Command infoCommand()
         "info",
         "INPUT [OPTIONS]",
         Commands::tr("Says what a drawing holds: lines and their length, shapes, paths and curves, "
-                     "bounds (in millimetres, too), clip window, page, unit, layers, and what of "
+                     "bounds (in millimetres, too), clip windows, page, unit, layers and groups, "
+                     "and what of "
                      "the file is not kept."),
         readingOptions(),
         {"clearcut info drawing.svg"},

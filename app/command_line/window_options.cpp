@@ -19,6 +19,12 @@ Point cornerOf(const Imported& imported)
     return imported.paged ? imported.document.page().min : Point{};
 }
 
+// By an option.
+bool isChosen(const Given& given)
+{
+    return given.has(QStringLiteral("window")) || given.has(QStringLiteral("page"));
+}
+
 bool isBare(const Length& length) { return length.unit == Unit::User; }
 
 // Bare numbers and lengths count from different points, so a rectangle of both would be elsewhere.
@@ -45,10 +51,11 @@ std::vector<Option> windowOptions()
     return {
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
-                      "with a unit, such as 10mm, count from the paper's top left corner. The two "
-                      "cannot be mixed (without: the drawing's own clip window, or else its "
-                      "page).")},
+         Commands::tr(
+             "The clip window. Bare numbers are the drawing's own coordinates; lengths "
+             "with a unit, such as 10mm, count from the paper's top left corner. The two "
+             "cannot be mixed (without: the clip windows that the drawing has, or else its "
+             "page).")},
         {{"page"}, {}, Commands::tr("The clip window is the drawing's page: the whole sheet.")},
         {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
     };
@@ -92,23 +99,50 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
     return window;
 }
 
-QString windowText(const Given& given, const Imported& imported, const clipping::Window& window)
+ClipWindows windowsOf(const Given& given, const Imported& imported)
 {
-    const Page& page = imported.document.page();
-    const bool isSaved = !comparedWindow(imported.document.windows(), page).isPage;
-    const bool isThePage = !isSaved && imported.paged && window == page.rectangle();
-    QString source;
+    const ClipWindows& saved = imported.document.windows();
+    const clipping::Window window = windowOf(given, imported); // refuses what is wrong
+    if (!isChosen(given) && !regionOf(saved).everything())
+        return saved;
+    return {{{.shape = RectangleShape{window}}}};
+}
+
+namespace {
+
+QString operationText(WindowOperation operation)
+{
+    return operation == WindowOperation::Add      ? Commands::tr("add %1")
+           : operation == WindowOperation::CutOut ? Commands::tr("cut out %1")
+                                                  : Commands::tr("intersect %1");
+}
+
+QString sourceText(const Given& given, const Imported& imported)
+{
+    const auto margin = given.text(QStringLiteral("margin"));
     if (given.has(QStringLiteral("window")))
-        source = Commands::tr("given");
-    else if (const auto margin = given.text(QStringLiteral("margin")))
-        source = Commands::tr("the page, margin %1").arg(*margin);
-    else if (given.has(QStringLiteral("page")) || isThePage)
-        source = Commands::tr("the page");
-    else if (isSaved)
-        source = Commands::tr("saved in the drawing");
-    else
-        source = Commands::tr("all that is drawn");
-    return Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported));
+        return Commands::tr("given");
+    if (margin)
+        return Commands::tr("the page, margin %1").arg(*margin);
+    if (given.has(QStringLiteral("page")))
+        return Commands::tr("the page");
+    if (!regionOf(imported.document.windows()).everything())
+        return Commands::tr("saved in the drawing");
+    return imported.drawn || !imported.paged ? Commands::tr("all that is drawn")
+                                             : Commands::tr("the page");
+}
+
+} // namespace
+
+QString windowText(const Given& given, const Imported& imported, const ClipRegion& region)
+{
+    const QString source = sourceText(given, imported);
+    if (const auto window = region.single())
+        return Commands::tr("Window (%1): %2.").arg(source, placeText(*window, imported));
+    QStringList steps;
+    for (const ClipRegion::Step& step : region.steps)
+        steps << operationText(step.operation).arg(placeText(step.box, imported));
+    return Commands::tr("Windows (%1): %2.").arg(source, steps.join(QStringLiteral("; ")));
 }
 
 QString placeText(const clipping::Window& rectangle, const Imported& imported)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_line/given.h"
+#include "app/document/region.h"
 
 namespace app {
 
@@ -19,8 +20,14 @@ clipping::Window windowOf(const Imported& imported);
 /// and for an empty one.
 clipping::Window windowOf(const Given& given, const Imported& imported);
 
-/// "Window (the page): -40,-40,40,40 in …": where `windowOf` took it from, and as `placeText`.
-QString windowText(const Given& given, const Imported& imported, const clipping::Window& window);
+/// All clip windows that the options choose; without them the visible ones of the drawing, with the
+/// side that it keeps, or else what `windowOf` gives. Never without a window that clips.
+ClipWindows windowsOf(const Given& given, const Imported& imported);
+
+/// "Window (the page): -40,-40,40,40 in …": where `windowsOf` took them from, and each as
+/// `placeText`. Where they do not simply add up to one: "Windows (saved in the drawing): add …; cut
+/// out …".
+QString windowText(const Given& given, const Imported& imported, const ClipRegion& region);
 
 /// "10mm,10mm,90mm,90mm from the paper's top left corner", rounded to micrometres.
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported);

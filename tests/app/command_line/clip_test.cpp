@@ -464,6 +464,60 @@ private slots:
         QCOMPARE(line(plain, {"-w", "1cm,0mm,20.5mm,10mm"}), "20,9,41,9,Drawing,#ff0000,1");
     }
 
+    // Two windows with a gap, a hole in the second, and one that is hidden.
+    void allSavedWindowsCut_data()
+    {
+        QTest::addColumn<QByteArray>("windows");
+        QTest::addColumn<QStringList>("more");
+        QTest::addColumn<QByteArray>("lines");
+        QTest::addColumn<QByteArray>("said");
+        const auto window = [](const QByteArray& x, const QByteArray& more) {
+            return "<clearcut:window ymin='0' ymax='20' " + x + ' ' + more + "/>";
+        };
+        const QByteArray two = window("xmin='5' xmax='20'", "") + window("xmin='30' xmax='60'", ""),
+                         hole = window("xmin='40' xmax='50'", "operation='cut-out'"),
+                         hidden = window("xmin='0' xmax='90'", "visible='no'");
+        const auto row = [](const char* name, const QByteArray& windows, const QStringList& more,
+                            const QByteArray& lines, const QByteArray& said) {
+            QTest::newRow(name) << windows << more << lines << said;
+        };
+        row("several", hidden + two + hole, {}, "5-20 30-40 50-60",
+            "Windows (saved in the drawing): add 5,0,20,20 in the drawing's coordinates; add "
+            "30,0,60,20 in the drawing's coordinates; cut out 40,0,50,20 in the drawing's "
+            "coordinates.");
+        row("outside", two + hole, {"--keep", "outside"}, "0-5 20-30 40-50 60-90",
+            "Windows (saved in the drawing): ");
+        const QByteArray kept = window("xmin='5' xmax='20'", "keep='outside'");
+        row("its side", kept, {}, "0-5 20-90", "Window (saved in the drawing): 5,0,20,20 in ");
+        row("another side", kept, {"--keep", "inside"}, "5-20", "Window (saved in the drawing): ");
+        row("a hole", hole, {}, "0-40 50-90",
+            "Windows (saved in the drawing): cut out 40,0,50,20 in ");
+        row("all hidden", hidden, {}, "0-90", "Window (the page): 0,0,90,20 in ");
+        row("another one", two + hole, {"-w", "35,0,45,20"}, "35-45",
+            "Window (given): 35,0,45,20 in ");
+    }
+    void allSavedWindowsCut()
+    {
+        QFETCH(QByteArray, windows);
+        QFETCH(QStringList, more);
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:clearcut='urn:clearcut:1' width='90mm' "
+            "height='20mm' viewBox='0 0 90 20'><metadata>"
+            + windows + "</metadata><path d='M0 9h90' stroke='red'/></svg>";
+        const auto run = clearcut(
+            QStringList{"clip", "-", "--from", "svg", "--to", "csv", "-o", "-"} + more, drawing);
+        QByteArrayList found;
+        for (const QByteArray& row : run.out.split('\n').mid(1))
+            if (const auto numbers = row.split(','); numbers.size() > 3)
+                found << numbers[0] + '-' + numbers[2];
+        QTEST(found.join(' '), "lines");
+        QFETCH(QByteArray, said);
+        QVERIFY2(run.err.contains(said), run.err.constData());
+        const auto svg = clearcut(
+            QStringList{"clip", "-", "--from", "svg", "--to", "svg", "-o", "-"} + more, drawing);
+        QVERIFY(!svg.out.contains("clearcut:window "));
+    }
+
     void layersInterleavedComeBackInTheOrderOfTheRows()
     {
         const auto run =
@@ -598,15 +652,17 @@ private slots:
         QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");
     }
 
-    void theOutputHoldsTheWindowAndCuttingAgainChangesNothing()
+    void theOutputHasNoWindowAndCuttingAgainChangesNothing()
     {
         const QString rosette = SOURCE_DIR "/resources/samples/rosette.svg";
         const QStringList window{"-w", "33.3,44.4,155.5,166.6"};
         QCOMPARE(clearcut(QStringList{"clip", rosette, "-o", path("1.svg")} + window).code, 0);
-        QCOMPARE(clearcut({"clip", path("1.svg"), "-o", path("2.svg")}).code, 0);
+        QCOMPARE(clearcut(QStringList{"clip", path("1.svg"), "-o", path("2.svg")} + window).code,
+                 0);
         const auto once = sheetOf(contentOf(path("1.svg"))),
                    twice = sheetOf(contentOf(path("2.svg")));
-        QCOMPARE(once.window, (clipping::Window{{33.3, 44.4}, {155.5, 166.6}}));
+        QVERIFY(contentOf(rosette).contains("clearcut:window "));
+        QVERIFY(!contentOf(path("1.svg")).contains("clearcut:window "));
         QVERIFY(!once.shapes.empty());
         QCOMPARE(twice, once);
     }

@@ -567,6 +567,28 @@ private slots:
         QVERIFY(run.out.contains("“Locked”: shapes 5, lines 85, locked\n"));
     }
 
+    void infoListsWindowsAndContainers()
+    {
+        const auto run = clearcut(
+            {"info", "-", "--from", "svg"},
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:clearcut='urn:clearcut:1' "
+            "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' width='9' height='9'>"
+            "<metadata><clearcut:window name='Frame' xmin='1' ymin='1' xmax='8' ymax='8' "
+            "keep='outside'/><clearcut:window xmin='2' ymin='2' xmax='3' ymax='3' "
+            "operation='cut-out' visible='no'/></metadata>"
+            "<g inkscape:groupmode='layer' inkscape:label='Town'><path d='M0 0h9'/>"
+            "<g id='houses' display='none'><path d='M0 0h9v9'/><path d='M0 0h9'/></g></g></svg>");
+        QVERIFY2(run.out.contains("  window  “Frame”: 1,1,8,8, adds\n"
+                                  "  window  2,2,3,3, cuts out, hidden\n"
+                                  "  keep    outside\n"),
+                 run.out.constData());
+        QVERIFY2(run.out.contains("  layer   “Town”: shapes 3, lines 4\n"
+                                  "  group     “houses”: shapes 2, lines 3, hidden\n"),
+                 run.out.constData());
+        const auto none = clearcut({"info", "-", "--from", "csv"}, "1,2,3,4\n");
+        QVERIFY2(none.out.contains("  window  none\n"), none.out.constData());
+    }
+
     void infoMeasures()
     {
         const auto run =
