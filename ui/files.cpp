@@ -188,7 +188,8 @@ Exported exported(app::Document document, const app::CutOptions& options, const 
     try {
         if (options.keepContacts)
             document = app::flattened(document, app::usualTolerance(document.page()));
-        const app::Cut cut = app::cut(document, options);
+        app::Cut cut = app::cut(document, options);
+        cut.edit.windows = app::ClipWindows(); // what is cut is not cut again
         document.apply(cut.edit);
         return {app::writeFile(document, path, writing), cut.counts};
     } catch (const std::bad_alloc&) {

@@ -16,6 +16,8 @@
 
 #include <cmath>
 
+#include "tests/app/document/sheet_edits.h"
+
 namespace {
 
 const QString foreign = QStringLiteral(SOURCE_DIR "/tests/ui/data/foreign.svg");
@@ -102,9 +104,9 @@ private slots:
         const auto& session = window.session();
         QVERIFY(session.losses().empty()
                 || !std::ranges::any_of(session.losses(), [](const auto& l) { return !l.remark; }));
-        QVERIFY(session.scene.segments().size() > 100);
-        const clipping::Window page = session.sheet().page.rectangle();
-        QVERIFY(session.sheet().window == page);
+        QVERIFY(session.scene.lines().size() > 100);
+        const clipping::Window page = sheetOf(session.document).page.rectangle();
+        QVERIFY(sheetOf(session.document).window == page);
 
         // Draw the window: the tool by its key, then a drag.
         QWidget* const canvas = window.canvas().focusProxy();
@@ -123,7 +125,7 @@ private slots:
         QTest::mouseMove(canvas, at(300, 300));
         QTest::mouseMove(canvas, at(610, 470));
         QTest::mouseRelease(canvas, Qt::LeftButton, Qt::ControlModifier, at(610, 470));
-        const clipping::Window drawn = session.sheet().window;
+        const clipping::Window drawn = sheetOf(session.document).window;
         QVERIFY2(std::abs(drawn.min.x - 170) < 3 && std::abs(drawn.min.y - 130) < 3
                      && std::abs(drawn.max.x - 610) < 3 && std::abs(drawn.max.y - 470) < 3,
                  qPrintable(QString("%1 %2 %3 %4")
@@ -136,7 +138,7 @@ private slots:
         // Nudge it, twice in one undo step or two; undo brings back what was drawn.
         QTest::keyClick(canvas, Qt::Key_Right, Qt::AltModifier);
         QTest::keyClick(canvas, Qt::Key_Down, Qt::AltModifier | Qt::ShiftModifier);
-        const clipping::Window nudged = session.sheet().window;
+        const clipping::Window nudged = sheetOf(session.document).window;
         QVERIFY(nudged.min.x > drawn.min.x && nudged.min.y > drawn.min.y);
 
         // Every algorithm by its digit leaves the same.
@@ -149,7 +151,7 @@ private slots:
 
         while (session.history.index() > 1)
             QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(session.sheet().window == drawn);
+        QVERIFY(sheetOf(session.document).window == drawn);
 
         QTest::keyClick(canvas, Qt::Key_E, Qt::ControlModifier);
         QTRY_VERIFY(QFile::exists(cutFile));

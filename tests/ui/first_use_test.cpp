@@ -9,6 +9,7 @@
 
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -78,7 +79,7 @@ private slots:
                 session.select({0});
                 t.action(how)->trigger();
             }
-            const auto& shapes = session.sheet().shapes;
+            const auto& shapes = sheetOf(session.document).shapes;
             QCOMPARE(shapes.size(), std::size_t(6));
             for (std::size_t i = 1; i < shapes.size(); ++i)
                 QVERIFY2(near(shapes[i].paths[0].start, {0 + 5.0 * double(i), 50 + 5.0 * double(i)},

@@ -88,7 +88,7 @@ private slots:
         t.show();
         t.answers->open = t.twoLines();
         QTest::keyClick(t.window.get(), Qt::Key_O, Qt::ControlModifier);
-        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QVERIFY(t.window->windowTitle().startsWith("two.svg"));
         QCOMPARE(t.window->files().recent().size(), std::size_t(1));
         QCOMPARE(t.window->files().recent().front().lines, std::size_t(2));
@@ -105,7 +105,7 @@ private slots:
         t.window->files().open(bad.fileName());
         QVERIFY(t.window->message().contains("bad.svg"));
         QVERIFY(t.window->message().contains("Nothing was changed"));
-        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
     }
     void digitsChooseTheAlgorithmOnTheCanvasOnly()
     {
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(t.window.get(), &drop);
-        QTRY_COMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QTRY_COMPARE(t.window->session().scene.lines().size(), std::size_t(2));
     }
     void unsavedChangesAreAskedAbout()
     {
@@ -167,7 +167,7 @@ private slots:
         setWindow(t, middle);
         t.answers->answer = Questions::Answer::DontSave;
         t.window->files().startNew();
-        QVERIFY(t.window->session().sheet().shapes.empty());
+        sheetOf(QVERIFY(t.window->session().document).shapes.empty());
         QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
     }
     void savingOverSomebodyElsesChangeIsAsked()
@@ -225,8 +225,8 @@ private slots:
         const auto cut = app::readFile(t.path("out.svg"));
         const app::EditedDocument document(cut.value->document);
         const app::Scene scene(document);
-        QCOMPARE(scene.segments().size(), std::size_t(1));
-        QCOMPARE(scene.segments()[0], (clipping::Segment{{25, 50}, {75, 50}}));
+        QCOMPARE(scene.lines().size(), std::size_t(1));
+        QCOMPARE(scene.lines()[0], (clipping::Segment{{25, 50}, {75, 50}}));
     }
     void cropsAndUndoes()
     {
@@ -235,10 +235,10 @@ private slots:
         setWindow(t, middle);
         t.show();
         t.action("crop")->trigger();
-        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(1));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(1));
         QVERIFY(t.window->message().startsWith("Cropped"));
         t.action("undo")->trigger();
-        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QCOMPARE(t.window->message(), QString());
     }
     void croppingLeavesALockedLayerAlone()
@@ -247,12 +247,12 @@ private slots:
         t.window->files().open(t.twoLines());
         setWindow(t, middle);
         t.show();
-        auto layers = t.window->session().sheet().layers;
+        auto layers = sheetOf(t.window->session().document).layers;
         layers.front().locked = true;
         ::setLayers(t.window->session().document, layers);
         const int before = t.window->session().history.count();
         t.action("crop")->trigger();
-        QCOMPARE(t.window->session().scene.segments().size(), std::size_t(2));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QCOMPARE(t.window->session().history.count(), before);
         QCOMPARE(t.window->message(),
                  "Nothing was cropped. Left alone on locked layers: 1.");
@@ -268,7 +268,7 @@ private slots:
         sheet.shapes.resize(10'000);
         session.load({app::documentOf(sheet), {}});
         const auto restyle = [&session] {
-            const app::ObjectRanges all(app::ObjectRange{0, session.sheet().shapes.size()});
+            const app::ObjectRanges all(app::ObjectRange{0, sheetOf(session.document).shapes.size()});
             session.history.push(new app::SetStyle(
                 session.document, all, [](app::Style& style) { style.width += 1; }, "Width"));
         };
@@ -285,7 +285,7 @@ private slots:
         QCOMPARE(session.history.forgotten(), 2);
         QCoreApplication::processEvents();
         QVERIFY(t.window->message().isEmpty());
-        session.load({app::documentOf(session.sheet()), {}}); // another drawing: said again
+        session.load({app::documentOf(sheetOf(session.document)), {}}); // another drawing: said again
         restyle();
         restyle();
         QTRY_VERIFY(!t.window->message().isEmpty());
@@ -329,7 +329,7 @@ private slots:
         t.window->files().open(t.twoLines());
         t.show();
         const QString warning = "The clipboard holds no drawing. Copy lines first.";
-        const auto shapes = [&] { return t.window->session().sheet().shapes.size(); };
+        const auto shapes = [&] { return sheetOf(t.window->session().document).shapes.size(); };
         for (const char* next : {"copy", "paste"}) {
             QGuiApplication::clipboard()->setText("copy");
             t.action("paste")->trigger();
@@ -359,16 +359,16 @@ private slots:
         QCOMPARE(session.selection().size(), std::size_t(1));
         t.action("copy")->trigger();
         t.action("paste")->trigger();
-        QCOMPARE(session.sheet().shapes.size(), std::size_t(2));
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(2));
         QCOMPARE(session.selection(), (app::ObjectRanges{1}));
         t.action("duplicate")->trigger();
-        QCOMPARE(session.sheet().shapes.size(), std::size_t(3));
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(3));
         t.action("delete")->trigger();
-        QCOMPARE(session.sheet().shapes.size(), std::size_t(2));
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(2));
         t.action("undo")->trigger();
         t.action("undo")->trigger();
         t.action("undo")->trigger();
-        QCOMPARE(session.sheet().shapes.size(), std::size_t(1));
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(1));
     }
     void themesSwitch()
     {
@@ -409,7 +409,7 @@ private slots:
         auto* algorithm = t.window->findChild<QDockWidget*>("algorithm");
         QTRY_VERIFY(inFront(start));
         QVERIFY(!inFront(algorithm));
-        QVERIFY(t.window->session().scene.segments().size() > 10000);
+        QVERIFY(t.window->session().scene.lines().size() > 10000);
         QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
         setWindow(t, {{50, 50}, {100, 100}});
         QTRY_VERIFY(inFront(algorithm));

@@ -142,10 +142,10 @@ private slots:
             QCOMPARE(now[i] != half[i], others[i] && !(tool == "window" && i < 2 && from.x < 10));
         }
         QCOMPARE(now, t.numbersOf(t.session().window()));
-        QCOMPARE(t.session().sheet().window, start);
+        sheetOf(QCOMPARE(t.session().document).window, start);
         t.release(to);
         QCOMPARE(t.numbers(), now);
-        QCOMPARE(t.numbersOf(t.session().sheet().window), now);
+        sheetOf(QCOMPARE(t.numbersOf(t.session().document).window), now);
         QVERIFY(!t.session().preview().window);
         QCOMPARE(t.session().history.count(), 1);
         t.session().history.undo();
@@ -181,7 +181,7 @@ private slots:
         QVERIFY(t.visible() != visible);
         QVERIFY(!shows(dragged)); // soon, not at once
         QTRY_VERIFY(shows(dragged));
-        QCOMPARE(t.session().sheet().window, start);
+        sheetOf(QCOMPARE(t.session().document).window, start);
 
         QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
         QCOMPARE(t.session().window(), start);
@@ -194,8 +194,8 @@ private slots:
         t.drag({50, 50}, {{60, 55}, {70, 60}});
         t.release({70, 60});
         QCOMPARE(t.session().history.count(), 1);
-        QTRY_VERIFY(shows(t.session().sheet().window));
-        QVERIFY(t.session().sheet().window != start);
+        sheetOf(QTRY_VERIFY(shows(t.session().document).window));
+        sheetOf(QVERIFY(t.session().document).window != start);
         t.session().history.undo();
         QTRY_VERIFY(shows(start));
         QCOMPARE(frames.count, 0);
@@ -226,7 +226,7 @@ private slots:
         t.release({60, 50});
         QVERIFY(seen.size() >= 3);
         QVERIFY(std::ranges::find(seen, start) == seen.end());
-        QCOMPARE(seen.back(), t.session().sheet().window);
+        QCOMPARE(seen.back(), sheetOf(t.session().document).window);
     }
 
     void whatEndsAGestureEndsThePreview_data()
@@ -252,7 +252,7 @@ private slots:
             t.window->files().open(t.twoLines());
         QCOMPARE(t.session().preview(), app::Preview{});
         QVERIFY(!changed.isEmpty());
-        QCOMPARE(t.numbers(), t.numbersOf(t.session().sheet().window));
+        QCOMPARE(t.numbers(), sheetOf(t.numbersOf(t.session().document).window));
         QCOMPARE(t.session().history.count(), 0);
     }
 

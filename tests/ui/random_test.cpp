@@ -11,6 +11,7 @@
 #include <random>
 
 #include "tests/ui/test_window.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -39,8 +40,8 @@ public:
                 waiting->close();
         });
         closer_.start(20);
-        QObject::connect(&session(), &app::Session::loaded, [this] { start_ = session().sheet(); });
-        start_ = session().sheet();
+        QObject::connect(&session(), &app::Session::loaded, [this] { start_ = sheetOf(session().document); });
+        start_ = sheetOf(session().document);
     }
 
     /// Does something, and says what.
@@ -72,7 +73,7 @@ public:
     /// What is wrong now; nothing while all is well.
     QString fault()
     {
-        const app::Sheet& sheet = session().sheet();
+        const app::Sheet& sheet = sheetOf(session().document);
         const auto& selection = session().selection();
         if (!session().now().containers().contains(session().pen.layer))
             return "the pen is on no layer";
@@ -81,7 +82,7 @@ public:
             return "a shape is on no layer";
         if (!selection.empty() && selection.last() >= sheet.shapes.size())
             return "what is selected is not there";
-        const auto segments = session().scene.segments();
+        const auto segments = segmentsOf(session().scene.lines());
         if (session().inspected() && *session().inspected() >= segments.size())
             return "what is inspected is not there";
         if (!(sheet.window.min.x <= sheet.window.max.x && sheet.window.min.y <= sheet.window.max.y))
@@ -102,13 +103,13 @@ public:
     bool historyHolds()
     {
         QTest::keyClick(test_.drawingArea(), Qt::Key_Escape); // ends a gesture
-        const app::Sheet now = session().sheet();
+        const app::Sheet now = sheetOf(session().document);
         app::History& history = session().history;
         const int index = history.index();
         history.setIndex(0);
-        const bool back = session().sheet() == start_;
+        const bool back = sheetOf(session().document) == start_;
         history.setIndex(index);
-        return back && session().sheet() == now;
+        return back && sheetOf(session().document) == now;
     }
 
 private:

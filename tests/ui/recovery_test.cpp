@@ -22,7 +22,7 @@
 #include <map>
 #include <unistd.h>
 
-#include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
 
 // The editor in a process of its own is worked with by real events, ended by a signal, and started
 // again. That process is this program once more (--editor SCENARIO [FILE]): it runs the editor as
@@ -99,7 +99,7 @@ void press(const QString& verb)
 void sayDrawing(const MainWindow& window)
 {
     say(QString("%1 shapes, %2, %3")
-            .arg(window.session().sheet().shapes.size())
+            sheetOf(.arg(window.session().document).shapes.size())
             .arg(window.windowTitle().section("[", 0, 0),
                  window.isWindowModified() ? "not saved" : "saved"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/style.h"
 #include "app/formats/svg/css.h"
 #include "app/formats/svg/length.h"
 

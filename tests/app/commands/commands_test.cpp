@@ -98,17 +98,17 @@ private slots:
         const auto move = [&](const app::ObjectRanges& shapes, app::Merging merging) {
             history.push(new app::MoveObjects(session.document, shapes, {1, 0}, merging));
         };
-        const auto before = session.sheet();
+        const auto before = sheetOf(session.document);
         for (int i = 0; i < 5; ++i, now += 999ms)
             move({0, 2}, app::Merging::WithLast);
         QCOMPARE(history.count(), 1);
-        QCOMPARE(session.sheet().shapes[2].paths[0].start,
+        QCOMPARE(sheetOf(session.document).shapes[2].paths[0].start,
                  (before.shapes[2].paths[0].start + app::Point(5, 0)));
-        const auto after = session.sheet();
+        const auto after = sheetOf(session.document);
         history.undo();
-        QVERIFY(session.sheet() == before);
+        QVERIFY(sheetOf(session.document) == before);
         history.redo();
-        QVERIFY(session.sheet() == after);
+        QVERIFY(sheetOf(session.document) == after);
         move({0, 2}, app::Merging::Never); // a drag
         move({0}, app::Merging::WithLast);
         move({0, 2}, app::Merging::WithLast); // other objects
@@ -117,22 +117,22 @@ private slots:
         move({0, 2}, app::Merging::WithLast);
         QCOMPARE(history.count(), 5);
         history.setIndex(0);
-        QVERIFY(session.sheet() == before);
+        QVERIFY(sheetOf(session.document) == before);
     }
     void quickStepsOfTheWindowAreOne()
     {
         app::Session session;
         app::History& history = session.history;
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
-        const auto before = session.sheet();
+        const auto before = sheetOf(session.document);
         for (int i = 0; i < 3; ++i)
             history.push(new app::SetWindow(session.document, {{i * 1.0, 0}, {i + 9.0, 9}},
                                             app::Merging::WithLast));
         QCOMPARE(history.count(), 2); // the first changed its size, too
         history.undo();
-        QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {9, 9}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {9, 9}}));
         history.undo();
-        QVERIFY(session.sheet() == before);
+        QVERIFY(sheetOf(session.document) == before);
     }
     void quickStepsOfAStyleAreOne()
     {
@@ -140,7 +140,7 @@ private slots:
         app::History& history = session.history;
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
         ::load(session.document, sheet(30));
-        const auto before = session.sheet();
+        const auto before = sheetOf(session.document);
         app::ObjectRanges scattered;
         for (std::size_t i = 0; i < before.shapes.size(); i += 3)
             scattered.insert(i);
@@ -152,13 +152,13 @@ private slots:
         restyle(scattered, "Width");
         restyle(scattered, "Width");
         QCOMPARE(history.count(), 1);
-        QCOMPARE(session.sheet().shapes[3].style.width, 4.0);
-        QCOMPARE(session.sheet().shapes[4].style.width, 1.0);
+        QCOMPARE(sheetOf(session.document).shapes[3].style.width, 4.0);
+        QCOMPARE(sheetOf(session.document).shapes[4].style.width, 1.0);
         restyle(scattered, "Dashes");
         restyle({0}, "Dashes");
         QCOMPARE(history.count(), 3);
         history.setIndex(0);
-        QVERIFY(session.sheet() == before);
+        QVERIFY(sheetOf(session.document) == before);
     }
     void theSelectionFollows()
     {

@@ -57,7 +57,7 @@ private slots:
         };
         const Do style = [](app::EditedDocument& document, app::History& history) {
             history.push(new app::SetStyle(
-                document, all(document), [](app::Style& style) { style.dashes = {1}; }, "Dashes"));
+                document, all(document), [](app::Style& one) { one.dashes = {1}; }, "Dashes"));
         };
         const Do remove = [](app::EditedDocument& document, app::History& history) {
             history.push(new app::RemoveObjects(document, all(document)));

@@ -78,7 +78,7 @@ private slots:
         app::Session session;
         session.load({app::documentOf(threeLayers(8)), {}});
         for (int round = 0; round < 500; ++round) {
-            const std::size_t count = session.sheet().shapes.size();
+            const std::size_t count = sheetOf(session.document).shapes.size();
             app::ObjectRanges some;
             for (std::size_t i = 0; i < count; ++i)
                 if (random() % 3 == 0)
@@ -106,7 +106,7 @@ private slots:
                 break;
             }
             QVERIFY(session.selection().empty()
-                    || session.selection().last() < session.sheet().shapes.size());
+                    || session.selection().last() < sheetOf(session.document).shapes.size());
             QCOMPARE(session.selectionBounds(),
                      app::boundsOf(session.scene.lines(), session.selection()));
         }

@@ -3,6 +3,7 @@
 
 #include "app/commands/add_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/document/scene_lines.h"
 
 #include "tests/app/document/sheet.h"
 
@@ -11,6 +12,15 @@
 inline app::Sheet sheetOf(const app::EditedDocument& document)
 {
     return app::sheetOf(document.now());
+}
+
+/// In one array.
+inline std::vector<clipping::Segment> segmentsOf(const app::SceneLines& lines)
+{
+    std::vector<clipping::Segment> all;
+    for (const auto& run : lines.runs())
+        all.insert(all.end(), run.segments.begin(), run.segments.end());
+    return all;
 }
 
 inline void load(app::EditedDocument& document, const app::Sheet& sheet)

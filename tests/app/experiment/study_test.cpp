@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/scene.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/heading.h"
 #include "app/experiment/legs.h"
@@ -257,7 +258,8 @@ private slots:
     void withoutAWindowItIsClippedAtItsPage()
     {
         app::Sheet sheet;
-        sheet.shapes.push_back({.paths = {{{0, 20}, {{{90, 20}}}, false}}});
+        sheet.shapes.emplace_back();
+        sheet.shapes.back().paths = {{{0, 20}, {{{90, 20}}}, false}};
         app::Document document = app::documentOf(sheet);
         document.apply({.windows = app::ClipWindows()});
         const app::EditedDocument edited(document);

@@ -15,7 +15,7 @@
 #include <QRadioButton>
 
 #include "tests/ui/test_window.h"
-#include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
@@ -45,13 +45,13 @@ private slots:
         QCOMPARE(fields.size(), 4);
         type(fields[0], "25");
         QCOMPARE(session.history.count(), 1);
-        QCOMPARE(session.sheet().window, (clipping::Window{{25, 0}, {125, 100}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{25, 0}, {125, 100}}));
         type(fields[2], "2cm"); // a unit converts
         QCOMPARE(session.history.count(), 2);
-        QCOMPARE(session.sheet().window.max.x, 45.0);
+        QCOMPARE(sheetOf(session.document).window.max.x, 45.0);
         session.history.undo();
         session.history.undo();
-        QCOMPARE(session.sheet().window, (clipping::Window{{0, 0}, {100, 100}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
     }
     void quickStepsOfAFieldAreOne()
@@ -63,7 +63,7 @@ private slots:
         app::Session& session = t.window->session();
         std::chrono::steady_clock::time_point now{};
         session.history.setClock([&] { return now; });
-        const auto before = session.sheet().window;
+        const auto before = sheetOf(session.document).window;
         for (LengthField* field : t.window->findChild<WindowPanel*>()->findChildren<LengthField*>())
             for (const auto wait : {999ms, 1000ms}) {
                 const double start = field->value();
@@ -72,7 +72,7 @@ private slots:
                 QCOMPARE(field->value(), start + 3);
                 QCOMPARE(session.history.count(), wait < 1000ms ? 1 : 3);
                 session.history.setIndex(0);
-                QVERIFY(session.sheet().window == before);
+                QVERIFY(sheetOf(session.document).window == before);
                 session.history.clear();
             }
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
@@ -90,7 +90,7 @@ private slots:
         app::Session& session = t.window->session();
         std::chrono::steady_clock::time_point now{};
         session.history.setClock([&] { return now; });
-        const auto before = session.sheet();
+        const auto before = sheetOf(session.document);
         session.select({0, 1});
         auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
         auto* dashes = t.window->findChild<OptionBar*>()->findChild<ToolList*>();
@@ -111,7 +111,7 @@ private slots:
         QTest::keyClick(dashes, Qt::Key_Up);
         QCOMPARE(session.history.count(), 4);
         session.history.setIndex(0);
-        QVERIFY(session.sheet() == before);
+        QVERIFY(sheetOf(session.document) == before);
     }
     /// One rule for panels, status bar, ruler and `clip -w`: lengths with a unit count from the
     /// paper's corner, numbers without one from the drawing's origin.
@@ -124,11 +124,11 @@ private slots:
                                       "<path d='M-40-40 40 40' stroke='black'/></svg>"));
         t.show();
         app::Session& session = t.window->session();
-        QCOMPARE(session.sheet().window, (clipping::Window{{-50, -50}, {50, 50}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-50, -50}, {50, 50}}));
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         QCOMPARE(fields[0]->text(), "0.00");
         type(fields[0], "10");
-        QCOMPARE(session.sheet().window, (clipping::Window{{-40, -50}, {60, 50}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-40, -50}, {60, 50}}));
         QCOMPARE(fields[0]->text(), "10.00");
         QTest::mouseMove(t.drawingArea(), t.drawingArea()->rect().center()); // about (0, 0)
         QTRY_VERIFY(t.window->status().position().contains("mm"));
@@ -139,7 +139,7 @@ private slots:
         session.setDisplay(display);
         QVERIFY2(fields[0]->text().contains("40"), qPrintable(fields[0]->text()));
         type(fields[0], "-45");
-        QCOMPARE(session.sheet().window, (clipping::Window{{-45, -50}, {55, 50}}));
+        QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-45, -50}, {55, 50}}));
     }
     void enterLeadsBackToTheCanvas()
     {
@@ -181,7 +181,7 @@ private slots:
         type(fields[3], "50");
         panel->findChild<QToolButton*>()->click();
         type(fields[2], "50");
-        QCOMPARE(t.window->session().sheet().window, (clipping::Window{{0, 0}, {50, 25}}));
+        sheetOf(QCOMPARE(t.window->session().document).window, (clipping::Window{{0, 0}, {50, 25}}));
     }
     void theUnitChangesEveryNumber()
     {
@@ -311,14 +311,14 @@ private slots:
         model->addLayer();
         QCOMPARE(model->rowCount(), 2);
         model->setData(model->index(0), "Sky", Qt::EditRole);
-        QCOMPARE(session.sheet().layers[1].name, "Sky");
+        QCOMPARE(sheetOf(session.document).layers[1].name, "Sky");
         model->setData(model->index(1), false, LayerModel::VisibleRole);
-        QCOMPARE(session.scene.segments().size(), std::size_t(0));
+        QCOMPARE(session.scene.lines().size(), std::size_t(0));
         model->removeLayer(0);
         QCOMPARE(model->rowCount(), 1);
         while (session.history.canUndo())
             session.history.undo();
-        QCOMPARE(session.sheet(), app::sheetOf(app::readFile(t.path("two.svg")).value->document));
+        QCOMPARE(sheetOf(session.document), app::sheetOf(app::readFile(t.path("two.svg")).value->document));
     }
     void layersAreAddedAndDeletedByButtonsThatAreSeen()
     {
@@ -332,9 +332,9 @@ private slots:
         QVERIFY(buttons[0]->isVisible() && buttons[1]->isVisible());
         QVERIFY(!buttons[1]->isEnabled()); // the only layer stays
         QTest::mouseClick(buttons[0], Qt::LeftButton);
-        QCOMPARE(t.window->session().sheet().layers.size(), std::size_t(2));
+        sheetOf(QCOMPARE(t.window->session().document).layers.size(), std::size_t(2));
         QTest::mouseClick(buttons[1], Qt::LeftButton);
-        QCOMPARE(t.window->session().sheet().layers.size(), std::size_t(1));
+        sheetOf(QCOMPARE(t.window->session().document).layers.size(), std::size_t(1));
     }
     void theStartPanelFitsAnyHeight() // once a scroll bar came and went in it without end
     {

@@ -136,7 +136,7 @@ private slots:
             Stage stage(ui::Backend::Raster);
             stage.session.history.push(
                 addShapes(stage.session.document, {line({20, 20}, {40, 40})}, "line"));
-            const app::Sheet before = stage.session.sheet();
+            const app::Sheet before = sheetOf(stage.session.document);
             stage.canvas->setTool(tool);
             stage.move({100, 50});
             stage.press({100, 50});
@@ -144,7 +144,7 @@ private slots:
             stage.canvas->undo();
             stage.move({130, 60}, Qt::LeftButton);
             stage.release({130, 60});
-            QVERIFY2(stage.session.sheet() == before && stage.session.history.count() == 1, tool);
+            sheetOf(QVERIFY2(stage.session.document) == before && stage.session.history.count() == 1, tool);
         }
     }
     void aMoveThatChangesNothingTellsNothing()
@@ -213,7 +213,7 @@ private:
         void key(Qt::Key key) { QTest::keyClick(t.drawingArea(), key); }
         void undo() { t.action("undo")->trigger(); }
         void redo() { t.action("redo")->trigger(); }
-        const std::vector<app::Shape>& shapes() const { return window.session().sheet().shapes; }
+        const std::vector<app::Shape>& shapes() const { return sheetOf(window.session().document).shapes; }
         /// Rounded: a click hits whole pixels.
         std::vector<app::Point> corners(std::size_t shape) const
         {
