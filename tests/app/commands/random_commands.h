@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/add_objects.h"
 #include "app/commands/catalogue.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
@@ -14,25 +15,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <random>
 
-#include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/random_documents.h"
 
-// Commands at random, drawn from the catalogue by their keys. What a new command needs here is a
-// maker; tests fail without one (neverDrawn).
-
-inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
-{
-    app::Shape shape;
-    shape.paths.push_back({a, {{b}}, false});
-    shape.style.stroke = app::Colour{};
-    shape.layer = layer;
-    return shape;
-}
-
+/// Commands at random, drawn from the catalogue by their keys. What a new command needs here is a
+/// maker; tests fail without one (neverDrawn).
 class RandomCommands {
 public:
-    explicit RandomCommands(app::EditedDocument& document, std::uint64_t seed = 7)
+    explicit RandomCommands(app::EditedDocument& document, unsigned seed = 7)
         : document_(document), random_(seed)
     {
     }
@@ -42,7 +32,7 @@ public:
     {
         const auto kinds = app::commandKinds();
         for (;;) {
-            const auto& key = kinds[random_() % kinds.size()].key;
+            const auto& key = kinds[random_.below(kinds.size())].key;
             const auto maker = std::ranges::find(makers, key, &Maker::key);
             if (app::UndoCommand* made = maker == makers.end() ? nullptr : maker->make(*this)) {
                 ++drawn_[made->kind().key];
@@ -66,93 +56,115 @@ private:
     };
     static const std::array<Maker, 10> makers;
 
-    double number() { return double(random_() % 1000) / 16; }
-    std::uint32_t layer() { return std::uint32_t(random_() % sheetOf(document_).layers.size()); }
-    app::ContainerId layerId() { return document_.now().containers().childrenOf(0)[layer()]; }
+    const app::Document& now() const { return document_.now(); }
+    app::ContainerId container()
+    {
+        const auto all = now().containers().inOrder();
+        return all[random_.below(all.size())];
+    }
     app::ObjectRanges some()
     {
         app::ObjectRanges chosen;
-        for (std::size_t i = 0; i < sheetOf(document_).shapes.size(); ++i)
-            if (random_() % 3 == 0)
-                chosen.insert(i);
+        const std::size_t count = now().objects().size();
+        for (auto n = count == 0 ? 0 : 1 + random_.below(3); n > 0; --n) {
+            const std::size_t first = random_.below(count);
+            const std::size_t end = std::min(count, first + 1 + random_.below(12));
+            chosen.insert(app::ObjectRange{first, end});
+        }
         return chosen;
+    }
+    clipping::Window rectangle()
+    {
+        const app::Point p = random_.point(), q = random_.point();
+        return {glm::min(p, q), glm::max(p, q)};
+    }
+
+    app::UndoCommand* add()
+    {
+        app::Objects objects = now().objects().slice(0, 0);
+        for (auto n = 1 + random_.below(60); n > 0; --n)
+            objects.append(random_.object());
+        return new app::AddObjects(document_, objects, container(), "Add");
+    }
+    // It grows and shrinks alike, so that numbers stay within reason.
+    app::UndoCommand* resize()
+    {
+        const auto factor = [&] { return std::array{0.5, 1.0, 2.0}[random_.below(3)]; };
+        const app::Point corner = random_.point();
+        const app::Point size{factor(), factor()};
+        return new app::ResizeObjects(document_, some(), {{0, 0}, {1, 1}}, {corner, corner + size});
+    }
+    app::UndoCommand* restyle()
+    {
+        const app::Style style = random_.style();
+        return new app::SetStyle(
+            document_, some(), [&](app::Style& each) { each = style; }, "Style");
+    }
+    app::UndoCommand* setWindows()
+    {
+        app::ClipWindows windows = now().windows();
+        if (random_.below(4) == 0)
+            windows.list.clear();
+        windows.list.push_back({.name = random_.text(),
+                                .shape = app::RectangleShape{rectangle()},
+                                .operation = app::WindowOperation(random_.below(3)),
+                                .visible = random_.below(2) == 0});
+        windows.keep = app::Keep(random_.below(2));
+        return new app::SetWindows(document_, windows, "Windows");
+    }
+    app::UndoCommand* setContainers()
+    {
+        const app::Containers& tree = now().containers();
+        if (random_.below(4) > 0)
+            return new app::SetContainers(document_, random_.changed(tree), "Container");
+        const std::size_t top = tree.objects();
+        return new app::SetContainers(
+            document_, *tree.inserted({.name = "new"}, 0, tree.childrenOf(0).size(), {top, top}),
+            "Add layer");
+    }
+    app::UndoCommand* removeLayer()
+    {
+        const app::Containers& tree = now().containers();
+        const app::ContainerId id = container();
+        const bool last = tree.parentOf(id) == 0 && tree.childrenOf(0).size() == 1;
+        if (last || tree[id].kind != app::Container::Kind::Layer || random_.below(4) > 0)
+            return nullptr;
+        return new app::RemoveLayer(document_, id);
     }
     app::UndoCommand* crop()
     {
-        if (random_() % 4 != 0) // there would soon be nothing left
+        if (random_.below(8) > 0) // there would soon be nothing left
             return nullptr;
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
-        options.region = app::regionOf(document_.now().windows());
+        options.region = app::regionOf(now().windows());
         options.reach = app::Reach::Editable;
         return new app::CropToWindow(document_, options);
     }
-    app::UndoCommand* addLayer()
-    {
-        const app::Containers& containers = document_.now().containers();
-        app::Container first = containers[containers.childrenOf(0).front()];
-        first.locked = !first.locked;
-        const std::size_t top = containers.objects();
-        return new app::SetContainers(
-            document_,
-            *containers.with(first).inserted({.name = "new"}, 0, containers.childrenOf(0).size(),
-                                             {top, top}),
-            "Layers");
-    }
-    app::UndoCommand* addTwo()
-    {
-        const std::uint32_t to = layer();
-        return addShapes(
-            document_, {line({1, 1}, {number(), 2}, to), line({3, number()}, {4, 4}, to)}, "Add");
-    }
 
     app::EditedDocument& document_;
-    std::mt19937_64 random_;
+    RandomDocuments random_;
     std::map<std::string_view, int> drawn_;
 };
 
 inline const std::array<RandomCommands::Maker, 10> RandomCommands::makers{{
-    {"add-objects", [](RandomCommands& r) { return r.addTwo(); }},
+    {"add-objects", [](RandomCommands& r) { return r.add(); }},
     {"remove-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::RemoveObjects(r.document_, r.some());
      }},
     {"move-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::MoveObjects(r.document_, r.some(), {r.number(), r.number()});
+         return new app::MoveObjects(r.document_, r.some(), r.random_.point());
      }},
-    {"resize-objects",
-     [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::ResizeObjects(r.document_, r.some(), {{0, 0}, {1, 0}},
-                                      {{r.number(), 1}, {9, r.number()}});
-     }},
-    {"set-style",
-     [](RandomCommands& r) -> app::UndoCommand* {
-         const double width = r.number();
-         return new app::SetStyle(
-             r.document_, r.some(), [&](app::Style& style) { style.width = width; }, "Width");
-     }},
+    {"resize-objects", [](RandomCommands& r) { return r.resize(); }},
+    {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::SetWindow(r.document_, {{0, 0}, {r.number(), 5}});
+         return new app::SetWindow(r.document_, r.rectangle());
      }},
-    {"set-windows",
-     [](RandomCommands& r) -> app::UndoCommand* {
-         app::ClipWindows windows = r.document_.now().windows();
-         if (r.random_() % 4 == 0)
-             windows.list.clear();
-         windows.list.push_back({.name = "new",
-                                 .shape = app::RectangleShape{{{0, 0}, {r.number(), r.number()}}},
-                                 .operation = app::WindowOperation(r.random_() % 3),
-                                 .visible = r.random_() % 2 == 0});
-         windows.keep = app::Keep(r.random_() % 2);
-         return new app::SetWindows(r.document_, windows, "Windows");
-     }},
-    {"set-containers", [](RandomCommands& r) { return r.addLayer(); }},
-    {"remove-layer",
-     [](RandomCommands& r) -> app::UndoCommand* {
-         return sheetOf(r.document_).layers.size() > 1 ? new app::RemoveLayer(r.document_, r.layerId())
-                                                     : nullptr;
-     }},
+    {"set-windows", [](RandomCommands& r) { return r.setWindows(); }},
+    {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},
+    {"remove-layer", [](RandomCommands& r) { return r.removeLayer(); }},
     {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},
 }};

@@ -53,7 +53,8 @@ bool agrees(const Containers& tree, const Item& root)
                && childrenAre(*each.node);
     }
     for (std::size_t i = 0; same && i < owners.size(); ++i)
-        same = tree.containerOf(i) == owners[i]->container.id;
+        same = tree.containerOf(i) == owners[i]->container.id
+               && tree.layerOf(i) == nested::layerAround(all, owners[i]);
     return same && tree.hiddenRanges() == rangesOf(all, [](const Seen& s) { return !s.shown; })
            && tree.lockedRanges() == rangesOf(all, [](const Seen& s) { return s.locked; });
 }

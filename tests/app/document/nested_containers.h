@@ -69,6 +69,18 @@ inline std::vector<Seen> seen(const Item& node, std::size_t first = 0, int depth
     return all;
 }
 
+/// The innermost layer that a container is or lies in, of those in `all`.
+inline ContainerId layerAround(const std::vector<Seen>& all, Item node)
+{
+    while (node->isGroup()) {
+        const auto at = std::ranges::find(all, node, &Seen::node);
+        node = std::ranges::find(all, at->parent, [](const Seen& each) {
+                   return each.node->container.id;
+               })->node;
+    }
+    return node->container.id;
+}
+
 /// The container around each object, from the bottom up.
 inline std::vector<Item> owners(const Item& node)
 {

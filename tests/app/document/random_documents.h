@@ -69,6 +69,22 @@ public:
         return edit;
     }
 
+    /// With another name or visibility, a group more, or a container dissolved.
+    app::Containers changed(const app::Containers& tree)
+    {
+        const auto all = tree.inOrder();
+        const app::ContainerId id = all[below(all.size())];
+        const auto act = below(3);
+        if (act == 0)
+            return grouped(tree, id);
+        if (act == 1 && tree.parentOf(id) != 0)
+            return tree.dissolved(id);
+        app::Container other = container(false);
+        other.id = id;
+        other.kind = tree[id].kind;
+        return tree.with(other);
+    }
+
 private:
     // XML; of few.
     QString note(const QString& element)
@@ -138,21 +154,6 @@ private:
         tree = tree.removed(id);
     }
 
-    app::Containers changed(const app::Containers& tree)
-    {
-        const auto all = tree.inOrder();
-        const app::ContainerId id = all[below(all.size())];
-        const auto act = below(3);
-        if (act == 0)
-            return grouped(tree, id);
-        if (act == 1 && tree.parentOf(id) != 0)
-            return tree.dissolved(id);
-        app::Container other = container(false);
-        other.id = id;
-        other.kind = tree[id].kind;
-        return tree.with(other);
-    }
-
     // With a group around some of the container's own objects that follow each other.
     app::Containers grouped(const app::Containers& tree, app::ContainerId parent)
     {
@@ -166,7 +167,7 @@ private:
             return tree;
         first += below(end - first);
         const std::size_t last = first + 1 + below(end - first);
-        return *tree.inserted(container(true), parent, at, {first, last});
+        return tree.inserted(container(true), parent, at, {first, last}).value_or(tree);
     }
 
     std::vector<bool> inGroup_; // of each container that is open
