@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/style_table.h"
 
+#include <QHashFunctions>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -39,8 +41,11 @@ bool sameBits(const Style& a, const Style& b)
 
 std::size_t hashOf(const Style& style)
 {
-    std::uint64_t hash = std::uint64_t(style.cap) << 4 | std::uint64_t(style.join) << 2
-                         | std::uint64_t(style.fillRule);
+    static const std::uint64_t seed =
+        QHashSeed::globalSeed(); // so that equal ones cannot be crafted
+    std::uint64_t hash = seed
+                         ^ (std::uint64_t(style.cap) << 4 | std::uint64_t(style.join) << 2
+                            | std::uint64_t(style.fillRule));
     const auto mix = [&hash](std::uint64_t word) { // Fibonacci hashing, a word at a time
         hash = (std::rotl(hash, 29) ^ word) * 0x9E3779B97F4A7C15U;
     };
