@@ -24,21 +24,27 @@ int chordCount(const Point& a, const PathSegment& c, double tolerance)
 
 } // namespace
 
+void flatten(const Point& begin, const PathSegment& segment, std::size_t index, double tolerance,
+             std::vector<Chord>& chords)
+{
+    Point last = begin;
+    const int n = segment.curved ? chordCount(begin, segment, tolerance) : 1;
+    for (int k = 1; k <= n; ++k) {
+        const double t = double(k) / n;
+        const Point next =
+            k == n ? segment.to
+                   : Bezier{begin, segment.control1, segment.control2, segment.to}.at(t);
+        chords.push_back({{last, next}, index, double(k - 1) / n, t});
+        last = next;
+    }
+}
+
 void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords)
 {
     Point last = path.start;
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
-        const PathSegment& segment = path.segments[i];
-        const Point begin = last;
-        const int n = segment.curved ? chordCount(begin, segment, tolerance) : 1;
-        for (int k = 1; k <= n; ++k) {
-            const double t = double(k) / n;
-            const Point next =
-                k == n ? segment.to
-                       : Bezier{begin, segment.control1, segment.control2, segment.to}.at(t);
-            chords.push_back({{last, next}, i, double(k - 1) / n, t});
-            last = next;
-        }
+        flatten(last, path.segments[i], i, tolerance, chords);
+        last = path.segments[i].to;
     }
     if (path.segments.empty() || (path.closed && last != path.start))
         chords.push_back({{last, path.start}, path.segments.size(), 0, 1});

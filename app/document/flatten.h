@@ -28,6 +28,10 @@ struct Chord {
 /// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
 void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords);
 
+/// The same of one path segment that starts at `begin`: number `index` of its path.
+void flatten(const Point& begin, const PathSegment& segment, std::size_t index, double tolerance,
+             std::vector<Chord>& chords);
+
 /// How many chords `flatten` makes of the path.
 std::size_t chordCount(const Subpath& path, double tolerance);
 

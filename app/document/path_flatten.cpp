@@ -6,17 +6,32 @@
 
 namespace app {
 
+// Appends the chords of one path segment after the other; calls `added` after each.
+static void appendChords(auto reader, double tolerance, std::vector<Chord>& chords,
+                         const auto& added)
+{
+    while (!reader.atEnd()) {
+        const auto [start, segments, closed] = reader.start();
+        Point last = start;
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const PathSegment segment = reader.segment();
+            flatten(last, segment, i, tolerance, chords);
+            added();
+            last = segment.to;
+        }
+        if (segments == 0 || (closed && last != start)) { // as flatten closes a subpath
+            chords.push_back({{last, start}, segments, 0, 1});
+            added();
+        }
+    }
+}
+
 void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
 {
     if (path.isLine())
         chords.push_back({{path.ends_[0], path.ends_[1]}, 0, 0, 1});
-    if (!path.data_ || path.isLine())
-        return;
-    Subpath subpath;
-    for (Path::Data::Reader reader(*path.data_, path.placement()); !reader.atEnd();) {
-        reader.next(subpath);
-        flatten(subpath, tolerance, chords);
-    }
+    else if (path.data_)
+        appendChords(Path::Data::Reader(*path.data_, path.placement()), tolerance, chords, [] {});
 }
 
 void appendSegments(const Path& path, double tolerance, std::vector<clipping::Segment>& to)
@@ -26,9 +41,11 @@ void appendSegments(const Path& path, double tolerance, std::vector<clipping::Se
     if (!path.data_ || path.isLine())
         return;
     if (!path.straight()) {
-        std::vector<Chord> chords;
-        flatten(path, tolerance, chords);
-        std::ranges::transform(chords, std::back_inserter(to), &Chord::segment);
+        std::vector<Chord> chords; // of one path segment
+        appendChords(Path::Data::Reader(*path.data_, path.placement()), tolerance, chords, [&] {
+            std::ranges::transform(chords, std::back_inserter(to), &Chord::segment);
+            chords.clear();
+        });
         return;
     }
     const Placement where = path.placement();

@@ -52,7 +52,7 @@ inline Path::Data* Path::Data::of(std::size_t points, std::size_t subpaths, std:
         Data{{1}, std::uint32_t(points), std::uint32_t(subpaths), std::uint32_t(kinds)};
 }
 
-/// Unpacks one subpath after the other.
+/// Unpacks one subpath after the other, whole or segment by segment.
 class Path::Data::Reader {
 public:
     Reader(const Data& data, const Placement& where)
@@ -65,16 +65,26 @@ public:
 
     void next(Subpath& subpath)
     {
-        subpath.closed = *size_ & 1;
-        subpath.start = point();
+        const auto [start, segments, closed] = this->start();
+        subpath.closed = closed;
+        subpath.start = start;
         subpath.segments.clear();
-        subpath.segments.reserve(*size_ >> 1);
-        for (std::uint32_t left = *size_++ >> 1; left > 0; --left)
+        subpath.segments.reserve(segments);
+        for (std::uint32_t left = segments; left > 0; --left)
             subpath.segments.push_back(segment());
     }
 
-private:
-    Point point() { return where_(*point_++); }
+    /// How a subpath begins, and how many segments are to be asked for before the next one.
+    struct Start {
+        Point at;
+        std::uint32_t segments;
+        bool closed;
+    };
+    Start start()
+    {
+        const std::uint32_t size = *size_++;
+        return {point(), size >> 1, (size & 1) != 0};
+    }
     PathSegment segment()
     {
         PathSegment segment{};
@@ -86,6 +96,9 @@ private:
         segment.to = point();
         return segment;
     }
+
+private:
+    Point point() { return where_(*point_++); }
 
     const Placement where_;
     const std::uint32_t* size_;
