@@ -2,6 +2,7 @@
 #include "app/document/session.h"
 
 #include "app/document/bounds.h"
+#include "app/document/followed_ranges.h"
 #include "app/document/usual_algorithm.h"
 #include "app/formats/unfinished.h"
 
@@ -116,23 +117,13 @@ void Session::follow(const DocumentChange& change)
     if (change.everything)
         select({}), preview_ = {};
     else if (!change.splices.empty())
-        followSplices(change.splices);
+        select(followed(selection_, change.splices));
     if (change.drawing())
         inspect(std::nullopt);
     if (change.everything || !now().containers().contains(pen.layer))
         pen.layer = now().containers().childrenOf(0).back();
     if (change.windows || change.page) // without a clip window the page is compared
         emit previewChanged();
-}
-
-void Session::followSplices(std::span<const Splice> splices)
-{
-    ObjectRanges selected = selection_;
-    std::for_each(splices.rbegin(), splices.rend(), [&](const Splice& s) {
-        if (s.removed != s.added)
-            selected = selected.shifted(s.first, s.removed, s.added);
-    });
-    select(std::move(selected));
 }
 
 } // namespace app

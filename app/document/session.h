@@ -84,8 +84,8 @@ public:
     const ObjectRanges& selection() const { return selection_; }
     void select(ObjectRanges objects);
     /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
-    /// and kept until the selection or the drawing changes. Not for slots of EditedDocument::changed and
-    /// Scene::outdated: there the selection may not have followed the drawing yet.
+    /// and kept until the selection or the drawing changes. Not for slots of
+    /// EditedDocument::changed and Scene::outdated: there the selection may not have followed the drawing yet.
     const std::optional<clipping::Window>& selectionBounds() const;
 
     /// The line in the inspector: its number in scene.lines(); dropped when the scene changes.
@@ -104,13 +104,12 @@ signals:
     void displayChanged();
     void selectionChanged();
     void inspectedChanged();
-    void previewChanged(); ///< preview() or window(): by a gesture, a command, undo or load
+    void previewChanged(); ///< preview() or windows(): by a gesture, a command, undo or load
     void fileChanged();
     void loaded(); ///< a different drawing: fit the view
 
 private:
     void follow(const DocumentChange& change);
-    void followSplices(std::span<const Splice> splices);
 
     Display display_;
     ObjectRanges selection_;
