@@ -15,7 +15,7 @@ constexpr int accentWidth = 4;
 
 WindowNote::WindowNote(const app::Session& session)
 {
-    setText(tr("<b>Drag the window.</b> What it leaves out is cut, at every frame."));
+    setText(tr("<b>Drag the clip window,</b> or draw one (W). What it leaves out is cut, at every frame."));
     setContentsMargins(12, 8, 12, 8);
     setWordWrap(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// What to do first, in a strip of its own above the first drawing, until the window is changed.
+/// What to do first, in a strip of its own above the first drawing, until a clip window is changed.
 class WindowNote : public QLabel {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
     explicit WindowNote(const app::Session& session);
 
 signals:
-    void learnt(); ///< the window was changed: never again
+    void learnt(); ///< a clip window was changed: never again
 
 protected:
     void paintEvent(QPaintEvent* event) override;
