@@ -10,7 +10,7 @@ namespace app {
 /// --margin.
 std::vector<Option> windowOptions();
 
-/// The drawing's own: the first upright rectangle of its clip windows that is visible; without one
+/// The drawing's own: the first axis-aligned rectangle of its clip windows that is visible; without one
 /// the page, and in a file without a page all that is drawn.
 clipping::Window windowOf(const Imported& imported);
 

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Really cuts the drawing at its clip window.
+/// Really cuts the document at its clip windows.
 class CropToWindow : public EditCommand {
 public:
     static constexpr CommandKind row{"crop-to-window", "Cuts the drawing at its clip window"};

@@ -50,11 +50,11 @@ public:
     QString undoText() const { return canUndo() ? text(index_ - 1) : QString(); }
     QString redoText() const { return canRedo() ? text(index_) : QString(); }
 
-    /// Whether the drawing is as it was at the last setClean(), or when the history was empty.
+    /// Whether the document is as it was at the last setClean(), or when the history was empty.
     bool isClean() const { return macros_ == 0 && clean_ == index_; }
     void setClean();
     void resetClean(); ///< no step leads to a clean state any more
-    void clear();      ///< for another drawing, which is clean; forgets all steps
+    void clear();      ///< for another document, which is clean; forgets all steps
 
     /// The memory of all steps. If a new step, or a new limit, finds it beyond the limit, the oldest
     /// done ones go; the newest stays, however large it is. Undoing lets none go.
@@ -88,7 +88,7 @@ private:
 
     std::deque<Step> steps_;
     int index_ = 0;
-    std::optional<int> clean_ = 0; ///< the index at which the drawing is clean
+    std::optional<int> clean_ = 0; ///< the index at which the document is clean
     Step macro_;                   ///< in the making while macros_ > 0
     int macros_ = 0;               ///< open ones, each inside the one before
     std::size_t bytes_ = 0, limit_ = usualLimit;

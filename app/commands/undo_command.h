@@ -18,7 +18,7 @@ struct CommandKind {
 /// follow each other quickly are one step to undo.
 enum class Merging : std::uint8_t { Never, WithLast };
 
-/// One change of the drawing that can be undone. It is made in the state that it changes, and done
+/// One change of the document that can be undone. It is made in the state that it changes, and done
 /// and undone in turn, starting with redo(); History owns it.
 class UndoCommand {
 public:

@@ -36,7 +36,7 @@ struct Display {
     friend bool operator==(const Display&, const Display&) = default;
 };
 
-/// How new shapes are drawn, and where.
+/// How new objects are drawn, and where.
 struct Pen {
     Style style{.stroke = Colour{}, .width = 1};
     ContainerId layer = 0; ///< one of the document; Session keeps it so
@@ -84,8 +84,9 @@ public:
     const ObjectRanges& selection() const { return selection_; }
     void select(ObjectRanges objects);
     /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
-    /// and kept until the selection or the drawing changes. Not for slots of
-    /// EditedDocument::changed and Scene::outdated: there the selection may not have followed the drawing yet.
+    /// and kept until the selection or the document changes. Not for slots of
+    /// EditedDocument::changed and Scene::outdated: there the selection may not have followed the
+    /// document yet.
     const std::optional<clipping::Window>& selectionBounds() const;
 
     /// The line in the inspector: its number in scene.lines(); dropped when the scene changes.

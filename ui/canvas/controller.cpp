@@ -100,7 +100,7 @@ void Controller::setTool(std::string_view key)
     emit changed();
 }
 
-// A new shape on a layer that is locked or not shown would surprise.
+// A new object on a layer that is locked or not shown would surprise.
 bool Controller::mayDraw() const
 {
     const app::Containers& containers = session_.now().containers();

@@ -19,7 +19,8 @@ namespace {
 constexpr double boxReach = 8;              // pixels
 constexpr std::size_t mostPreviewed = 4000; // segments of a selection that is being dragged
 
-/// Clicks, boxes and drags shapes; drags the clip window by its handles and outline, too.
+/// Selects objects by clicks and boxes, and drags them; drags the clip window by its handles and
+/// outline, too.
 class SelectTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
@@ -120,7 +121,8 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
         startDrag(bench);
 }
 
-// In the area of a shape that is not selected a box begins: else a background would be in the way.
+// In the area of an object that is not selected a box begins: else a background would be in the
+// way.
 void SelectTool::startDrag(Workbench& bench)
 {
     const app::Session& session = bench.session;

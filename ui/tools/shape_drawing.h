@@ -8,7 +8,7 @@ namespace ui {
 /// A new object in the session's pen.
 app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths);
 
-/// What the drawing tools share: a new shape, pushed as one step.
+/// What the drawing tools share: a new object, pushed as one step.
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText);
 
 /// The preview of a path, in the pen's ink.

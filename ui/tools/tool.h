@@ -28,7 +28,7 @@ struct Pointer {
     Qt::KeyboardModifiers modifiers;
 };
 
-/// What a tool works on. It changes the drawing by pushing commands on session.history, and in no
+/// What a tool works on. It changes the document by pushing commands on session.history, and in no
 /// other way; it pans and zooms through `view`.
 struct Workbench {
     app::Session& session;
@@ -76,7 +76,7 @@ public:
     virtual bool canPutBack(const Workbench&) const { return false; }
     virtual void putBack(Workbench&) {}
     virtual QString stepText() const { return {}; } ///< what such a step is called in the menu
-    /// What end() would keep now; nothing: no shape.
+    /// What end() would keep now; nothing: no object.
     virtual std::optional<app::Subpath> pathInHand() const { return std::nullopt; }
     virtual std::size_t pointsInHand() const { return 0; } ///< of the path that is being drawn
 
@@ -89,7 +89,7 @@ public:
     virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
     /// What to say in the status bar just now; empty: the tool's usual hint.
     virtual QString hint(const Workbench&) const { return {}; }
-    virtual bool draws() const { return false; } ///< new shapes, in the session's pen
+    virtual bool draws() const { return false; } ///< new objects, in the session's pen
     /// What to draw over the drawing, in logical pixels of the canvas.
     virtual void paint(QPainter&, const Workbench&) const {}
 };
