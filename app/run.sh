@@ -25,7 +25,7 @@ fi
 out=build/without-display
 mkdir -p "$out"
 name=$(basename "${file%.*}")
-echo "No display: cutting $file at its clip window."
+echo "No display: cutting $file at its clip windows, or else at its page."
 for algorithm in $("$clearcut" algorithms --format csv | tail -n +2 | cut -d, -f1); do
     "$clearcut" clip "$file" -a "$algorithm" -o "$out/$name-$algorithm.svg" --quiet
 done
