@@ -10,8 +10,8 @@ namespace app {
 /// --margin.
 std::vector<Option> windowOptions();
 
-/// The drawing's own: the first axis-aligned rectangle of its clip windows that is visible; without one
-/// the page, and in a file without a page all that is drawn.
+/// The drawing's own: the first axis-aligned rectangle of its clip windows that is visible; without
+/// one the page, and in a file without a page all that is drawn.
 clipping::Window windowOf(const Imported& imported);
 
 /// The clip window that the options choose, in user units; without them the drawing's own. Bare
