@@ -54,7 +54,7 @@ private slots:
             while (files.hasNext())
                 addTypesOf(files.next(), places);
         }
-        QVERIFY(places.contains(QStringLiteral("app::Sheet"))); // they are found at all
+        QVERIFY(places.contains(QStringLiteral("app::Document"))); // they are found at all
         for (const auto& [name, files] : notEmpty(places)) {
             const QStringList list(files.begin(), files.end());
             QVERIFY2(list.size() == 1, qPrintable(name + QLatin1StringView(" is defined in ")

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the scene of blocks beside the scene of one array, on the same lines and in turns:
+// Measures the scene of blocks beside one array of all lines, on the same lines and in turns:
 // scene [loose|polylines] [SEGMENTS]
-#include "app/document/scene.h"
-
 #include "app/document/block_scene.h"
+#include "clipping/chunks.h"
+#include "clipping/outside.h"
 
 #include <QCoreApplication>
 
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -15,13 +16,12 @@
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/timing.h"
 #include "tests/benchmarks/used_memory.h"
-#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
 constexpr int rounds = 21;
 constexpr double tolerance = 0.1;
-const app::Page page{{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
+const app::Point pageSize(1280, 800);
 
 /// Lines that touch nothing, or pen lines of so many segments.
 class RandomPaths {
@@ -57,22 +57,43 @@ app::Objects someObjects(std::size_t count, std::size_t each)
     return objects;
 }
 
-app::Sheet sheetOf(const app::Objects& objects)
-{
-    app::Sheet sheet;
-    sheet.page = page;
-    objects.forEach(0, objects.size(), [&](std::size_t, const app::ObjectView& object) {
-        app::Shape shape;
-        shape.paths = object.path().subpaths();
-        sheet.shapes.push_back(std::move(shape));
-    });
-    return sheet;
-}
+/// All lines in one array with the boxes of its chunks: what the scene of blocks is compared with.
+class ArrayScene {
+public:
+    explicit ArrayScene(const app::SceneLines& lines)
+    {
+        for (const auto& run : lines.runs())
+            segments_.insert(segments_.end(), run.segments.begin(), run.segments.end());
+        chunks_.update(segments_, 0, segments_.size());
+        inside_.resize(segments_.size());
+        outside_.resize(2 * segments_.size());
+    }
+
+    /// The milliseconds that clipping took; with Keep::Outside the call finds more.
+    double clip(const clipping::Algorithm& algorithm, const clipping::Window& window,
+                app::Keep keep)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        const std::size_t count = &algorithm == &clipping::exactAlgorithm()
+                                      ? chunks_.clipAll(segments_, window, inside_)
+                                      : algorithm.corrected.clipAll(segments_, window, inside_);
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - start;
+        if (keep == app::Keep::Outside)
+            clipping::outsideAll(segments_, std::span(inside_).first(count), outside_);
+        return time.count();
+    }
+
+private:
+    std::vector<clipping::Segment> segments_;
+    clipping::Chunks chunks_;
+    std::vector<clipping::Clipped> inside_, outside_;
+};
 
 /// In the middle of the page, so much of its area.
 clipping::Window windowOf(double share)
 {
-    const app::Point half = page.size * (std::sqrt(share) / 2), centre = page.size / 2.0;
+    const app::Point half = pageSize * (std::sqrt(share) / 2), centre = pageSize / 2.0;
     return {centre - half, centre + half};
 }
 
@@ -146,8 +167,7 @@ public:
 
     void frames()
     {
-        ::load(document_, sheetOf(objects_));
-        array_ = std::make_unique<app::Scene>(document_);
+        array_ = std::make_unique<ArrayScene>(blocks_.lines());
         QTextStream(stdout)
             << "Share of the page; ms of clipping, one array -> blocks; of the call\n";
         for (const char* key : {"exact", "matthes-drakopoulos", "cohen-sutherland"})
@@ -177,15 +197,13 @@ private:
     {
         const clipping::Window window = windowOf(share);
         const app::ClipRegion region{{{window, app::WindowOperation::Add}}, keep};
-        const auto removed =
-            keep == app::Keep::Inside ? app::Scene::Removed::Left : app::Scene::Removed::Kept;
         Turns turns;
         for (int i = 0; i < rounds; ++i) {
             emptyCaches();
-            app::Frame old;
+            double clipped = 0;
             turns.oldCalls.push_back(
-                processorTime([&] { old = array_->clip(algorithm.corrected, window, removed); }));
-            turns.oldClips.push_back(double(old.nanoseconds) * 1e-6);
+                processorTime([&] { clipped = array_->clip(algorithm, window, keep); }));
+            turns.oldClips.push_back(clipped);
             emptyCaches();
             app::SceneFrame frame;
             turns.newCalls.push_back(
@@ -204,8 +222,7 @@ private:
     std::size_t start_;
     app::Objects objects_;
     app::BlockScene blocks_;
-    app::EditedDocument document_;
-    std::unique_ptr<app::Scene> array_;
+    std::unique_ptr<ArrayScene> array_;
 };
 
 } // namespace

@@ -91,11 +91,7 @@ struct Desk : TestWindow {
     /// What `exact` sees of the window as it is now.
     std::size_t visible() const
     {
-        return session()
-            .scene
-            .clip(clipping::exactAlgorithm().corrected, session().window(),
-                  app::Scene::Removed::Left)
-            .inside.size();
+        return session().scene.clip(session().region(), app::exactVariant()).visible;
     }
 
     std::array<LengthField*, 4> fields{};
