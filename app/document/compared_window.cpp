@@ -23,7 +23,7 @@ ClipWindows withWindow(ClipWindows windows, const clipping::Window& window)
 {
     if (const auto old = first(windows.list); old != windows.list.end())
         old->shape = RectangleShape{window};
-    else
+    else if (windows.list.size() < ClipWindows::most)
         windows.list.push_back({.shape = RectangleShape{window}});
     return windows;
 }

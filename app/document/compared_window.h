@@ -16,7 +16,8 @@ struct ComparedWindow {
 /// The clip window that tools move and size, and that numbers are shown of: the first visible
 /// axis-aligned rectangle, if there is one.
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
-/// With that one in another place; with one more if there is none.
+/// With that one in another place; with one more if there is none, unless there are
+/// `ClipWindows::most`.
 ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
 /// Without that one.
 ClipWindows withoutWindow(ClipWindows windows);

@@ -15,7 +15,7 @@ public:
     {
         to_ = pointer;
         if (from_ && dragged(from_->screen, pointer))
-            draw(bench, {pathIn(rectangle())}, undoText());
+            draw(bench, {pathIn(rectangle())}, undoText(), recipeIn(rectangle()));
         from_.reset();
     }
     void cancel(Workbench&) override { from_.reset(); }
@@ -28,7 +28,9 @@ public:
     }
 
 protected:
+    /// By corner to corner, so that these are where the pointer was, bit for bit.
     virtual app::Subpath pathIn(const clipping::Window& rectangle) const = 0;
+    virtual app::Recipe recipeIn(const clipping::Window& rectangle) const = 0;
     virtual QString undoText() const = 0;
 
 private:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/recipe_outline.h"
 #include "ui/tools/corner_tool.h"
 
 #include <QCoreApplication>
@@ -6,24 +7,16 @@
 namespace ui {
 namespace {
 
-constexpr double quarter =
-    0.5522847498307936; // of the radius: a Bézier curve like a quarter circle
-
 class EllipseTool final : public CornerTool {
 protected:
     app::Subpath pathIn(const clipping::Window& r) const override
     {
-        const app::Point radius = (r.max - r.min) * 0.5, centre = r.min + radius;
-        const auto at = [&](double x, double y) { return centre + radius * app::Point(x, y); };
-        const auto curve = [&](app::Point a,
-                               app::Point b) { // unit directions, a quarter turn apart
-            const app::Point from = a + b * quarter, to = b + a * quarter;
-            return app::PathSegment{at(b.x, b.y), at(from.x, from.y), at(to.x, to.y), true};
-        };
-        return {at(1, 0),
-                {curve({1, 0}, {0, 1}), curve({0, 1}, {-1, 0}), curve({-1, 0}, {0, -1}),
-                 curve({0, -1}, {1, 0})},
-                true};
+        return *app::outlineOf(recipeIn(r));
+    }
+    app::Recipe recipeIn(const clipping::Window& r) const override
+    {
+        const app::Point radii = (r.max - r.min) * 0.5;
+        return app::EllipseRecipe{r.min + radii, radii};
     }
     QString undoText() const override
     {

@@ -12,6 +12,10 @@ protected:
     {
         return {r.min, {{{r.max.x, r.min.y}}, {r.max}, {{r.min.x, r.max.y}}}, true};
     }
+    app::Recipe recipeIn(const clipping::Window& r) const override
+    {
+        return app::RectangleRecipe{r.min, r.max - r.min};
+    }
     QString undoText() const override
     {
         return QCoreApplication::translate("Commands", "Draw rectangle");

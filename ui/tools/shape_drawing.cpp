@@ -12,16 +12,20 @@
 
 namespace ui {
 
-app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths)
+app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths,
+                     app::Recipe recipe)
 {
-    return {.path = app::Path(subpaths), .style = session.pen.style};
+    return {.path = app::Path(subpaths),
+            .style = session.pen.style,
+            .particulars = {.recipe = std::move(recipe)}};
 }
 
-void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText)
+void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,
+          app::Recipe recipe)
 {
     app::Session& session = bench.session;
     app::Objects objects = session.now().objects().slice(0, 0);
-    objects.append(objectOf(session, paths));
+    objects.append(objectOf(session, paths, std::move(recipe)));
     session.history.push(
         new app::AddObjects(session.document, objects, session.pen.layer, undoText));
 }

@@ -6,10 +6,12 @@
 namespace ui {
 
 /// A new object in the session's pen.
-app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths);
+app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths,
+                     app::Recipe recipe = {});
 
 /// What the drawing tools share: a new object, pushed as one step.
-void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText);
+void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,
+          app::Recipe recipe = {});
 
 /// The preview of a path, in the pen's ink.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths and viewports that hide what is outside of them: both are cut for real.
 #include "app/formats/svg/clip_object.h"
+#include "app/document/recipe_outline.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -113,6 +114,8 @@ void Walk::addClipped(Drawn drawn, const Place& place)
     }
     for (Drawn& one : objects) {
         countParts(one);
+        if (!makes(one.particulars.recipe, one.paths)) // transformed, clipped, or edited elsewhere
+            one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});
     }

@@ -3,6 +3,7 @@
 
 #include "app/document/flatten.h"
 #include "app/formats/svg/limits.h"
+#include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 
@@ -246,6 +247,7 @@ void Walk::drawOutline(Node node, const Place& around)
     const Node named = place.repeated ? around.use : node;
     if (named != noNode)
         drawn.particulars = particularsOf(named);
+    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"));
     addClipped(std::move(drawn), place);
 }
 

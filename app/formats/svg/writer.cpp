@@ -5,6 +5,7 @@
 #include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
+#include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/svg/window_text.h"
 #include "app/formats/write_all.h"
@@ -180,6 +181,8 @@ private:
         const Particulars& particulars = object.particulars();
         if (!particulars.id.isEmpty())
             appendAttribute(text_, "id", escaped(particulars.id));
+        if (const std::string recipe = svg::textOf(particulars.recipe); !recipe.empty())
+            appendAttribute(text_, "clearcut:recipe", recipe);
         if (object.hidden())
             appendAttribute(text_, "display", "none");
         text_ += style;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/recipe_outline.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+// Of the radius: a Bézier curve like a quarter circle.
+constexpr double quarter = 0.5522847498307936;
+constexpr double rounding = 1e-9; // of the size
+
+struct Outline {
+    std::optional<Subpath> operator()(const RectangleRecipe& r) const
+    {
+        if (r.radius != 0)
+            return std::nullopt;
+        const Point end = r.corner + r.size;
+        return Subpath{r.corner, {{{end.x, r.corner.y}}, {end}, {{r.corner.x, end.y}}}, true};
+    }
+    std::optional<Subpath> operator()(const EllipseRecipe& e) const
+    {
+        const auto at = [&](const Point& unit) { return e.centre + e.radii * unit; };
+        const auto curve = [&](const Point& a, const Point& b) { // directions, a quarter turn apart
+            return PathSegment{at(b), at(a + b * quarter), at(b + a * quarter), true};
+        };
+        return Subpath{at({1, 0}),
+                       {curve({1, 0}, {0, 1}), curve({0, 1}, {-1, 0}), curve({-1, 0}, {0, -1}),
+                        curve({0, -1}, {1, 0})},
+                       true};
+    }
+    template <class Other>
+    std::optional<Subpath> operator()(const Other&) const
+    {
+        return std::nullopt;
+    }
+};
+
+} // namespace
+
+std::optional<Subpath> outlineOf(const Recipe& recipe) { return std::visit(Outline{}, recipe); }
+
+bool makes(const Recipe& recipe, std::span<const Subpath> subpaths)
+{
+    const auto made = outlineOf(recipe);
+    if (!made || subpaths.size() != 1 || !subpaths.front().closed
+        || subpaths.front().segments.size() != made->segments.size())
+        return false;
+    double size = 0;
+    for (const PathSegment& s : made->segments)
+        size = std::max({size, std::abs(s.to.x), std::abs(s.to.y), std::abs(made->start.x),
+                         std::abs(made->start.y)});
+    const auto near = [&](const Point& a, const Point& b) {
+        const Point apart = glm::abs(a - b);
+        return apart.x <= rounding * size && apart.y <= rounding * size;
+    };
+    return near(made->start, subpaths.front().start)
+           && std::ranges::equal(made->segments, subpaths.front().segments,
+                                 [&](const PathSegment& a, const PathSegment& b) {
+                                     return a.curved == b.curved && near(a.to, b.to)
+                                            && near(a.control1, b.control1)
+                                            && near(a.control2, b.control2);
+                                 });
+}
+
+} // namespace app

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
+#include "app/formats/format.h"
+
+#include <QBuffer>
+#include <QTest>
+
+using namespace app;
+
+class RecipeTest : public QObject {
+    Q_OBJECT
+
+    static Document read(const QByteArray& text)
+    {
+        QBuffer in;
+        in.setData(text);
+        in.open(QIODevice::ReadOnly);
+        const auto imported = formats().front().read(in);
+        return imported ? imported.value->document : Document();
+    }
+    static QByteArray written(const Document& document)
+    {
+        QBuffer out;
+        out.open(QIODevice::WriteOnly);
+        return formats().front().write(document, out, {}) ? QByteArray() : out.data();
+    }
+    static Document drawn(const Recipe& recipe)
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "Drawing"});
+        const std::vector<Subpath> subpaths{*outlineOf(recipe)};
+        builder.add(Object{.path = Path(subpaths),
+                           .style = {.stroke = Colour{}},
+                           .particulars = {.recipe = recipe}});
+        builder.close();
+        return builder.take({});
+    }
+
+private slots:
+    void comesBackFromAFile_data()
+    {
+        QTest::addColumn<Recipe>("recipe");
+        QTest::newRow("rectangle") << Recipe(RectangleRecipe{{0.1, -3}, {7.7, 1e-3}});
+        QTest::newRow("ellipse") << Recipe(EllipseRecipe{{10.1, 20}, {3.3, 4}});
+    }
+    void comesBackFromAFile()
+    {
+        QFETCH(Recipe, recipe);
+        const Document document = drawn(recipe);
+        const Document back = read(written(document));
+        QCOMPARE(back.objects().size(), std::size_t(1));
+        QVERIFY(back.objects()[0].particulars().recipe == recipe);
+        QVERIFY(back.objects()[0].path() == document.objects()[0].path());
+    }
+    // Whoever moved a corner in another program did not know of the recipe.
+    void goesWhereThePathIsAnotherOne_data()
+    {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::newRow("another corner") << QByteArray("rectangle 1 ") << QByteArray("rectangle 2 ");
+        QTest::newRow("another kind") << QByteArray("rectangle ") << QByteArray("ellipse ");
+        QTest::newRow("too few numbers") << QByteArray("rectangle 1 ") << QByteArray("rectangle ");
+        QTest::newRow("unknown") << QByteArray("rectangle ") << QByteArray("star ");
+        QTest::newRow("transformed") << QByteArray("clearcut:recipe")
+                                     << QByteArray("transform=\"scale(2)\" clearcut:recipe");
+    }
+    void goesWhereThePathIsAnotherOne()
+    {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QByteArray file = written(drawn(RectangleRecipe{{1, 2}, {30, 40}}));
+        QVERIFY(file.contains(from));
+        file.replace(from, to);
+        const Document back = read(file);
+        QCOMPARE(back.objects().size(), std::size_t(1));
+        QVERIFY(std::holds_alternative<std::monostate>(back.objects()[0].particulars().recipe));
+    }
+};
+
+Q_DECLARE_METATYPE(app::Recipe)
+QTEST_APPLESS_MAIN(RecipeTest)
+#include "recipe_test.moc"
