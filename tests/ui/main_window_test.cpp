@@ -167,7 +167,7 @@ private slots:
         setWindow(t, middle);
         t.answers->answer = Questions::Answer::DontSave;
         t.window->files().startNew();
-        sheetOf(QVERIFY(t.window->session().document).shapes.empty());
+        QVERIFY(sheetOf(t.window->session().document).shapes.empty());
         QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
     }
     void savingOverSomebodyElsesChangeIsAsked()

@@ -138,10 +138,10 @@ private slots:
             QCOMPARE(now[i] != half[i], others[i] && !(tool == "window" && i < 2 && from.x < 10));
         }
         QCOMPARE(now, t.numbersOf(t.session().window()));
-        sheetOf(QCOMPARE(t.session().document).window, start);
+        QCOMPARE(sheetOf(t.session().document).window, start);
         t.release(to);
         QCOMPARE(t.numbers(), now);
-        sheetOf(QCOMPARE(t.numbersOf(t.session().document).window), now);
+        QCOMPARE(t.numbersOf(sheetOf(t.session().document).window), now);
         QVERIFY(!t.session().preview().window);
         QCOMPARE(t.session().history.count(), 1);
         t.session().history.undo();
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(t.visible() != visible);
         QVERIFY(!shows(dragged)); // soon, not at once
         QTRY_VERIFY(shows(dragged));
-        sheetOf(QCOMPARE(t.session().document).window, start);
+        QCOMPARE(sheetOf(t.session().document).window, start);
 
         QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
         QCOMPARE(t.session().window(), start);
@@ -190,8 +190,8 @@ private slots:
         t.drag({50, 50}, {{60, 55}, {70, 60}});
         t.release({70, 60});
         QCOMPARE(t.session().history.count(), 1);
-        sheetOf(QTRY_VERIFY(shows(t.session().document).window));
-        sheetOf(QVERIFY(t.session().document).window != start);
+        QTRY_VERIFY(shows(sheetOf(t.session().document).window));
+        QVERIFY(sheetOf(t.session().document).window != start);
         t.session().history.undo();
         QTRY_VERIFY(shows(start));
         QCOMPARE(frames.count, 0);
@@ -248,7 +248,7 @@ private slots:
             t.window->files().open(t.twoLines());
         QCOMPARE(t.session().preview(), app::Preview{});
         QVERIFY(!changed.isEmpty());
-        QCOMPARE(t.numbers(), sheetOf(t.numbersOf(t.session().document).window));
+        QCOMPARE(t.numbers(), t.numbersOf(sheetOf(t.session().document).window));
         QCOMPARE(t.session().history.count(), 0);
     }
 

@@ -94,7 +94,7 @@ public:
         if (test_.drawingArea()->isVisibleTo(test_.window.get()) == session().microscope.isOpen()
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
             return "the active pane is not in sight";
-        return std::ranges::equal(app::Scene(session().document).segments(), segments)
+        return segmentsOf(app::Scene(session().document).lines()) == segments
                    ? QString()
                    : "the scene is not the drawing";
     }

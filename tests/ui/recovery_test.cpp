@@ -99,7 +99,7 @@ void press(const QString& verb)
 void sayDrawing(const MainWindow& window)
 {
     say(QString("%1 shapes, %2, %3")
-            sheetOf(.arg(window.session().document).shapes.size())
+            .arg(window.session().now().objects().size())
             .arg(window.windowTitle().section("[", 0, 0),
                  window.isWindowModified() ? "not saved" : "saved"));
 }

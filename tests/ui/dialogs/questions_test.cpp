@@ -77,7 +77,7 @@ private slots:
         };
         const QByteArray old = read();
         const QString other = test.path("other.svg");
-        QVERIFY(!app::writeFile(app::sheetOf(documentOf(test.window->session().document)), other));
+        QVERIFY(!app::writeFile(test.window->session().now(), other));
         const auto size = std::size_t(QFileInfo(other).size());
         QVERIFY(size > 100 && QFile::remove(other));
         QString told;

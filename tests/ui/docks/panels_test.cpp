@@ -181,7 +181,7 @@ private slots:
         type(fields[3], "50");
         panel->findChild<QToolButton*>()->click();
         type(fields[2], "50");
-        sheetOf(QCOMPARE(t.window->session().document).window, (clipping::Window{{0, 0}, {50, 25}}));
+        QCOMPARE(sheetOf(t.window->session().document).window, (clipping::Window{{0, 0}, {50, 25}}));
     }
     void theUnitChangesEveryNumber()
     {
@@ -332,9 +332,9 @@ private slots:
         QVERIFY(buttons[0]->isVisible() && buttons[1]->isVisible());
         QVERIFY(!buttons[1]->isEnabled()); // the only layer stays
         QTest::mouseClick(buttons[0], Qt::LeftButton);
-        sheetOf(QCOMPARE(t.window->session().document).layers.size(), std::size_t(2));
+        QCOMPARE(sheetOf(t.window->session().document).layers.size(), std::size_t(2));
         QTest::mouseClick(buttons[1], Qt::LeftButton);
-        sheetOf(QCOMPARE(t.window->session().document).layers.size(), std::size_t(1));
+        QCOMPARE(sheetOf(t.window->session().document).layers.size(), std::size_t(1));
     }
     void theStartPanelFitsAnyHeight() // once a scroll bar came and went in it without end
     {

@@ -144,7 +144,7 @@ private slots:
             stage.canvas->undo();
             stage.move({130, 60}, Qt::LeftButton);
             stage.release({130, 60});
-            sheetOf(QVERIFY2(stage.session.document) == before && stage.session.history.count() == 1, tool);
+            QVERIFY2(sheetOf(stage.session.document) == before && stage.session.history.count() == 1, tool);
         }
     }
     void aMoveThatChangesNothingTellsNothing()
@@ -213,7 +213,7 @@ private:
         void key(Qt::Key key) { QTest::keyClick(t.drawingArea(), key); }
         void undo() { t.action("undo")->trigger(); }
         void redo() { t.action("redo")->trigger(); }
-        const std::vector<app::Shape>& shapes() const { return sheetOf(window.session().document).shapes; }
+        std::vector<app::Shape> shapes() const { return sheetOf(window.session().document).shapes; }
         /// Rounded: a click hits whole pixels.
         std::vector<app::Point> corners(std::size_t shape) const
         {

@@ -78,6 +78,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(app::Recipe)
 QTEST_APPLESS_MAIN(RecipeTest)
 #include "recipe_test.moc"
