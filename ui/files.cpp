@@ -183,9 +183,11 @@ using Exported = std::pair<std::optional<QString>, app::CutCounts>;
 // On a thread of its own, where an exception would end the program. Separate lines are cut as
 // lines, so that each of them lies inside the window.
 Exported exported(app::Document document, const app::CutOptions& options, const QString& path,
-                  const app::WriteOptions& writing)
+                  const app::WriteOptions& writing, bool hides)
 {
     try {
+        if (!hides)
+            document = app::withoutHidden(document);
         if (options.keepContacts)
             document = app::flattened(document, app::usualTolerance(document.page()));
         app::Cut cut = app::cut(document, options);
@@ -220,7 +222,7 @@ void Files::exportCut()
     writing.stop = cancel.get_token();
     const bool hides = format && format->hides == app::Hides::Yes;
     const auto job = [document = session_.now(), options, path, writing, hides] {
-        return exported(hides ? document : app::withoutHidden(document), options, path, writing);
+        return exported(document, options, path, writing, hides);
     };
     const auto done =
         inBackground(&window_, tr("Exporting %1…").arg(QFileInfo(path).fileName()), job);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/keeping.h"
 
+#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 
 #include <QCoreApplication>
@@ -17,6 +18,13 @@ void setKeep(app::Session& session, app::Keep keep)
                                                        : QT_TRANSLATE_NOOP("Clip", "Keep outside");
     session.history.push(new app::SetWindows(session.document, std::move(windows),
                                              QCoreApplication::translate("Clip", text)));
+}
+
+void layWindowOnPage(app::Session& session)
+{
+    const clipping::Window page = session.now().page().rectangle();
+    if (app::firstWindow(session.now().windows()) != page)
+        session.history.push(new app::SetWindow(session.document, page));
 }
 
 } // namespace ui

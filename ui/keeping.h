@@ -3,9 +3,14 @@
 
 #include "app/document/session.h"
 
+// Steps to undo that several places of the interface offer. None is made where nothing would change.
+
 namespace ui {
 
-/// Chooses the side of the clip windows that is kept, as a step to undo; none if it is kept already.
+/// Chooses the side of the clip windows that is kept.
 void setKeep(app::Session& session, app::Keep keep);
+
+/// Lays the clip window on the page; a new one if there is none.
+void layWindowOnPage(app::Session& session);
 
 } // namespace ui

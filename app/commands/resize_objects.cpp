@@ -2,6 +2,7 @@
 #include "app/commands/resize_objects.h"
 
 #include "app/commands/move_objects.h"
+#include "app/document/path_points.h"
 
 #include <QCoreApplication>
 
@@ -14,13 +15,36 @@ Placement fitting(const clipping::Window& from, const clipping::Window& to)
     return {scale, to.min - from.min * scale};
 }
 
+namespace {
+
+// Point by point, so that the corner stays where it is held whatever the numbers.
+Path fitted(const Path& path, const clipping::Window& from, const clipping::Window& to)
+{
+    const Point scale = fitting(from, to).scale;
+    std::vector<Subpath> subpaths = path.subpaths();
+    for (Subpath& subpath : subpaths)
+        forEachPoint(subpath, [&](Point& p) { p = to.min + (p - from.min) * scale; });
+    return Path(subpaths);
+}
+
+Edit resized(const Document& document, const ObjectRanges& objects, const clipping::Window& from,
+             const clipping::Window& to)
+{
+    const Placement where = fitting(from, to);
+    const bool keepsCorner = where(from.min) == to.min; // else it moves by a rounding
+    return changed(document, objects, [&](ObjectRow& object, StyleTable&) {
+        Path path = keepsCorner ? Path() : fitted(object.path, from, to);
+        place(object, where);
+        if (!keepsCorner)
+            object.path = std::move(path);
+    });
+}
+
+} // namespace
+
 ResizeObjects::ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
                              const clipping::Window& from, const clipping::Window& to)
-    : EditCommand(row, document,
-                  changed(document.now(), objects,
-                          [where = fitting(from, to)](ObjectRow& object, StyleTable&) {
-                              place(object, where);
-                          }),
+    : EditCommand(row, document, resized(document.now(), objects, from, to),
                   QCoreApplication::translate("Commands", "Resize selection"))
 {
 }

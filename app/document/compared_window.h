@@ -17,7 +17,7 @@ struct ComparedWindow {
 /// axis-aligned rectangle, if there is one.
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
 /// With that one in another place; with one more if there is none, unless there are
-/// `ClipWindows::most`.
+/// `ClipWindows::most` already.
 ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
 /// Without that one.
 ClipWindows withoutWindow(ClipWindows windows);

@@ -22,7 +22,7 @@ Containers withoutHidden(Containers containers)
 
 ObjectRanges hiddenObjects(const Document& document)
 {
-    ObjectRanges hidden = document.containers().hiddenRanges();
+    ObjectRanges hidden; // those that are so themselves
     const Objects& objects = document.objects();
     for (std::size_t block = 0; block < objects.blocks().size(); ++block) {
         const auto& marks = objects.blocks()[block]->hidden;
@@ -30,7 +30,7 @@ ObjectRanges hiddenObjects(const Document& document)
             if (marks[i])
                 hidden.insert(objects.firstOf(block) + i);
     }
-    return hidden;
+    return united(hidden, document.containers().hiddenRanges());
 }
 
 Document withoutHidden(Document document)

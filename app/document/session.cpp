@@ -7,6 +7,7 @@
 #include "app/formats/unfinished.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -14,7 +15,7 @@ Session::Session(QObject* parent) : QObject(parent)
 {
     display_.algorithm = &usualAlgorithm();
     pen.layer = now().containers().childrenOf(0).back();
-    connect(&document, &EditedDocument::changed, this, &Session::follow);
+    connect(&document, &EditedDocument::changed, this, &Session::say);
     connect(&scene, &Scene::outdated, this, [this] {
         if (inspected_ && *inspected_ >= scene.lines().size())
             inspect(std::nullopt);
@@ -30,7 +31,11 @@ ClipWindows Session::windows() const
     return preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
 }
 
-ComparedWindow Session::compared() const { return comparedWindow(windows(), now().page()); }
+ComparedWindow Session::compared() const
+{
+    const auto window = clipWindow();
+    return {window.value_or(now().page().rectangle()), !window};
+}
 
 void Session::setDisplay(const Display& display)
 {
@@ -110,18 +115,31 @@ std::optional<QString> Session::save(const QString& path)
     return std::nullopt;
 }
 
+// What is not emitted here is said after the scene has followed.
 void Session::follow(const DocumentChange& change)
 {
+    const Containers& containers = now().containers();
+    if (change.everything || !containers.contains(pen.layer))
+        pen.layer = containers.childrenOf(0).back();
+    if (change.everything)
+        preview_ = {};
+    ObjectRanges selected =
+        change.everything ? ObjectRanges() : followed(selection_, change.splices);
+    if (change.containers) // by undo, too: what is hidden or locked now cannot be edited
+        selected =
+            without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
+    selectionFollowed_ = selectionFollowed_ || selected != selection_;
+    selection_ = std::move(selected);
     if (change.drawing())
         selectionBounds_.reset();
-    if (change.everything)
-        select({}), preview_ = {};
-    else if (!change.splices.empty())
-        select(followed(selection_, change.splices));
+}
+
+void Session::say(const DocumentChange& change)
+{
+    if (std::exchange(selectionFollowed_, false))
+        emit selectionChanged();
     if (change.drawing())
         inspect(std::nullopt);
-    if (change.everything || !now().containers().contains(pen.layer))
-        pen.layer = now().containers().childrenOf(0).back();
     if (change.windows || change.page) // without a clip window the page is compared
         emit previewChanged();
 }

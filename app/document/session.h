@@ -50,6 +50,14 @@ public:
     explicit Session(QObject* parent = nullptr);
 
     EditedDocument document;
+
+private:
+    // Connected before the scene is, which tells of the change to those who ask for the pen's layer
+    // or the selection.
+    QMetaObject::Connection following_ =
+        connect(&document, &EditedDocument::changed, this, &Session::follow);
+
+public:
     History history;
     Scene scene{document};
     LiveDifferences differences{document, scene}; ///< of two algorithms, while they are shown
@@ -69,7 +77,10 @@ public:
     clipping::Window window() const { return compared().window; }
     ComparedWindow compared() const;
     /// The clip window as it is now, if there is one.
-    std::optional<clipping::Window> clipWindow() const { return firstWindow(windows()); }
+    std::optional<clipping::Window> clipWindow() const
+    {
+        return preview_.window ? preview_.window : firstWindow(now().windows());
+    }
     /// All of them as they are now, the preview's too.
     ClipWindows windows() const;
     /// The same for `Scene::clip`.
@@ -85,8 +96,7 @@ public:
     void select(ObjectRanges objects);
     /// What the selection covers; nothing if that has no segments. Calculated when it is asked for,
     /// and kept until the selection or the document changes. Not for slots of
-    /// EditedDocument::changed and Scene::outdated: there the selection may not have followed the
-    /// document yet.
+    /// EditedDocument::changed: there the scene may not have followed the document yet.
     const std::optional<clipping::Window>& selectionBounds() const;
 
     /// The line in the inspector: its number in scene.lines(); dropped when the scene changes.
@@ -111,9 +121,11 @@ signals:
 
 private:
     void follow(const DocumentChange& change);
+    void say(const DocumentChange& change);
 
     Display display_;
     ObjectRanges selection_;
+    bool selectionFollowed_ = false; ///< it is another one, which was not said yet
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;

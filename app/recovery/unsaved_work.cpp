@@ -22,7 +22,12 @@ UnsavedWork::Written UnsavedWork::write() const
     if (document_.inHand) {
         Objects objects = document.objects().slice(0, 0);
         objects.append(document_.inHand->object);
-        document.apply(adding(document, objects, document_.inHand->into));
+        // The layer may have gone since this was said.
+        const ContainerId said = document_.inHand->into;
+        const ContainerId into = document.containers().contains(said)
+                                     ? said
+                                     : document.containers().childrenOf(0).back();
+        document.apply(adding(document, objects, into));
     }
     return {true, writeLeftover(document, document_.origin, document_.file)};
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
-#include "app/commands/set_window.h"
 #include "app/document/bounds.h"
 #include "ui/canvas/window_offer.h"
+#include "ui/keeping.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QGuiApplication>
@@ -335,8 +335,7 @@ void Controller::press(QMouseEvent& event)
         return;
     }
     if (event.button() == Qt::LeftButton && offerPlace(*this).contains(event.position())) {
-        session_.history.push(
-            new app::SetWindow(session_.document, session_.now().page().rectangle()));
+        layWindowOnPage(session_);
         return;
     }
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());

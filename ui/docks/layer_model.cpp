@@ -136,7 +136,7 @@ void LayerModel::removeLayer(app::ContainerId layer)
 
 void LayerModel::follow(const app::DocumentChange& change)
 {
-    auto layers = layersOf(session_.now());
+    auto layers = change.containers ? layersOf(session_.now()) : layers_;
     if (change.everything || layers != layers_) {
         beginResetModel();
         layers_ = std::move(layers);

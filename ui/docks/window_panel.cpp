@@ -3,6 +3,7 @@
 
 #include "app/commands/set_window.h"
 #include "app/view/place.h"
+#include "ui/keeping.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/length_field.h"
@@ -46,7 +47,6 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     pages_->addWidget(makeOffer());
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
-    connect(&session.document, &app::EditedDocument::changed, this, &WindowPanel::follow); // the page
     connect(&session, &app::Session::displayChanged, this, &WindowPanel::follow);
     follow();
 }
@@ -98,10 +98,7 @@ QWidget* WindowPanel::makeOffer()
     text->setWordWrap(true);
     auto* button = new QPushButton(tr("Window on page"));
     button->setToolTip(tr("Lay a clip window on the whole page"));
-    connect(button, &QPushButton::clicked, this, [this] {
-        session_.history.push(
-            new app::SetWindow(session_.document, session_.now().page().rectangle()));
-    });
+    connect(button, &QPushButton::clicked, this, [this] { layWindowOnPage(session_); });
     auto* column = new QVBoxLayout;
     column->addWidget(text);
     column->addWidget(button, 0, Qt::AlignLeft);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "ui/keeping.h"
 #include "app/latin.h"
@@ -81,11 +80,7 @@ void setRemoved(MainWindow& window)
     change(window, [](app::Display& display) { display.removed = removed; });
 }
 
-void windowOnPage(MainWindow& window)
-{
-    app::Session& session = window.session();
-    session.history.push(new app::SetWindow(session.document, session.now().page().rectangle()));
-}
+void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }
 
 void removeWindow(MainWindow& window)
 {

@@ -73,10 +73,9 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     addWidget(room);
     addExport(exportCut);
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
-    connect(&session, &app::Session::previewChanged, this, &OptionBar::followDisplay); // keep
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
-    connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followStyle);
+    connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followDisplay);
     followDisplay();
     paintIcons();
 }
@@ -250,9 +249,6 @@ const app::Style& OptionBar::style() const
 
 void OptionBar::followStyle()
 {
-    const auto& selection = session_.selection();
-    if (!selection.empty() && selection.last() >= session_.now().objects().size())
-        return; // the selection is about to follow the drawing
     const app::Style& now = style();
     ink_->setIcon(inkIcon(now.stroke, lookOf(palette())));
     width_->show(now.width, session_.display().unit, session_.now().page().millimetresPerUnit());

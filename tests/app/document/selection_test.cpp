@@ -45,6 +45,22 @@ private slots:
         session.history.push(new app::SetWindows(session.document, windows, "Keep outside"));
         QCOMPARE(session.selectionBounds(), mark);
     }
+    void whatIsLockedByUndoIsNotSelected()
+    {
+        app::Session session;
+        session.load({app::documentOf(threeLayers(2)), {}});
+        app::Container layer =
+            session.now().containers()[session.now().containers().childrenOf(0)[1]];
+        layer.locked = true;
+        session.history.push(new app::SetContainers(
+            session.document, session.now().containers().with(layer), "Lock"));
+        layer.locked = false;
+        session.history.push(new app::SetContainers(
+            session.document, session.now().containers().with(layer), "Unlock"));
+        session.select({0, 2, 3, 5});
+        session.history.undo();
+        QCOMPARE(session.selection(), (app::ObjectRanges{0, 5}));
+    }
     void eachChangeCalculatesThemAnew()
     {
         app::Session session;

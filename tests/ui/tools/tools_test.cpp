@@ -264,6 +264,30 @@ private slots:
         QVERIFY(stage.canvas->toolHint().contains("Drawing"));
     }
 
+    // The hint is asked for in the middle of the change.
+    void theLayerOfThePenMayGo()
+    {
+        Stage stage(raster);
+        app::Session& session = stage.session;
+        stage.canvas->setTool("line");
+        for (int i = 0; i < 300; ++i) { // more than one block of the table of containers
+            session.history.push(addLayer(session.document, "above"));
+            session.pen.layer = session.now().containers().childrenOf(0).back();
+        }
+        const auto penIsOnALayer = [&] {
+            return !stage.canvas->toolHint().isEmpty()
+                   && session.now().containers().contains(session.pen.layer);
+        };
+        session.history.undo();
+        QVERIFY(penIsOnALayer());
+        session.pen.layer = session.now().containers().childrenOf(0).back();
+        session.history.push(new app::RemoveLayer(session.document, session.pen.layer));
+        QVERIFY(penIsOnALayer());
+        session.pen.layer = session.now().containers().childrenOf(0).back();
+        session.load({});
+        QVERIFY(penIsOnALayer());
+    }
+
     void theHintNamesWhatThePointerIsOn()
     {
         Stage stage(raster);
