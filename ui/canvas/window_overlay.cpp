@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -16,14 +17,32 @@ constexpr double outline = 1.5, outlineLit = 2.5, casing = 1; // pixels
 constexpr double handle = 9, labelGap = 13;
 
 // The window on the screen, no farther out than its lines could be seen: no painter likes 1e9.
-QRectF rectangleOnScreen(const Controller& controller)
+QRectF onScreen(const app::View& view, const clipping::Window& window)
 {
-    const app::View& view = controller.view();
-    const clipping::Window window = controller.window();
     const app::Point room(64), least = -room, most = view.size + room;
     const app::Point min = glm::clamp(view.toScreen(window.min), least, most);
     const app::Point max = glm::clamp(view.toScreen(window.max), least, most);
     return {QPointF(min.x, min.y), QPointF(max.x, max.y)};
+}
+
+QRectF rectangleOnScreen(const Controller& controller)
+{
+    return onScreen(controller.view(), controller.window());
+}
+
+// The other windows of the drawing: thin, and dashed where they take away from what others add.
+void paintOthers(QPainter& painter, const Controller& controller)
+{
+    const auto steps = controller.session().region().steps;
+    painter.setBrush(Qt::NoBrush);
+    bool first = true;
+    for (const app::ClipRegion::Step& step : steps) {
+        if (std::exchange(first, false))
+            continue; // that is the one with handles
+        const bool adds = step.operation == app::WindowOperation::Add;
+        painter.setPen(QPen(controller.look().accent, 1, adds ? Qt::SolidLine : Qt::DashLine));
+        painter.drawRect(onScreen(controller.view(), step.box));
+    }
 }
 
 void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
@@ -98,6 +117,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
         paintOffer(painter, controller, pane);
         return;
     }
+    paintOthers(painter, controller);
     const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
     const bool lit = controller.tool().litGrip() == app::Grip{};
