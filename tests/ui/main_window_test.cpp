@@ -265,7 +265,7 @@ private slots:
         app::Session& session = t.window->session();
         QCOMPARE(session.history.limit(), std::size_t(2'000'000));
         app::Sheet sheet;
-        sheet.shapes.resize(10'000);
+        sheet.shapes.resize(40'000);
         session.load({app::documentOf(sheet), {}});
         const auto restyle = [&session] {
             const app::ObjectRanges all(app::ObjectRange{0, sheetOf(session.document).shapes.size()});

@@ -97,7 +97,9 @@ public:
     {
         return file("two.svg",
                     "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
-                    "viewBox='0 0 100 100'><path d='M0 50H100M0 5H10' stroke='#000' "
+                    "viewBox='0 0 100 100' xmlns:clearcut='urn:clearcut:1'><metadata>"
+                    "<clearcut:window xmin='0' ymin='0' xmax='100' ymax='100'/></metadata>"
+                    "<path d='M0 50H100M0 5H10' stroke='#000' "
                     "fill='none'/></svg>");
     }
 

@@ -141,8 +141,11 @@ app::Comparison DifferencePanel::wanted() const
 
 void DifferencePanel::ask()
 {
-    if (!following_)
-        session_.differences.ask(wanted());
+    if (following_)
+        return;
+    session_.differences.ask(wanted());
+    if (soon_.isActive())
+        follow(); // what a person changed here is answered at once
 }
 
 /// Others differ on other lines: the one that was chosen says nothing any more.

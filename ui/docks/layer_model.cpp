@@ -125,7 +125,8 @@ void LayerModel::addLayer()
 bool LayerModel::mayRemove(app::ContainerId layer) const
 {
     const app::Containers& containers = session_.now().containers();
-    return containers.parentOf(layer) != 0 || containers.childrenOf(0).size() > 1;
+    return containers.contains(layer) && layer != 0
+           && (containers.parentOf(layer) != 0 || containers.childrenOf(0).size() > 1);
 }
 
 void LayerModel::removeLayer(app::ContainerId layer)

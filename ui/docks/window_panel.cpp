@@ -94,18 +94,18 @@ QWidget* WindowPanel::makeFields()
 
 QWidget* WindowPanel::makeOffer()
 {
-    auto* text = new QLabel(tr("There is no clip window: nothing is cut. Draw one (W), or:"));
+    auto* text = new QLabel(tr("No clip window (W draws one): nothing is cut."));
     text->setWordWrap(true);
     auto* button = new QPushButton(tr("Window on page"));
     button->setToolTip(tr("Lay a clip window on the whole page"));
     connect(button, &QPushButton::clicked, this, [this] { layWindowOnPage(session_); });
-    auto* column = new QVBoxLayout;
-    column->addWidget(text);
-    column->addWidget(button, 0, Qt::AlignLeft);
-    column->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
+    auto* row = new QHBoxLayout;
+    row->addWidget(text, 1);
+    row->addWidget(button, 0, Qt::AlignVCenter);
+    row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                                space::dockMargin);
     auto* offer = new QWidget;
-    offer->setLayout(column);
+    offer->setLayout(row);
     return offer;
 }
 

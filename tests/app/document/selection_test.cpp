@@ -83,6 +83,7 @@ private slots:
         QVERIFY(changed([&] {
             session.history.push(new app::RemoveObjects(session.document, {0, 1}));
         }));
+        QVERIFY(changed([&] { session.select({0}); }));
         QVERIFY(changed([&] { session.select({}); }));
         QCOMPARE(session.selectionBounds(), std::nullopt);
         session.select({1});

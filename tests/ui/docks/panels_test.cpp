@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(sheetOf(session.document).layers[1].name, "Sky");
         model->setData(model->index(1), false, LayerModel::VisibleRole);
         QCOMPARE(session.scene.lines().size(), std::size_t(0));
-        model->removeLayer(0);
+        model->removeLayer(model->layerOf(model->index(1)));
         QCOMPARE(model->rowCount(), 1);
         while (session.history.canUndo())
             session.history.undo();

@@ -219,7 +219,7 @@ private:
         {
             if (shape >= shapes().size())
                 return {};
-            const app::Subpath& path = shapes()[shape].paths[0];
+            const app::Subpath path = shapes()[shape].paths[0];
             std::vector<app::Point> all{nearest(path.start)};
             for (const app::PathSegment& segment : path.segments)
                 all.push_back(nearest(segment.to));

@@ -37,7 +37,7 @@ private slots:
         stage.session.pen.style.width = 3;
         stage.drag({20, 30}, {70, 60});
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const app::Subpath& path = shapes(stage)[0].paths[0];
+        const app::Subpath path = shapes(stage)[0].paths[0];
         QVERIFY(near(path.start, {20, 30}) && near(path.segments[0].to, {70, 60}) && !path.closed);
         QCOMPARE(shapes(stage)[0].style.width, 3.0);
         QCOMPARE(stage.session.history.undoText(), QString("Draw line"));
@@ -74,7 +74,7 @@ private slots:
         }
         stage.key(Qt::Key_Return);
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const app::Subpath& path = shapes(stage)[0].paths[0];
+        const app::Subpath path = shapes(stage)[0].paths[0];
         QCOMPARE(path.segments.size(), std::size_t(2));
         QVERIFY(near(path.segments[0].to, {40, 12}) && near(path.segments[1].to, {60, 40}));
         QCOMPARE(stage.session.history.count(), 1);
@@ -104,7 +104,7 @@ private slots:
             stage.move({20 + i, 50 + 20 * std::sin(i * 0.06)}, Qt::LeftButton);
         stage.release({120, 50 + 20 * std::sin(6.0)});
         QCOMPARE(shapes(stage).size(), std::size_t(1));
-        const auto& segments = shapes(stage)[0].paths[0].segments;
+        const auto segments = shapes(stage)[0].paths[0].segments;
         QVERIFY(segments.size() > 5 && segments.size() < 60);
         QVERIFY(near(segments.back().to, {120, 50 + 20 * std::sin(6.0)}));
     }
