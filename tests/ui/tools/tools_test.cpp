@@ -298,15 +298,26 @@ private slots:
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
 
-    void aWindowThatIsThePageIsDrawnAnewFromInside()
+    void withoutAWindowADragDrawsOneAndTheOfferLaysOne()
     {
         Stage stage(raster, {});
-        ::setWindow(stage.session.document, sheetOf(stage.session.document).page.rectangle());
+        app::Session& session = stage.session;
+        session.document.apply({.windows = app::ClipWindows()});
         stage.key(Qt::Key_W);
+        QVERIFY(!session.clipWindow());
         stage.drag({60, 30}, {120, 70});
-        QVERIFY(near(sheetOf(stage.session.document).window, {{60, 30}, {120, 70}}));
-        stage.drag({80, 50}, {90, 50}); // now it is one that was set: it moves
-        QVERIFY(near(sheetOf(stage.session.document).window, {{70, 30}, {130, 70}}));
+        QVERIFY(session.clipWindow() && near(*session.clipWindow(), {{60, 30}, {120, 70}}));
+        stage.drag({80, 50}, {90, 50}); // now there is one: it moves
+        QVERIFY(near(*session.clipWindow(), {{70, 30}, {130, 70}}));
+        session.history.setIndex(0);
+        QVERIFY(!session.clipWindow());
+        const clipping::Window page = session.now().page().rectangle();
+        const app::Point handle((page.min.x + page.max.x) / 2, page.max.y);
+        stage.canvas->zoomBy(0.5); // so that there is room for it under the page
+        const QPoint under = stage.at(handle) + QPoint(0, 13 + 8);
+        QTest::mouseClick(&stage.surface(), Qt::LeftButton, {}, under);
+        QCOMPARE(session.clipWindow(), std::optional(page));
+        QCOMPARE(session.history.undoText(), "Draw clip window");
     }
 
     void theSnapMarkGoesWithTheDrag()
@@ -362,7 +373,7 @@ private:
     using Set = app::ObjectRanges;
     static constexpr ui::Backend raster = ui::Backend::Raster;
 
-    static const std::vector<app::Shape>& shapes(const Stage& stage)
+    static std::vector<app::Shape> shapes(const Stage& stage)
     {
         return sheetOf(stage.session.document).shapes;
     }
