@@ -59,6 +59,8 @@ void LiveFinding::follow(const DocumentChange& change)
 {
     if (!asking_ || !change.drawing())
         return;
+    if (!change.everything && upToDate_ && foundOf_ == now())
+        return; // a layer has another name, say
     const bool was = upToDate_;
     restart();
     if (change.everything) {

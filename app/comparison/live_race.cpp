@@ -77,7 +77,7 @@ bool LiveRace::upToDate() const
 // The scene hears of it first: its lines are the new ones already.
 void LiveRace::follow(const DocumentChange& change)
 {
-    if (!change.drawing() || !running())
+    if (!change.drawing() || !running() || isOnWhatIsShown())
         return;
     race_->drop();
     work_.stop();
