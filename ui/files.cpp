@@ -24,7 +24,8 @@ bool isNative(const QString& path) { return app::formatOfFile(path) == &app::for
 app::Document emptyDocument()
 {
     app::Document document;
-    document.apply({.page = app::Page{{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}}});
+    document.apply(
+        {.page = app::Page{{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}}});
     return document;
 }
 

@@ -3,7 +3,8 @@
 
 #include "app/document/session.h"
 
-// Steps to undo that several places of the interface offer. None is made where nothing would change.
+// Steps to undo that several places of the interface offer. None is made where nothing would
+// change.
 
 namespace ui {
 

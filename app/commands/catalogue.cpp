@@ -19,8 +19,9 @@ namespace app {
 std::span<const CommandKind> commandKinds()
 {
     static constexpr std::array all{AddObjects::row,    RemoveObjects::row, MoveObjects::row,
-                                    ResizeObjects::row, SetStyle::row,     SetWindow::row,     SetWindows::row,
-                                    SetContainers::row,    RemoveLayer::row,  CropToWindow::row};
+                                    ResizeObjects::row, SetStyle::row,      SetWindow::row,
+                                    SetWindows::row,    SetContainers::row, RemoveLayer::row,
+                                    CropToWindow::row};
     return all;
 }
 

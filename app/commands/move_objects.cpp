@@ -16,7 +16,9 @@ MoveObjects::MoveObjects(EditedDocument& document, const ObjectRanges& objects, 
                          Merging merging)
     : EditCommand(row, document,
                   changed(document.now(), objects,
-                          [&](ObjectRow& object, StyleTable&) { place(object, {{1, 1}, by}); }),
+                          [&](ObjectRow& object, StyleTable&) {
+                              place(object, {{1, 1}, by});
+                          }),
                   QCoreApplication::translate("Commands", "Move selection"), merging)
 {
 }

@@ -24,8 +24,7 @@ RemoveObjects::RemoveObjects(EditedDocument& document, const ObjectRanges& objec
 }
 
 RemoveObjects::RemoveObjects(EditedDocument& document, const ObjectRanges& objects)
-    : RemoveObjects(document, objects,
-                    QCoreApplication::translate("Commands", "Delete selection"))
+    : RemoveObjects(document, objects, QCoreApplication::translate("Commands", "Delete selection"))
 {
 }
 

@@ -40,7 +40,8 @@ struct Cut {
 /// The document really cut at the clip windows: consecutive visible parts of one subpath form one
 /// subpath (across a closed one's start as well); objects wholly kept are unchanged, closed and
 /// filled; cut ones are open and unfilled; cut curves are split, not replaced by chords; every end
-/// made by a cut lies on a window's edge, bit for bit inside the window. Hidden objects stay hidden.
+/// made by a cut lies on a window's edge, bit for bit inside the window. Hidden objects stay
+/// hidden.
 Cut cut(const Document& document, const CutOptions& options);
 
 /// What a cut leaves of one object, bottom to top. The tolerance must be given.

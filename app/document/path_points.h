@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-
 namespace app {
 
 /// Calls `visit` for every point of a path: its start, the end of each path segment, and the control

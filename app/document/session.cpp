@@ -126,8 +126,7 @@ void Session::follow(const DocumentChange& change)
     ObjectRanges selected =
         change.everything ? ObjectRanges() : followed(selection_, change.splices);
     if (change.containers) // by undo, too: what is hidden or locked now cannot be edited
-        selected =
-            without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
+        selected = without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
     selectionFollowed_ = selectionFollowed_ || selected != selection_;
     selection_ = std::move(selected);
     if (change.drawing())

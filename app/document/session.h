@@ -3,8 +3,8 @@
 
 #include "app/commands/history.h"
 #include "app/comparison/live_differences.h"
-#include "app/document/cut.h"
 #include "app/document/compared_window.h"
+#include "app/document/cut.h"
 #include "app/document/object_ranges.h"
 #include "app/document/preview.h"
 #include "app/document/scene.h"
@@ -61,7 +61,7 @@ public:
     History history;
     Scene scene{document};
     LiveDifferences differences{document, scene}; ///< of two algorithms, while they are shown
-    LiveTruth truth{document, scene};             ///< how exact an algorithm is, while that is shown
+    LiveTruth truth{document, scene};            ///< how exact an algorithm is, while that is shown
     Microscope microscope;                       ///< one line, step by step
     Course course{microscope};                   ///< a lesson, if one is being read
     Pen pen;

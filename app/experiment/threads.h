@@ -8,8 +8,8 @@ namespace app {
 /// Clips many segments of numbers T, as `clipAll` of the catalogue's rows.
 template <class T>
 using ClipAllOf = std::size_t (*)(std::span<const clipping::BasicSegment<T>> in,
-                                const clipping::BasicWindow<T>& window,
-                                std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out);
+                                  const clipping::BasicWindow<T>& window,
+                                  std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out);
 
 /// How many threads this machine can really run; one where the library was built without oneTBB.
 std::size_t mostThreads();

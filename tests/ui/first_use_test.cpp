@@ -7,9 +7,9 @@
 
 #include <QLineEdit>
 
+#include "tests/app/document/sheet_edits.h"
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
-#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 

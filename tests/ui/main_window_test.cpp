@@ -19,9 +19,9 @@
 #include <QMimeData>
 #include <QStatusBar>
 
-#include "tests/ui/test_window.h"
-#include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 
@@ -268,7 +268,8 @@ private slots:
         sheet.shapes.resize(40'000);
         session.load({app::documentOf(sheet), {}});
         const auto restyle = [&session] {
-            const app::ObjectRanges all(app::ObjectRange{0, sheetOf(session.document).shapes.size()});
+            const app::ObjectRanges all(
+                app::ObjectRange{0, sheetOf(session.document).shapes.size()});
             session.history.push(new app::SetStyle(
                 session.document, all, [](app::Style& style) { style.width += 1; }, "Width"));
         };
@@ -285,7 +286,8 @@ private slots:
         QCOMPARE(session.history.forgotten(), 2);
         QCoreApplication::processEvents();
         QVERIFY(t.window->message().isEmpty());
-        session.load({app::documentOf(sheetOf(session.document)), {}}); // another drawing: said again
+        session.load(
+            {app::documentOf(sheetOf(session.document)), {}}); // another drawing: said again
         restyle();
         restyle();
         QTRY_VERIFY(!t.window->message().isEmpty());

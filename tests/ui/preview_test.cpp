@@ -10,8 +10,8 @@
 
 #include <array>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <random>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 
@@ -40,7 +40,8 @@ public:
                 waiting->close();
         });
         closer_.start(20);
-        QObject::connect(&session(), &app::Session::loaded, [this] { start_ = sheetOf(session().document); });
+        QObject::connect(&session(), &app::Session::loaded,
+                         [this] { start_ = sheetOf(session().document); });
         start_ = sheetOf(session().document);
     }
 

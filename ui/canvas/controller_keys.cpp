@@ -126,11 +126,11 @@ bool Controller::arrow(const QKeyEvent& event)
         const auto w = session_.clipWindow();
         if (!w)
             return true;
-        session_.history.push(
-            new app::SetWindow(session_.document, {w->min + by, w->max + by}, app::Merging::WithLast));
+        session_.history.push(new app::SetWindow(session_.document, {w->min + by, w->max + by},
+                                                 app::Merging::WithLast));
     } else if (!session_.selection().empty()) {
         session_.history.push(new app::MoveObjects(session_.document, session_.selection(), by,
-                                                  app::Merging::WithLast));
+                                                   app::Merging::WithLast));
     } else {
         navigation_.pan(QPointF(-direction->x, -direction->y)
                         * (event.modifiers() & Qt::ShiftModifier ? larger : 1) * panStep);

@@ -23,8 +23,10 @@ QRectF offerPlace(const Controller& controller)
     const app::View& view = controller.view();
     const clipping::Window page = controller.session().now().page().rectangle();
     const app::Point min = view.toScreen(page.min), max = view.toScreen(page.max);
-    const QSizeF size = QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);
-    const double x = (std::clamp(min.x, 0.0, view.size.x) + std::clamp(max.x, 0.0, view.size.x)) / 2;
+    const QSizeF size =
+        QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);
+    const double x =
+        (std::clamp(min.x, 0.0, view.size.x) + std::clamp(max.x, 0.0, view.size.x)) / 2;
     const double lowest = view.size.y - margin - size.height();
     const double y = std::clamp(max.y + gap, margin, std::max(margin, lowest));
     return {QPointF(x - size.width() / 2, y), size};

@@ -102,7 +102,8 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
     }
     if (layer == before)
         return false;
-    session_.history.push(new app::SetContainers(session_.document, session_.now().containers().with(layer), text));
+    session_.history.push(
+        new app::SetContainers(session_.document, session_.now().containers().with(layer), text));
     return true;
 }
 

@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// The layers of the drawing, the topmost first; those in another one follow it. Every change is an undoable step.
+/// The layers of the drawing, the topmost first; those in another one follow it. Every change is an
+/// undoable step.
 class LayerModel : public QAbstractListModel {
     Q_OBJECT
 

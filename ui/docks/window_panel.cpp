@@ -103,7 +103,7 @@ QWidget* WindowPanel::makeOffer()
     row->addWidget(text, 1);
     row->addWidget(button, 0, Qt::AlignVCenter);
     row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
-                               space::dockMargin);
+                            space::dockMargin);
     auto* offer = new QWidget;
     offer->setLayout(row);
     return offer;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_windows.h"
-#include "ui/keeping.h"
 #include "app/latin.h"
 #include "app/view/picking.h"
 #include "ui/actions.h"
 #include "ui/algorithm_digit.h"
 #include "ui/files.h"
+#include "ui/keeping.h"
 #include "ui/main_window.h"
 
 #include <QActionGroup>
@@ -98,7 +98,9 @@ MenuInfo clipMenu()
 {
     using app::Keep;
     using app::RemovedPart;
-    const auto some = [](const MainWindow& w) { return w.session().scene.lines().size() > 0 && hasWindow(w); };
+    const auto some = [](const MainWindow& w) {
+        return w.session().scene.lines().size() > 0 && hasWindow(w);
+    };
     return {tr("&Clip"),
             {
                 {"crop",

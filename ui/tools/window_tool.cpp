@@ -80,8 +80,8 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
     const auto w = bench.session.clipWindow();
     if (!w)
         return false;
-    bench.session.history.push(new app::SetWindow(bench.session.document, {w->min + by, w->max + by},
-                                                  app::Merging::WithLast));
+    bench.session.history.push(new app::SetWindow(
+        bench.session.document, {w->min + by, w->max + by}, app::Merging::WithLast));
     return true;
 }
 

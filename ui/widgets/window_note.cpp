@@ -15,14 +15,16 @@ constexpr int accentWidth = 4;
 
 WindowNote::WindowNote(const app::Session& session)
 {
-    setText(tr("<b>Drag the clip window,</b> or draw one (W). What it leaves out is cut, at every frame."));
+    setText(tr("<b>Drag the clip window,</b> or draw one (W). What it leaves out is cut, at every "
+               "frame."));
     setContentsMargins(12, 8, 12, 8);
     setWordWrap(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider
-    connect(&session.document, &app::EditedDocument::changed, this, [this](const app::DocumentChange& change) {
-        if (change.windows && !change.everything && isVisible())
-            emit learnt();
-    });
+    connect(&session.document, &app::EditedDocument::changed, this,
+            [this](const app::DocumentChange& change) {
+                if (change.windows && !change.everything && isVisible())
+                    emit learnt();
+            });
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)

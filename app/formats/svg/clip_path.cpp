@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths and viewports that hide what is outside of them: both are cut for real.
-#include "app/formats/svg/clip_object.h"
 #include "app/document/recipe_outline.h"
+#include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "tests/app/document/three_layers.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/document/three_layers.h"
 
 class EditableTest : public QObject {
     Q_OBJECT
@@ -15,7 +15,8 @@ private slots:
     void allThatMayBeEditedIsARangeALayer()
     {
         app::Sheet drawing = threeLayers(100'000);
-        QCOMPARE(app::editableObjects(app::documentOf(drawing)), app::ObjectRanges(app::ObjectRange{0, 300'000}));
+        QCOMPARE(app::editableObjects(app::documentOf(drawing)),
+                 app::ObjectRanges(app::ObjectRange{0, 300'000}));
         drawing.layers[1].locked = true;
         QCOMPARE(app::editableObjects(app::documentOf(drawing)).ranges().size(), std::size_t(2));
         drawing.layers[0].visible = false;

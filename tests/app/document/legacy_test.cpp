@@ -6,9 +6,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_sheets.h"
+#include "tests/app/document/sheet.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
-#include "tests/app/document/sheet.h"
 
 using namespace app;
 

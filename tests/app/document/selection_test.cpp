@@ -12,9 +12,9 @@
 #include <functional>
 #include <random>
 
-#include "tests/app/document/three_layers.h"
-#include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
+#include "tests/app/document/three_layers.h"
 
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include "tests/app/document/sheet.h"
 
-
 inline app::Shape line(app::Point a, app::Point b, std::uint32_t layer)
 {
     app::Shape shape;

@@ -21,8 +21,8 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
-#include "tests/app/formats/failing_disk.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/formats/failing_disk.h"
 
 using namespace app;
 

@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
 
 namespace {
 
@@ -88,7 +88,8 @@ private slots:
                     const auto written = work.write();
                     QVERIFY2(written.unsaved && !written.error, qPrintable(*written.error));
                     Sheet expected = app::sheetOf(edited.now());
-                    const auto end = std::ranges::upper_bound(expected.shapes, layer, {}, &Shape::layer);
+                    const auto end =
+                        std::ranges::upper_bound(expected.shapes, layer, {}, &Shape::layer);
                     expected.shapes.insert(end, added);
                     const auto read = readFile(known.file);
                     QVERIFY2(read, qPrintable(read.error));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmarks/clip/map.h"
-#include "tests/app/document/sheet.h"
 
 #include "app/document/flatten.h"
 #include "app/formats/format.h"
 
 #include <glm/common.hpp>
+
+#include "tests/app/document/sheet.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include "ui/keeping.h"
 #include "ui/look.h"
 
-#include "tests/ui/canvas/stage.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/canvas/stage.h"
 
 // What both canvases must do, with real events: the tests of either call these.
 

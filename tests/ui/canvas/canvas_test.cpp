@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "tests/ui/canvas/canvas_cases.h"
-#include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
+#include "tests/ui/canvas/canvas_cases.h"
 
 class CanvasTest : public QObject {
     Q_OBJECT

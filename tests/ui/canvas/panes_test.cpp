@@ -3,8 +3,8 @@
 #include <QMenu>
 #include <QSignalSpy>
 
-#include "tests/ui/canvas/pane_stage.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/canvas/pane_stage.h"
 
 class PanesTest : public QObject {
     Q_OBJECT

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/format.h"
 
-#include "tests/ui/canvas/stage.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/canvas/stage.h"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
 #include "tests/app/formats/failing_disk.h"
 #include "tests/ui/test_window.h"
-#include "tests/app/document/sheet_edits.h"
-#include "tests/app/document/sheet.h"
 
 using namespace ui;
 

@@ -8,8 +8,8 @@
 #include <QElapsedTimer>
 #include <QHeaderView>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 

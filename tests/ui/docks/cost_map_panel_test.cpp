@@ -4,8 +4,8 @@
 
 #include <QSignalSpy>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 

@@ -9,8 +9,8 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 using clipping::Segment;

@@ -12,8 +12,8 @@
 #include <cmath>
 #include <set>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 

@@ -14,8 +14,8 @@
 #include <QLineEdit>
 #include <QRadioButton>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 
@@ -181,7 +181,8 @@ private slots:
         type(fields[3], "50");
         panel->findChild<QToolButton*>()->click();
         type(fields[2], "50");
-        QCOMPARE(sheetOf(t.window->session().document).window, (clipping::Window{{0, 0}, {50, 25}}));
+        QCOMPARE(sheetOf(t.window->session().document).window,
+                 (clipping::Window{{0, 0}, {50, 25}}));
     }
     void theUnitChangesEveryNumber()
     {
@@ -318,7 +319,8 @@ private slots:
         QCOMPARE(model->rowCount(), 1);
         while (session.history.canUndo())
             session.history.undo();
-        QCOMPARE(sheetOf(session.document), app::sheetOf(app::readFile(t.path("two.svg")).value->document));
+        QCOMPARE(sheetOf(session.document),
+                 app::sheetOf(app::readFile(t.path("two.svg")).value->document));
     }
     void layersAreAddedAndDeletedByButtonsThatAreSeen()
     {

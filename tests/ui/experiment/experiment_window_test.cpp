@@ -16,8 +16,8 @@
 #include <QStandardItemModel>
 #include <QTabWidget>
 
-#include "tests/ui/test_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
 
 using namespace ui;
 

@@ -5,10 +5,10 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
+#include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
-#include "tests/app/document/sheet_edits.h"
-#include "tests/app/document/sheet.h"
 
 // A polyline in hand: Undo and Redo go by corners, and nothing that ends it loses what is drawn.
 class PolylineTest : public QObject {
@@ -63,8 +63,7 @@ private slots:
             app::Session& session = hand.window.session();
             session.history.setLimit(limit); // 0: as many steps as before, but not the same
             const auto step = [&session] {
-                session.history.push(
-                    addShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
+                session.history.push(addShapes(session.document, {line({0, 0}, {5, 5})}, "line"));
             };
             step();
             hand.click(1);
@@ -144,7 +143,9 @@ private slots:
             stage.canvas->undo();
             stage.move({130, 60}, Qt::LeftButton);
             stage.release({130, 60});
-            QVERIFY2(sheetOf(stage.session.document) == before && stage.session.history.count() == 1, tool);
+            QVERIFY2(sheetOf(stage.session.document) == before
+                         && stage.session.history.count() == 1,
+                     tool);
         }
     }
     void aMoveThatChangesNothingTellsNothing()
@@ -174,7 +175,8 @@ private slots:
             stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
         QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
         QTRY_VERIFY(told.count() > 0); // while the hand rests
-        QCOMPARE(stage.canvas->objectInHand()->object.path.subpaths()[0].segments.size(), std::size_t(moves));
+        QCOMPARE(stage.canvas->objectInHand()->object.path.subpaths()[0].segments.size(),
+                 std::size_t(moves));
         stage.release({100, 60});
         QVERIFY(!stage.canvas->objectInHand());
     }

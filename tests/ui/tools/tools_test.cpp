@@ -8,8 +8,8 @@
 
 #include <set>
 
-#include "tests/ui/canvas/stage.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/ui/canvas/stage.h"
 
 // Every tool with real events, and what a person sees of it in the drawing and in the undo list.
 class ToolsTest : public QObject {

@@ -8,9 +8,9 @@
 
 #include <QMenu>
 
+#include "tests/app/document/sheet_edits.h"
 #include "tests/not_empty.h"
 #include "tests/ui/test_window.h"
-#include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
