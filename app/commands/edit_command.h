@@ -34,8 +34,8 @@ private:
     std::size_t editBytes_ = 0;
 };
 
-/// What changes the objects of some ranges, one by one, and leaves their number and their
-/// containers. `change` may add styles to the table.
+/// The edit that calls `change` for each of the objects. Their number and their containers stay as
+/// they are. `change` may add styles to the table.
 using ChangeRow = std::function<void(ObjectRow& row, StyleTable& styles)>;
 Edit changed(const Document& document, const ObjectRanges& objects, const ChangeRow& change);
 

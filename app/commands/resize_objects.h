@@ -15,7 +15,7 @@ public:
                   const clipping::Window& from, const clipping::Window& to);
 };
 
-/// What brings the points of `from` to `to`.
+/// The placement that maps the rectangle `from` onto `to`.
 Placement fitting(const clipping::Window& from, const clipping::Window& to);
 
 } // namespace app

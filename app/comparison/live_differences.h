@@ -34,7 +34,7 @@ Differences extended(Differences so, const Comparison& comparison, const SceneLi
 clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
                          const clipping::Window& window);
 
-/// What differs between A and B in an open drawing, while a panel shows it.
+/// The differences between A and B in an open drawing, while a panel shows them.
 class LiveDifferences final : public LiveFinding {
     Q_OBJECT
 

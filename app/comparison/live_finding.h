@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// Something that is found by looking at every line of an open drawing and the clip window, kept up
-/// to date while somebody wants to know. Few lines are looked at in one go, before the next frame;
+/// A result for all lines of an open drawing at the clip window, kept up to date while there is a
+/// question. Few lines are looked at in one go, before the next frame;
 /// many of them between events, some milliseconds at a time, when a series of changes is over.
 /// Painting reads what was found and computes nothing.
 class LiveFinding : public QObject {
@@ -20,7 +20,7 @@ public:
     /// Where the clip window lies now, in the middle of a gesture too.
     void setWindow(const clipping::Window& window);
 
-    /// What was found is of the drawing and the window as they are now; or nothing is asked.
+    /// The result is that of the present lines and window, or there is no question.
     bool upToDate() const { return upToDate_; }
     double progress() const; ///< of what is being found: 0 to 1
     void finish();           ///< now, not soon
@@ -41,14 +41,14 @@ protected:
     void askAnew(bool something);
 
 private:
-    /// Begins anew at this window, with none of the lines.
+    /// Drops the partial result; the next one is for this window.
     virtual void start(const clipping::Window& window) = 0;
     /// Looks at the next `count` lines, which there are.
     virtual void look(const SceneLines& lines, std::size_t count) = 0;
     virtual void keep() = 0;   ///< all lines were looked at: this is what is found
     virtual void forget() = 0; ///< nothing is found
 
-    /// What is looked at.
+    /// The lines and the window that a result is for.
     struct Matter {
         std::uint64_t lines; ///< their revision
         clipping::Window window;

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What is raced on.
+/// The lines and the window of a race.
 struct RaceFrame {
     SceneLines lines;
     clipping::Window window{};

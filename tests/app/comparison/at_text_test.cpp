@@ -4,28 +4,10 @@
 
 #include <QTest>
 
+#include "tests/app/document/first_window.h"
 #include "tests/app/document/sheet_edits.h"
 
 using clipping::Window;
-
-namespace {
-
-app::Sheet sheetAt(const clipping::Window& window)
-{
-    app::Sheet sheet;
-    sheet.window = window;
-    return sheet;
-}
-
-void setVisible(app::Session& session, bool visible)
-{
-    app::Edit edit;
-    edit.windows = session.now().windows();
-    edit.windows->list.at(0).visible = visible;
-    session.document.apply(edit);
-}
-
-} // namespace
 
 class AtTextTest : public QObject {
     Q_OBJECT

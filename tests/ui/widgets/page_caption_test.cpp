@@ -9,26 +9,12 @@
 
 #include <QTest>
 
+#include "tests/app/document/first_window.h"
 #include "tests/app/document/sheet_edits.h"
 
 using namespace ui;
 
 namespace {
-
-app::Sheet sheetAt(const clipping::Window& window)
-{
-    app::Sheet sheet;
-    sheet.window = window;
-    return sheet;
-}
-
-void setVisible(app::Session& session, bool visible)
-{
-    app::Edit edit;
-    edit.windows = session.now().windows();
-    edit.windows->list.at(0).visible = visible;
-    session.document.apply(edit);
-}
 
 using Maker = std::function<QWidget*(app::Session&)>;
 
