@@ -16,17 +16,19 @@ namespace {
 
 constexpr std::size_t sliceLines = 5'000; // a millisecond or two
 
-/// The pieces of the lines that differ; both ascend by line, which are counted from `first`.
+/// The pieces of the lines that differ, line by line, A's first: marks that follow each other are
+/// joined when they are painted, so no other order may come from how the lines are divided. All
+/// ascend by line, which are counted from `first`.
 void appendPieces(std::vector<Clipped>& to, std::span<const Difference> list,
-                  std::span<const Clipped> pieces, std::uint32_t first)
+                  std::span<const Clipped> a, std::span<const Clipped> b, std::uint32_t first)
 {
-    auto next = pieces.begin();
-    for (const Difference& difference : list) {
-        while (next != pieces.end() && next->source < difference.source)
-            ++next;
-        if (next != pieces.end() && next->source == difference.source)
-            to.push_back({next->segment, next->source + first, next->cut});
-    }
+    for (const Difference& difference : list)
+        for (std::span<const Clipped>* left : {&a, &b}) {
+            while (!left->empty() && left->front().source < difference.source)
+                *left = left->subspan(1);
+            if (!left->empty() && left->front().source == difference.source)
+                to.push_back({left->front().segment, difference.source + first, left->front().cut});
+        }
 }
 
 bool isFinite(const Segment& s)
@@ -44,8 +46,7 @@ Differences extended(Differences so, const Comparison& comparison, std::span<con
     const auto b = clipped(comparison.b, more, so.window);
     auto found = differences(more, so.window, a, b,
                              {comparison.allowed(), endsOf(comparison.a, comparison.b)});
-    appendPieces(so.pieces, found, a, first);
-    appendPieces(so.pieces, found, b, first);
+    appendPieces(so.pieces, found, a, b, first);
     for (Difference& difference : found) {
         difference.source += first;
         so.list.push_back(difference);

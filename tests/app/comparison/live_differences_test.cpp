@@ -30,6 +30,23 @@ std::vector<app::Difference> atOnce(const app::Session& session, const Compariso
                             comparison.allowed());
 }
 
+app::Differences inSlices(const app::SceneLines& lines, const Comparison& comparison,
+                          std::size_t count)
+{
+    app::Differences all{paper};
+    while (all.lines < lines.size())
+        all = extended(std::move(all), comparison, lines, count);
+    return all;
+}
+
+// In the order in which their marks are painted.
+bool haveTheSamePieces(const app::Differences& one, const app::Differences& other)
+{
+    return std::ranges::equal(one.pieces, other.pieces, [](const Clipped& a, const Clipped& b) {
+        return a.segment == b.segment && a.source == b.source && a.cut == b.cut;
+    });
+}
+
 } // namespace
 
 class LiveDifferencesTest : public QObject {
@@ -101,6 +118,23 @@ private slots:
         QVERIFY(!session.differences.upToDate());
         session.differences.finish();
         QCOMPARE(found.list, atOnce(session, kwcAgainstExact(), {{0, 0}, {50, 50}}));
+    }
+
+    // Marks that follow each other are joined: in another order they would look different.
+    void blocksAndSlicesDoNotChangeTheOrderOfPieces()
+    {
+        app::Session session;
+        ::load(session.document, sheetOf(5000));
+        const auto lines = allOf(session.scene.lines());
+        Comparison comparison = kwcAgainstExact();
+        comparison.ulps = 0; // some lines are lost, others end elsewhere: those have two pieces
+        const app::Differences all = extended({paper}, comparison, lines);
+        const app::DifferenceCounts counts = app::counted(all.list);
+        QVERIFY(counts.onlyB > 100 && counts.endsApart > 100);
+        for (const std::size_t inBlock : {5000, 1200, 7})
+            for (const std::size_t inSlice : {5000, 700, 1})
+                QVERIFY(haveTheSamePieces(
+                    inSlices(sceneLinesOf(lines, inBlock), comparison, inSlice), all));
     }
 
     void theColoursFollowAGesture()
