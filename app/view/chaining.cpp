@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace app {
@@ -73,6 +72,12 @@ void Chaining::finishDashed(bool capAtEnd)
     }
 }
 
+// QPointF itself takes points for equal that are nearly so.
+static bool isSamePoint(const QPointF& p, const QPointF& q)
+{
+    return p.x() == q.x() && p.y() == q.y();
+}
+
 // Painting a chain takes long where it covers many pixels, and a file may hold the same line a
 // hundred thousand times. Opaque ink shows only the first of them, translucent ink adds up.
 void Chaining::push(const Chain& chain)
@@ -101,7 +106,7 @@ bool Chaining::liesOnAnother(const Chain& chain)
     const Chain& other = plate_.chains[earlier];
     const bool same = other.closed == chain.closed && other.capAtStart == chain.capAtStart
                       && other.capAtEnd == chain.capAtEnd
-                      && std::ranges::equal(plate_.pointsOf(other), points, std::equal_to<>());
+                      && std::ranges::equal(plate_.pointsOf(other), points, isSamePoint);
     if (same)
         slot = earlier;
     return same;

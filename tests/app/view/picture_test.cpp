@@ -225,6 +225,7 @@ private slots:
         app::Object line =
             object({{5, 5}, {{{45, 60}}}, false}, {.stroke = app::Colour{0, 0, 200}});
         const app::Object other = object({{5, 6}, {{{45, 60}}}, false}, line.style);
+        const app::Object nearly = object({{5, 5 + 1e-12}, {{{45, 60}}}, false}, line.style);
         app::Object wider = line;
         wider.style.width = 3;
         const auto chainsOf = [](const std::vector<app::Object>& objects) {
@@ -234,6 +235,8 @@ private slots:
         QCOMPARE(chainsOf(std::vector(1000, line)), 1u);
         QCOMPARE(chainsOf({line, other, line, other, line}), 2u);
         QCOMPARE(chainsOf({line, wider, line}), 3u); // the last one is over the wider one
+        QCOMPARE(chainsOf({line, nearly}), 2u);      // two lines, whatever is painted before them
+        QCOMPARE(chainsOf({other, line, nearly}), 3u);
         line.style.stroke->alpha = 128;
         QCOMPARE(chainsOf(std::vector(1000, line)), 1000u); // they add up
         line.style.stroke->alpha = 255;
