@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/cut.h"
 #include "app/document/recent_files.h"
 #include "app/document/samples.h"
 #include "app/document/session.h"

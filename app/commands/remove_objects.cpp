@@ -11,7 +11,7 @@ Edit removed(const Document& document, const ObjectRanges& objects)
     Edit edit;
     for (const ObjectRange& range : objects.ranges())
         edit.splices.push_back({std::uint32_t(range.first), std::uint32_t(range.size()), 0});
-    edit.containers = spliced(document.containers(), edit.splices);
+    edit.containers = document.containers().spliced(edit.splices);
     return edit;
 }
 

@@ -26,6 +26,7 @@ namespace app {
 class Containers {
 public:
     static constexpr std::size_t mostContainers = 100'000;
+    static constexpr std::size_t mostLayers = 1000; ///< of a file: more go into the last one
     static constexpr int deepest = 500; ///< containers around an object
 
     Containers(); ///< one layer, "Drawing", without objects

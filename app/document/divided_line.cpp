@@ -16,7 +16,6 @@ namespace {
 using clipping::Clipped;
 using clipping::Edge;
 using clipping::Segment;
-using Pieces = std::span<const std::optional<Clipped>>; ///< of one line, one for each step
 
 /// The order of points along a line: on the axis on which it is longer, then on the other one.
 class AlongLine {
@@ -59,7 +58,7 @@ double ulpOf(const Segment& line, const clipping::Window& box)
 /// the line. The set has or lacks each place, and each open part between two places, as a whole.
 class DividedLine {
 public:
-    DividedLine(const ClipRegion& region, const Segment& line, Pieces atStep)
+    DividedLine(const ClipRegion& region, const Segment& line, PiecesOfLine atStep)
         : region_(region), line_(line), along_(line)
     {
         breakpoints_ << Breakpoint{line.a} << Breakpoint{line.b};
@@ -249,8 +248,8 @@ private:
 
 } // namespace
 
-void foldDivided(const ClipRegion& region, const Segment& line, std::uint32_t source, Pieces atStep,
-                 std::vector<Clipped>& kept)
+void foldDivided(const ClipRegion& region, const Segment& line, std::uint32_t source,
+                 PiecesOfLine atStep, std::vector<Clipped>& kept)
 {
     DividedLine(region, line, atStep).appendKept(source, kept);
 }

@@ -32,11 +32,4 @@ struct Edit {
 /// The splices that put back what those exchanged, numbered as after them.
 std::vector<Splice> inverse(std::span<const Splice> splices);
 
-/// `containers.spliced(splices, into)`.
-inline Containers spliced(const Containers& containers, std::span<const Splice> splices,
-                          ContainerId into = 0)
-{
-    return containers.spliced(splices, into);
-}
-
 } // namespace app

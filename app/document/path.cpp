@@ -163,20 +163,6 @@ Path Path::placed(const Placement& where) const
     return path;
 }
 
-Path Path::baked() const
-{
-    const Placement where = placement();
-    if (where.isIdentity())
-        return *this;
-    Path path;
-    path.data_ = Data::of(data_->pointCount, data_->subpathCount, data_->kindCount);
-    path.ends_ = {Placement{}.scale, Placement{}.offset};
-    std::ranges::transform(data_->points(), path.data_->firstPoint(), where);
-    std::ranges::copy(data_->sizes(), path.data_->firstSize());
-    std::ranges::copy(data_->kinds(), path.data_->firstKind());
-    return path;
-}
-
 bool operator==(const Path& a, const Path& b)
 {
     if (!a.data_ || !b.data_ || a.isLine() || b.isLine())

@@ -37,7 +37,6 @@ public:
     /// The path at another place: its points through its own placement and then `where`. O(1), but
     /// for a single line, whose ends are calculated (one whose ends then coincide is a point).
     Path placed(const Placement& where) const;
-    Path baked() const; ///< the same points, bit for bit, as its own: placed by the identity
     /// Calls visit(Point) for every point, controls included, in order.
     template <class Visit>
     void forEachPoint(const Visit& visit) const

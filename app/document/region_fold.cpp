@@ -12,9 +12,7 @@ namespace app {
 namespace {
 
 using clipping::Clipped;
-using clipping::Edge;
 using clipping::Segment;
-using Pieces = std::span<const std::optional<Clipped>>; ///< of one line, one for each step
 
 bool isFinite(const Segment& s)
 {
@@ -40,7 +38,7 @@ bool keepsUnseen(const ClipRegion& region)
 }
 
 // Whether a line is kept that each window contains whole or not at all; nothing if one cuts it.
-std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, Pieces atStep)
+std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, PiecesOfLine atStep)
 {
     bool in = region.startsFull();
     for (std::size_t i = 0; i < atStep.size(); ++i) {
@@ -72,7 +70,7 @@ void foldSingle(Keep keep, const Segment& line, std::uint32_t source, std::optio
 
 bool isSeen(const std::optional<Clipped>& piece) { return piece && isFinite(piece->segment); }
 
-void fold(const ClipRegion& region, const Segment& line, std::uint32_t source, Pieces atStep,
+void fold(const ClipRegion& region, const Segment& line, std::uint32_t source, PiecesOfLine atStep,
           std::vector<Clipped>& kept)
 {
     assert(atStep.size() == region.steps.size());

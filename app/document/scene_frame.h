@@ -23,20 +23,4 @@ struct SceneFrame {
     std::uint64_t nanoseconds = 0; ///< of the clipping, nothing else
 };
 
-/// Calls visit(Clipped) for all that is kept in a block, in the order of the lines. `source` counts
-/// in the block.
-template <class Visit>
-void forEachKept(const SceneFrame::Block& frame, const Visit& visit)
-{
-    auto piece = frame.pieces.begin();
-    for (std::size_t chunk = 0; chunk < frame.remains.size(); ++chunk) {
-        const std::size_t end = frame.block->endOfChunk(chunk);
-        if (frame.remains[chunk] == Remains::Whole)
-            for (std::size_t i = frame.block->chunks[chunk].first; i < end; ++i)
-                visit(clipping::Clipped{frame.block->segments[i], std::uint32_t(i), 0});
-        for (; piece != frame.pieces.end() && piece->source < end; ++piece)
-            visit(*piece);
-    }
-}
-
 } // namespace app

@@ -4,7 +4,6 @@
 #include "app/commands/history.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/compared_window.h"
-#include "app/document/cut.h"
 #include "app/document/object_ranges.h"
 #include "app/document/preview.h"
 #include "app/document/scene.h"

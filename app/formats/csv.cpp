@@ -16,7 +16,7 @@ Format csvFormat()
             Holds::SeparateLines,
             Hides::No,
             QCoreApplication::translate("formats", "%1 lines; %2 layers (those above become one)")
-                .arg(countText(csv::mostRows), countText(csv::mostLayers))};
+                .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
 }
 
 } // namespace app

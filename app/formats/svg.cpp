@@ -19,7 +19,7 @@ Format svgFormat()
             QCoreApplication::translate("formats", "%1 elements, nested %2 deep; %3 points; %4 "
                                                    "layers (those above become one)")
                 .arg(countText(svg::mostElements), countText(svg::deepestNesting),
-                     countText(svg::mostParts), countText(svg::mostLayers))};
+                     countText(svg::mostParts), countText(Containers::mostLayers))};
 }
 
 } // namespace app

@@ -54,12 +54,6 @@ ObjectRanges Picking::objectsIn(const clipping::Window& rectangle, Box box) cons
     return without(found, document_.now().containers().lockedRanges());
 }
 
-std::size_t Picking::grids() const
-{
-    return std::size_t(
-        std::ranges::count_if(blocks_, [](const Block& block) { return block.grid.has_value(); }));
-}
-
 // After most edits nearly all blocks are those of before.
 void Picking::follow() const
 {

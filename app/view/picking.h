@@ -32,9 +32,6 @@ public:
     /// Shown, and not on a locked layer.
     bool pickable(std::size_t object) const { return document_.now().editable(object); }
 
-    /// How many blocks have a grid.
-    std::size_t grids() const;
-
 private:
     struct Block {
         Shared<SceneBlock> block; // it has an owner here: so no other one can get its address

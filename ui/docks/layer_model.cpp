@@ -12,14 +12,13 @@ namespace ui {
 
 namespace {
 
-constexpr std::size_t mostRows = 1000; // as many as a file may have
-
 // The topmost first, each above those that lie in it.
 void append(std::vector<app::ContainerId>& layers, const app::Containers& containers,
             app::ContainerId around)
 {
     const auto children = containers.childrenOf(around);
-    for (auto id = children.rbegin(); id != children.rend() && layers.size() < mostRows; ++id)
+    for (auto id = children.rbegin();
+         id != children.rend() && layers.size() < app::Containers::mostLayers; ++id)
         if (containers[*id].kind == app::Container::Kind::Layer) {
             layers.push_back(*id);
             append(layers, containers, *id);

@@ -3,7 +3,6 @@
 
 #include "app/document/document_builder.h"
 #include "app/document/page_around.h"
-#include "app/formats/csv/reader.h"
 
 namespace app::csv {
 
@@ -20,7 +19,7 @@ std::size_t LinesByLayer::layerOf(std::string_view name)
 {
     if (const auto found = found_.find(name); found != found_.end())
         return found->second;
-    if (layers_.size() == mostLayers)
+    if (layers_.size() == Containers::mostLayers)
         return layers_.size() - 1;
     layers_.push_back({std::string(name), none_});
     found_.emplace(name, layers_.size() - 1);

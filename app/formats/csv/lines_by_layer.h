@@ -16,12 +16,12 @@ public:
     LinesByLayer() { none_.styles(); }
 
     StyleIndex style(const Style& style) { return none_.styles().indexOf(style); }
-    /// Lines that come now are on this layer. Beyond `mostLayers` it is the last of those.
+    /// Lines that come now are on this layer; beyond `Containers::mostLayers`, on the last one.
     void turnTo(std::string_view layer);
     void add(const clipping::Segment& line, StyleIndex style);
 
     std::size_t size() const { return size_; } ///< lines so far
-    int beyond() const { return beyond_; }     ///< lines of layers beyond `mostLayers`
+    int beyond() const { return beyond_; }     ///< lines of layers beyond that
 
     /// All of them on the page around them. Start with another one then.
     Document take();

@@ -196,7 +196,7 @@ private:
         imported_.paged = false;
         if (const int beyond = lines_.beyond(); beyond > 0)
             imported_.report.push_back(
-                {tr("layers beyond the first %1, on lines").arg(mostLayers), beyond});
+                {tr("layers beyond the first %1, on lines").arg(Containers::mostLayers), beyond});
         imported_.document = lines_.take();
         imported_.rows = lines_.order();
     }

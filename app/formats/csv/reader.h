@@ -6,7 +6,6 @@
 namespace app::csv {
 
 constexpr std::size_t mostRows = 5'000'000;
-constexpr std::size_t mostLayers = 1'000;   ///< what is above goes into the last one
 
 /// Lines as a drawing: one row, one object. A first row that is not numbers is a header and names
 /// the columns (x1,y1,x2,y2, and layer, colour, width in any order; `source` is passed over, others

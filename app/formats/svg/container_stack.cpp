@@ -35,8 +35,8 @@ void ContainerStack::open(Container container)
 // A last layer is left for what is above the limit and in no other layer.
 bool ContainerStack::dissolves(const Container& container)
 {
-    if (container.kind == Kind::Layer && layers_ + 1 >= mostLayers) {
-        if (layers_ < mostLayers && atFirstLevel())
+    if (container.kind == Kind::Layer && layers_ + 1 >= Containers::mostLayers) {
+        if (layers_ < Containers::mostLayers && atFirstLevel())
             closeDrawing();
         return mergesLayers_ = true;
     }
@@ -66,7 +66,7 @@ void ContainerStack::add(Object object)
 void ContainerStack::openDrawing()
 {
     QString name = Text::tr("Drawing");
-    if (++layers_ == mostLayers) {
+    if (++layers_ == Containers::mostLayers) {
         name = Text::tr("All further layers");
         mergesLayers_ = true;
     } else if (++drawings_ > 1) {

@@ -26,9 +26,8 @@ constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through
 constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and dashes together
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tried
 constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
-constexpr std::size_t mostLayers = 1'000;            ///< what is above goes into the last one
-constexpr std::size_t mostGroups = Containers::mostContainers - mostLayers; ///< more dissolve
-constexpr std::size_t mostWindows = 1'000;           ///< clip windows; more are left out
+constexpr std::size_t mostGroups =
+    Containers::mostContainers - Containers::mostLayers; ///< more dissolve
 constexpr std::size_t mostClipSides = 1'000;         ///< of a convex clip path
 constexpr std::size_t mostClippedCurves = 50'000;    ///< of one path that a clip path cuts
 constexpr std::size_t mostClipWork = 300'000'000;    ///< chords times sides

@@ -151,7 +151,7 @@ void read(const Tree& tree, Node node, ClipWindows& windows, Report& report)
     auto window = windowOf(tree, node);
     if (!window)
         report.add(losses::invalidWindow);
-    else if (windows.list.size() == mostWindows)
+    else if (windows.list.size() == ClipWindows::most)
         report.add(losses::windows);
     else
         windows.list.push_back(std::move(*window));

@@ -19,7 +19,7 @@ namespace app::svg {
 std::string textOf(const ClipWindows& windows);
 
 /// Those that Clearcut wrote into a file. What is left out is reported: windows that are inverted
-/// or not finite, and those above `mostWindows`.
+/// or not finite, and those above `ClipWindows::most`.
 ClipWindows readWindows(const Tree& tree, Report& report);
 
 } // namespace app::svg

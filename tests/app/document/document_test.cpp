@@ -102,15 +102,15 @@ private slots:
         const Containers before = threeLayers().containers();
         const auto ids = before.childrenOf(0);
         const std::vector<Splice> splices{{0, 1, 3}, {2, 2, 0}, {5, 1, 2}, {6, 0, 1}};
-        const Containers after = spliced(before, splices, ids[2]);
+        const Containers after = before.spliced(splices, ids[2]);
         QVERIFY((after.rangeOf(ids[0]) == ObjectRange{0, 4}));
         QVERIFY(after.rangeOf(ids[1]).empty());
         QVERIFY((after.rangeOf(ids[2]) == ObjectRange{4, 8}));
         // As many as went, but from two layers: all of them into the first one's.
-        const Containers across = spliced(before, std::array{Splice{1, 2, 2}});
+        const Containers across = before.spliced(std::array{Splice{1, 2, 2}});
         QVERIFY((across.rangeOf(ids[0]) == ObjectRange{0, 3}));
         QVERIFY((across.rangeOf(ids[1]) == ObjectRange{3, 4}));
-        QVERIFY(spliced(before, std::array{Splice{2, 2, 2}}) == before);
+        QVERIFY(before.spliced(std::array{Splice{2, 2, 2}}) == before);
     }
 
     // One edit after another is done, undone and done again; then all are undone.

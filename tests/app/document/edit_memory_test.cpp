@@ -69,7 +69,7 @@ public:
         for (const std::size_t first : places(document.objects().size(), runs))
             add(edit, document, std::uint32_t(first), std::uint32_t(objectsOfAnEdit / runs));
         if (!edit.splices.empty() && edit.splices[0].removed != edit.splices[0].added)
-            edit.containers = spliced(document.containers(), edit.splices);
+            edit.containers = document.containers().spliced(edit.splices);
         return edit;
     }
 

@@ -7,10 +7,10 @@
 
 #include <glm/common.hpp>
 
-#include <cstring>
 #include <limits>
 #include <set>
 
+#include "tests/app/document/kept_in.h"
 #include "tests/app/document/twin_document.h"
 
 namespace {
@@ -27,24 +27,6 @@ using Pieces = std::vector<Clipped>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-
-bool same(std::span<const Clipped> one, std::span<const Clipped> other)
-{
-    return one.size() == other.size()
-           && (one.empty() || std::memcmp(one.data(), other.data(), one.size_bytes()) == 0);
-}
-
-/// All that a frame keeps, numbered in the scene.
-Pieces expanded(const app::SceneFrame& frame)
-{
-    Pieces all;
-    for (const auto& block : frame.blocks)
-        forEachKept(block, [&](Clipped piece) {
-            piece.source += std::uint32_t(block.firstLine);
-            all.push_back(piece);
-        });
-    return all;
-}
 
 std::size_t linesOf(const Pieces& pieces)
 {
@@ -154,7 +136,7 @@ public:
                 document.random() % 2 ? WindowOperation::Add : WindowOperation::Intersect;
             const ClipRegion region{{{window, operation}}, keep};
             const app::SceneFrame frame = blocks.clip(region, variant);
-            const Pieces all = expanded(frame);
+            const Pieces all = keptIn(frame);
             if (!same(all, keep == Keep::Inside ? old.inside : old.outside) || !settled(frame)
                 || frame.total != scene.segments().size() || frame.visible != linesOf(all))
                 return false;
@@ -200,7 +182,7 @@ private slots:
             for (const app::Variant& variant : variants()) {
                 const app::SceneFrame frame = scenes.blocks.clip(region, variant);
                 const auto clipAll = clipping::usesOf(*variant.algorithm, variant.form)->clipAll;
-                const Pieces all = expanded(frame);
+                const Pieces all = keptIn(frame);
                 if (!region.single()) // fold drops what is not finite
                     QVERIFY2(same(all, folded(scenes.scene.segments(), region, clipAll)),
                              nameOf(variant));
@@ -229,7 +211,7 @@ private slots:
             for (const app::Variant& variant : variants()) {
                 QVERIFY2(scenes.agree(window, variant), nameOf(variant));
                 const auto clipAll = clipping::usesOf(*variant.algorithm, variant.form)->clipAll;
-                QVERIFY2(same(expanded(scenes.blocks.clip(several, variant)),
+                QVERIFY2(same(keptIn(scenes.blocks.clip(several, variant)),
                               folded(scenes.scene.segments(), several, clipAll)),
                          nameOf(variant));
             }
@@ -248,7 +230,7 @@ private slots:
                 scenes.blocks.clip({{}, keep}, {&clipping::exactAlgorithm(), Form::Corrected});
             QCOMPARE(frame.visible, scenes.scene.segments().size());
             QCOMPARE(listed(frame), std::size_t(0));
-            QCOMPARE(expanded(frame).size(), frame.total);
+            QCOMPARE(keptIn(frame).size(), frame.total);
             QCOMPARE(frame.nanoseconds, std::uint64_t(0));
         }
     }
@@ -308,7 +290,7 @@ private slots:
         for (const app::ClipAll lie : {withAnotherZero, oneOfThem}) {
             const auto frame = clipping.clip(lines, region, lie);
             QCOMPARE(frame.blocks[0].remains[0], Remains::Pieces);
-            QVERIFY(same(expanded(frame), frame.blocks[0].pieces));
+            QVERIFY(same(keptIn(frame), frame.blocks[0].pieces));
         }
     }
 };

@@ -5,9 +5,9 @@
 
 #include <glm/common.hpp>
 
-#include <cstring>
 #include <random>
 
+#include "tests/app/document/kept_in.h"
 #include "tests/app/document/sheet_edits.h"
 
 namespace {
@@ -57,24 +57,6 @@ void editAtRandom(app::EditedDocument& document, std::mt19937_64& random)
     for (auto n = random() % 4; n > 0; --n)
         shapes.push_back(randomShape(random));
     ::splice(document, first, count, std::move(shapes));
-}
-
-bool same(std::span<const clipping::Clipped> one, std::span<const clipping::Clipped> other)
-{
-    return one.size() == other.size()
-           && (one.empty() || std::memcmp(one.data(), other.data(), one.size_bytes()) == 0);
-}
-
-/// All that a frame keeps, numbered as in one array of all lines.
-std::vector<clipping::Clipped> keptIn(const app::SceneFrame& frame)
-{
-    std::vector<clipping::Clipped> all;
-    for (const app::SceneFrame::Block& block : frame.blocks)
-        forEachKept(block, [&](clipping::Clipped piece) {
-            piece.source += std::uint32_t(block.firstLine);
-            all.push_back(piece);
-        });
-    return all;
 }
 
 /// Whether a frame is, bit for bit, what the algorithm says of every segment.

@@ -47,7 +47,7 @@ inline void splice(app::EditedDocument& document, std::size_t first, std::size_t
     edit.objects = objectsOf(now.objects(), shapes);
     const auto layers = now.containers().childrenOf(0);
     const app::ContainerId into = shapes.empty() ? 0 : layers.at(shapes.front().layer);
-    edit.containers = app::spliced(now.containers(), edit.splices, into);
+    edit.containers = now.containers().spliced(edit.splices, into);
     document.apply(edit);
 }
 

@@ -5,7 +5,27 @@
 
 #include <glm/common.hpp>
 
+#include <cstdlib>
+#include <new>
+
 #include "tests/app/view/random_drawing.h"
+
+namespace {
+
+std::size_t allocated = 0; // bytes
+
+} // namespace
+
+// Adds up what is taken from the heap.
+void* operator new(std::size_t size)
+{
+    allocated += size;
+    if (void* taken = std::malloc(size > 0 ? size : 1))
+        return taken;
+    throw std::bad_alloc();
+}
+void operator delete(void* given) noexcept { std::free(given); }
+void operator delete(void* given, std::size_t) noexcept { std::free(given); }
 
 namespace {
 
@@ -117,15 +137,20 @@ private slots:
     {
         std::mt19937_64 random(6);
         Stage stage(scattered(random, 40'000));
-        stage.picking.near({0, 0}, 300);
+        const auto takenFor = [&](const Point& point) {
+            const std::size_t before = allocated;
+            stage.picking.near(point, 1);
+            return allocated - before;
+        };
         const std::size_t blocks = stage.lines().blocks().size();
         QVERIFY(blocks >= 5);
-        QCOMPARE(stage.picking.grids(), blocks);
+        const std::size_t grid = takenFor({0, 0}) / blocks;
+        QVERIFY(takenFor({0, 0}) < grid / 4);
         replace(stage.document, 7, {line({}, {1, 1})});
-        QVERIFY(stage.picking.near({1e6, 1e6}, 1).empty());
-        QCOMPARE(stage.picking.grids(), blocks - 1);
-        stage.picking.near({0, 0}, 1);
-        QCOMPARE(stage.picking.grids(), blocks);
+        QVERIFY(takenFor({1e6, 1e6}) < grid / 4); // none yet: it is far away
+        const std::size_t again = takenFor({0, 0});
+        QVERIFY(again > grid / 2 && again < grid * 3 / 2);
+        QVERIFY(takenFor({0, 0}) < grid / 4);
     }
     void linesThatAreNotFiniteAreNotNear()
     {
