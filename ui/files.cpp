@@ -187,6 +187,7 @@ Exported exported(app::Document document, const app::CutOptions& options, const 
                   const app::WriteOptions& writing, bool hides)
 {
     try {
+        document = app::withOwnStyles(document); // a cut adds many, and the open one keeps its own
         if (!hides)
             document = app::withoutHidden(document);
         if (options.keepContacts)

@@ -54,6 +54,14 @@ Edit Document::apply(const Edit& edit)
     return back;
 }
 
+Document withOwnStyles(const Document& document)
+{
+    Objects objects = document.objects();
+    objects.separateStyles();
+    return Document({document.page(), document.about(), std::move(objects), document.containers(),
+                     document.windows()});
+}
+
 Edit adding(const Document& document, const Objects& objects, ContainerId into)
 {
     const std::size_t top = document.containers().rangeOf(into).end;

@@ -54,6 +54,10 @@ private:
     Shared<DocumentParts> parts_;
 };
 
+/// The same document with a table of styles of its own, for edits that are thrown away: the styles
+/// that they add go with it. Shares the objects. O(styles).
+Document withOwnStyles(const Document& document);
+
 /// An object that is being drawn, and the container that it will go to.
 struct ObjectInHand {
     Object object;

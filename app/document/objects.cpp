@@ -127,6 +127,12 @@ ObjectBlock& Objects::lastFor(std::uint32_t points)
     return blocks_.back().own();
 }
 
+void Objects::separateStyles()
+{
+    if (styles_)
+        styles_ = std::make_shared<StyleTable>(*styles_);
+}
+
 void Objects::append(const Object& object)
 {
     append({object.path, styles().indexOf(object.style), object.hidden,

@@ -27,6 +27,9 @@ public:
     void append(const Objects& more);                                 ///< shares whole blocks
     StyleTable& styles();
     const StyleTable& styles() const;
+    /// Gives these a table of their own, with the same numbers: styles that are added to it are not
+    /// added to that of copies and slices. O(styles).
+    void separateStyles();
 
     /// Some of them, which share whole blocks and the styles. slice(0, 0): none yet, but the
     /// styles, so that what is collected there is spliced in without looking its styles up again.

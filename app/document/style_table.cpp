@@ -60,6 +60,13 @@ std::size_t hashOf(const Style& style)
 
 } // namespace
 
+StyleTable::StyleTable(const StyleTable& other)
+{
+    const std::size_t size = other.size(); // it may grow in the meantime
+    for (std::size_t i = 0; i < size; ++i)
+        indexOf(other[StyleIndex(i)]);
+}
+
 StyleTable::~StyleTable()
 {
     for (const auto& step : steps_)

@@ -20,7 +20,7 @@ using StyleIndex = std::uint32_t; ///< of a style in its document's table
 class StyleTable {
 public:
     StyleTable() = default;
-    StyleTable(const StyleTable&) = delete;
+    StyleTable(const StyleTable& other); ///< the same styles by the same numbers
     StyleTable& operator=(const StyleTable&) = delete;
     ~StyleTable();
 

@@ -19,6 +19,7 @@ UnsavedWork::Written UnsavedWork::write() const
     if (!changed && !document_.inHand)
         return {};
     if (document_.inHand) {
+        document = withOwnStyles(document); // that of the object may never come into the edited one
         Objects objects = document.objects().slice(0, 0);
         objects.append(document_.inHand->object);
         // The layer may have gone since this was said.

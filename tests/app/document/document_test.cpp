@@ -97,6 +97,27 @@ private slots:
         QVERIFY(inverse({}).empty());
     }
 
+    void stylesOfItsOwnStayApart()
+    {
+        const Document document = threeLayers();
+        const std::size_t styles = document.styles().size();
+        QVERIFY(styles > 0);
+        Document apart = withOwnStyles(document);
+        QVERIFY(apart == document);
+        QCOMPARE(apart.styles().size(), styles);
+        QCOMPARE(blocksOnlyIn(apart.objects(), document.objects()), std::size_t(0));
+        Objects more = apart.objects().slice(0, 0);
+        more.append(
+            Object{.path = Path(clipping::Segment{{0, 0}, {1, 1}}), .style = {.width = 77}});
+        apart.apply(adding(apart, more, apart.containers().childrenOf(0).front()));
+        QCOMPARE(apart.styles().size(), styles + 1);
+        QCOMPARE(document.styles().size(), styles);
+        Document taken = document; // and back: the style gets a number there
+        taken.apply(adding(taken, apart.objects(), taken.containers().childrenOf(0).back()));
+        QCOMPARE(document.styles().size(), styles + 1);
+        const Document none = withOwnStyles(Document());
+        QVERIFY(none.objects().empty());
+    }
     void whatIsAddedGoesWhereSomethingWent()
     {
         const Containers before = threeLayers().containers();

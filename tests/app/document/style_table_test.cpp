@@ -37,6 +37,18 @@ private slots:
         for (int i = 0; i < 2000; ++i)
             QCOMPARE(table[StyleIndex(i)], numbered(i));
     }
+    void aCopyHasTheSameNumbers()
+    {
+        StyleTable table;
+        for (int i = 0; i < 700; ++i)
+            table.indexOf(numbered(i));
+        StyleTable copy = table;
+        QCOMPARE(copy.size(), std::size_t(700));
+        for (int i = 0; i < 700; ++i)
+            QCOMPARE(copy.indexOf(numbered(i)), StyleIndex(i));
+        QCOMPARE(copy.indexOf(numbered(700)), StyleIndex(700));
+        QCOMPARE(table.size(), std::size_t(700));
+    }
     void everyMemberCounts()
     {
         StyleTable table;

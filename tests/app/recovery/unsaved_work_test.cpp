@@ -106,6 +106,21 @@ private slots:
         QVERIFY(!work.write().unsaved);
         QVERIFY(!QFile::exists(document(false).file));
     }
+    void theStyleInHandStaysOutOfTheDocument()
+    {
+        const EditedDocument edited(documentOf(sheetOf(3)));
+        const std::size_t styles = edited.now().styles().size();
+        UnsavedWork work(edited);
+        Shape added = line(-5, 0);
+        added.style.dashes = {1, 2};
+        auto known = document(false);
+        known.inHand = inHand(edited, added);
+        work.tell(known);
+        QVERIFY(work.write().unsaved);
+        QCOMPARE(edited.now().styles().size(), styles);
+        QCOMPARE(readFile(known.file).value->document.styles().size(), styles + 1);
+        QVERIFY(QFile::remove(known.file));
+    }
     // A signal leaves little time, and the drawing may be large.
     void aShapeInHandCostsNoCopyOfTheDrawing()
     {
