@@ -13,8 +13,6 @@
 #include <QGuiApplication>
 #include <QMimeData>
 
-#include <map>
-
 namespace ui {
 
 namespace {
@@ -23,11 +21,9 @@ constexpr double stepMillimetres = 5; // of a copy from what it is a copy of, an
 
 QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
 
-/// Objects, each with the container that it goes to.
-using Copies = std::map<app::ContainerId, app::Objects>;
-
-/// One command for each container, in one undo step; then they are what is selected.
-void add(app::Session& session, const std::vector<app::ObjectInHand>& copies, const QString& text)
+/// Adds them in one step, each to its container, beside what they are copies of; then they are
+/// what is selected.
+void add(app::Session& session, std::vector<app::ObjectInHand> copies, const QString& text)
 {
     const app::Document& document = session.now();
     app::Objects all;
@@ -35,23 +31,14 @@ void add(app::Session& session, const std::vector<app::ObjectInHand>& copies, co
         all.append(copy.object);
     const app::Point step(stepMillimetres / document.page().millimetresPerUnit());
     const app::Placement where{{1, 1}, app::copyOffset(document, all, step)};
-    Copies byContainer;
-    for (app::ObjectInHand copy : copies) {
-        copy.object.path = copy.object.path.placed(where);
-        copy.object.particulars.id.clear(); // an id is there once
-        copy.object.particulars.recipe = placed(copy.object.particulars.recipe, where);
-        byContainer.try_emplace(copy.into, document.objects().slice(0, 0))
-            .first->second.append(copy.object);
+    for (auto& [object, into] : copies) {
+        object.path = object.path.placed(where);
+        object.particulars.id.clear(); // an id is there once
+        object.particulars.recipe = placed(object.particulars.recipe, where);
     }
-    session.history.beginMacro(text);
-    app::ObjectRanges added;
-    for (const auto& [container, objects] : byContainer) {
-        auto* command = new app::AddObjects(session.document, objects, container, text);
-        session.history.push(command);
-        const app::ObjectRange place = command->place();
-        added = united(added.shifted(place.first, 0, place.size()), app::ObjectRanges(place));
-    }
-    session.history.endMacro();
+    app::Edit edit = app::adding(document, copies);
+    app::ObjectRanges added = app::addedBy(edit.splices);
+    session.history.push(new app::AddObjects(session.document, std::move(edit), text));
     session.select(std::move(added));
 }
 
@@ -95,7 +82,7 @@ bool paste(app::Session& session)
     });
     if (copies.empty())
         return false;
-    add(session, copies, tr("Paste"));
+    add(session, std::move(copies), tr("Paste"));
     return true;
 }
 

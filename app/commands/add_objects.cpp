@@ -5,10 +5,13 @@ namespace app {
 
 AddObjects::AddObjects(EditedDocument& document, const Objects& objects, ContainerId into,
                        const QString& text)
-    : EditCommand(row, document, adding(document.now(), objects, into), text)
+    : AddObjects(document, adding(document.now(), objects, into), text)
 {
-    const std::size_t top = document.now().containers().rangeOf(into).end;
-    place_ = {top, top + objects.size()};
+}
+
+AddObjects::AddObjects(EditedDocument& document, Edit adding, const QString& text)
+    : EditCommand(row, document, std::move(adding), text)
+{
 }
 
 } // namespace app

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Adds objects to a container, above all that is in it.
+/// Adds objects to containers, above all that is in these.
 class AddObjects : public EditCommand {
 public:
     static constexpr CommandKind row{"add-objects", "Adds objects on top of a layer"};
@@ -13,12 +13,7 @@ public:
     /// `text` names the step: "Draw line", "Paste". Not empty; `objects` neither.
     AddObjects(EditedDocument& document, const Objects& objects, ContainerId into,
                const QString& text);
-
-    /// Where they are while this command is in force.
-    const ObjectRange& place() const { return place_; }
-
-private:
-    ObjectRange place_;
+    AddObjects(EditedDocument& document, Edit adding, const QString& text); ///< see app::adding
 };
 
 } // namespace app

@@ -42,6 +42,11 @@ public:
     std::vector<ContainerId> childrenOf(ContainerId id) const;
     std::vector<ContainerId> inOrder() const;  ///< all, each before those in it; bottom to top
     ObjectRange rangeOf(ContainerId id) const; ///< with those of the containers in it
+    /// Whether one container ends before another in painting order: the inner before the outer one.
+    bool endsBefore(ContainerId a, ContainerId b) const
+    {
+        return table_[a].closes < table_[b].closes;
+    }
     /// The innermost container and layer around an object that is there.
     ContainerId containerOf(std::size_t object) const;
     ContainerId layerOf(std::size_t object) const;
@@ -65,6 +70,9 @@ public:
     /// as go, all of one container, leave the tree as it is. O(splices · containers / 256), and
     /// never more than O(splices + containers).
     Containers spliced(std::span<const Splice> splices, ContainerId into = 0) const;
+    /// The same with a container for each splice. Those at one place ascend by where their
+    /// containers end.
+    Containers spliced(std::span<const Splice> splices, std::span<const ContainerId> into) const;
     /// With a new container in `parent`, above the first `at` of the containers directly in it. It
     /// takes over the parent's objects [range.first, range.end) and the containers among them:
     /// those from `at` on that begin before range.end. An empty range says where among the objects
@@ -108,6 +116,8 @@ private:
     template <class Holds>
     ObjectRanges rangesWhere(const Holds& holds) const;
 
+    template <class Into>
+    Containers splicedInto(std::span<const Splice> splices, const Into& into) const;
     std::pair<At, At> touching(std::size_t first, std::size_t end) const;
     template <class Edit>
     Containers splicedWhere(const std::pair<At, At>& where, const Edit& edit) const;

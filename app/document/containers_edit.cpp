@@ -37,6 +37,20 @@ Containers Containers::spliced(std::size_t first, std::size_t removed, std::size
 
 Containers Containers::spliced(std::span<const Splice> splices, ContainerId into) const
 {
+    return splicedInto(splices, [&](std::size_t) { return into; });
+}
+
+Containers Containers::spliced(std::span<const Splice> splices,
+                               std::span<const ContainerId> into) const
+{
+    assert(splices.size() == into.size());
+    return splicedInto(splices, [&](std::size_t i) { return into[i]; });
+}
+
+// into(i): where the objects of splice i go if it removes none.
+template <class Into>
+Containers Containers::splicedInto(std::span<const Splice> splices, const Into& into) const
+{
     if (splices.empty())
         return *this;
     const Splice& last = splices.back();
@@ -44,12 +58,12 @@ Containers Containers::spliced(std::span<const Splice> splices, ContainerId into
     if (splices.size() > 1 && splices.size() < to.block - from.block) { // most blocks stay
         Containers tree = *this;
         for (std::size_t i = splices.size(); i-- > 0;)
-            tree = tree.spliced(splices.subspan(i, 1), into);
+            tree = tree.spliced(splices.subspan(i, 1), into(i));
         return tree;
     }
     return splicedWhere({from, to}, [&](ContainerSplicing& marks) {
         for (std::size_t i = splices.size(); i-- > 0;)
-            marks.splice(splices[i], into);
+            marks.splice(splices[i], into(i));
     });
 }
 

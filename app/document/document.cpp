@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -69,6 +70,29 @@ Edit adding(const Document& document, const Objects& objects, ContainerId into)
     edit.splices = {{std::uint32_t(top), 0, std::uint32_t(objects.size())}};
     edit.objects = objects;
     edit.containers = document.containers().spliced(top, 0, objects.size(), into);
+    return edit;
+}
+
+Edit adding(const Document& document, std::span<const ObjectInHand> objects)
+{
+    const Containers& containers = document.containers();
+    std::vector<const ObjectInHand*> sorted;
+    for (const ObjectInHand& object : objects)
+        sorted.push_back(&object);
+    std::ranges::stable_sort(sorted, [&](const ObjectInHand* a, const ObjectInHand* b) {
+        return containers.endsBefore(a->into, b->into);
+    });
+    Edit edit{.objects = document.objects().slice(0, 0)};
+    std::vector<ContainerId> into;
+    for (const ObjectInHand* one : sorted) {
+        if (into.empty() || into.back() != one->into) {
+            into.push_back(one->into);
+            edit.splices.push_back({std::uint32_t(containers.rangeOf(one->into).end), 0, 0});
+        }
+        ++edit.splices.back().added;
+        edit.objects.append(one->object);
+    }
+    edit.containers = containers.spliced(edit.splices, into);
     return edit;
 }
 

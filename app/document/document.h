@@ -58,7 +58,7 @@ private:
 /// that they add go with it. Shares the objects. O(styles).
 Document withOwnStyles(const Document& document);
 
-/// An object that is being drawn, and the container that it will go to.
+/// An object that is being drawn or copied, and the container that it will go to.
 struct ObjectInHand {
     Object object;
     ContainerId into;
@@ -66,5 +66,7 @@ struct ObjectInHand {
 
 /// Objects that come to a container, above all that is in it.
 Edit adding(const Document& document, const Objects& objects, ContainerId into);
+/// Objects that come each to its container; those of one container in their order.
+Edit adding(const Document& document, std::span<const ObjectInHand> objects);
 
 } // namespace app

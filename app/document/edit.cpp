@@ -49,4 +49,12 @@ std::vector<Splice> inverse(std::span<const Splice> splices)
     return back;
 }
 
+ObjectRanges addedBy(std::span<const Splice> splices)
+{
+    ObjectRanges added;
+    for (const Splice& s : inverse(splices))
+        added.insert(ObjectRange{s.first, std::size_t(s.first) + s.removed});
+    return added;
+}
+
 } // namespace app

@@ -32,4 +32,7 @@ struct Edit {
 /// The splices that put back what those exchanged, numbered as after them.
 std::vector<Splice> inverse(std::span<const Splice> splices);
 
+/// The objects that those have added, as they are numbered afterwards.
+ObjectRanges addedBy(std::span<const Splice> splices);
+
 } // namespace app

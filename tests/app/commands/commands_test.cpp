@@ -182,10 +182,8 @@ private slots:
     {
         app::EditedDocument document(app::documentOf(sheet(2)));
         app::History history;
-        auto* add =
-            static_cast<app::AddObjects*>(addShapes(document, {line({0, 0}, {9, 9}, 1)}, "Add"));
-        history.push(add);
-        QCOMPARE(add->place(), (app::ObjectRange{4, 5}));
+        history.push(addShapes(document, {line({0, 0}, {9, 9}, 1)}, "Add"));
+        QCOMPARE(sheetOf(document).shapes[4].paths[0].segments[0].to, app::Point(9, 9));
         QCOMPARE(sheetOf(document).shapes[4].layer, 1U);
     }
 };

@@ -370,6 +370,36 @@ private slots:
         QCOMPARE(tree.spliced(splices, 3).rangeOf(3), (ObjectRange{4, 10}));
         QVERIFY(tree.spliced(std::span<const Splice>()) == tree);
     }
+    // What comes to the tops of several containers is added to each of them, and to those around.
+    void eachSpliceHasItsContainer()
+    {
+        Random random(12);
+        for (int round = 0; round < 3'000; ++round) {
+            const Containers tree = nestedTree(random, round % 10 == 0 ? 900 : 20);
+            std::vector<ContainerId> into = tree.inOrder();
+            const int share = random.whole(1, round % 20 == 0 ? 100 : 4);
+            std::erase_if(into, [&](ContainerId) { return random.whole(1, share) > 1; });
+            std::ranges::sort(into,
+                              [&](ContainerId a, ContainerId b) { return tree.endsBefore(a, b); });
+            std::vector<Splice> splices;
+            for (const ContainerId id : into)
+                splices.push_back(
+                    {std::uint32_t(tree.rangeOf(id).end), 0, std::uint32_t(random.whole(1, 3))});
+            Containers expected = tree;
+            for (std::size_t i = splices.size(); i-- > 0;)
+                expected = expected.spliced(splices[i].first, 0, splices[i].added, into[i]);
+            const Containers after = tree.spliced(splices, into);
+            QVERIFY2(after == expected, std::to_string(round).c_str());
+            std::size_t added = 0;
+            for (std::size_t i = 0; i < splices.size(); ++i) {
+                const std::size_t first = splices[i].first + added;
+                added += splices[i].added;
+                for (std::size_t k = first; k < first + splices[i].added; ++k)
+                    QCOMPARE(after.containerOf(k), into[i]);
+            }
+            QCOMPARE(after.objects(), tree.objects() + added);
+        }
+    }
     void treesAreEqualHoweverTheyWereMade()
     {
         const Containers built = wide(400);

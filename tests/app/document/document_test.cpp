@@ -97,6 +97,12 @@ private slots:
         QVERIFY(inverse({}).empty());
     }
 
+    void addedObjectsAreNumberedAfterwards()
+    {
+        const std::vector<Splice> splices{{0, 0, 2}, {3, 4, 0}, {7, 1, 1}, {8, 0, 2}};
+        QCOMPARE(addedBy(splices), (ObjectRanges{0, 1, 5, 6, 7}));
+        QVERIFY(addedBy({}).empty());
+    }
     void stylesOfItsOwnStayApart()
     {
         const Document document = threeLayers();
