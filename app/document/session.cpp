@@ -26,9 +26,10 @@ Session::Session(QObject* parent) : QObject(parent)
     });
 }
 
-ClipWindows Session::windows() const
+void Session::updateWindows()
 {
-    return preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
+    windows_ = preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
+    region_ = regionOf(windows_);
 }
 
 ComparedWindow Session::compared() const
@@ -78,7 +79,10 @@ void Session::setPreview(const Preview& preview)
 {
     if (preview == preview_)
         return;
+    const bool sameWindow = preview.window == preview_.window;
     preview_ = preview;
+    if (!sameWindow)
+        updateWindows();
     emit previewChanged();
 }
 
@@ -123,6 +127,8 @@ void Session::follow(const DocumentChange& change)
         pen.layer = containers.childrenOf(0).back();
     if (change.everything)
         preview_ = {};
+    if (change.windows)
+        updateWindows();
     ObjectRanges selected =
         change.everything ? ObjectRanges() : followed(selection_, change.splices);
     if (change.containers) // by undo, too: what is hidden or locked now cannot be edited

@@ -81,9 +81,9 @@ public:
         return preview_.window ? preview_.window : firstWindow(now().windows());
     }
     /// All of them as they are now, the preview's too.
-    ClipWindows windows() const;
+    const ClipWindows& windows() const { return windows_; }
     /// The same for `Scene::clip`.
-    ClipRegion region() const { return regionOf(windows()); }
+    const ClipRegion& region() const { return region_; }
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
@@ -117,8 +117,12 @@ signals:
     void previewChanged(); ///< preview() or windows(): by a gesture, a command, undo or load
     void fileChanged();
     void loaded(); ///< a different drawing: fit the view
+    /// Something could not be done; the sentence says what, why, and what to do. Whoever has the
+    /// session may emit it.
+    void refused(const QString& sentence);
 
 private:
+    void updateWindows();
     void follow(const DocumentChange& change);
     void say(const DocumentChange& change);
 
@@ -128,6 +132,8 @@ private:
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;
+    ClipWindows windows_; ///< as they are now: each frame asks for them
+    ClipRegion region_;
     QString path_;
     std::vector<Loss> losses_;
 };

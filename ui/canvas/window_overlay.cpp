@@ -33,10 +33,9 @@ QRectF rectangleOnScreen(const Controller& controller)
 // The other windows of the drawing: thin, and dashed where they take away from what others add.
 void paintOthers(QPainter& painter, const Controller& controller)
 {
-    const auto steps = controller.session().region().steps;
     painter.setBrush(Qt::NoBrush);
     bool first = true;
-    for (const app::ClipRegion::Step& step : steps) {
+    for (const app::ClipRegion::Step& step : controller.session().region().steps) {
         if (std::exchange(first, false))
             continue; // that is the one with handles
         const bool adds = step.operation == app::WindowOperation::Add;
