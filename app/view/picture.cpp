@@ -35,18 +35,26 @@ Plate plate(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
     return plating.take();
 }
 
+std::size_t objectsIn(std::span<const ObjectRange> ranges)
+{
+    std::size_t count = 0;
+    for (const ObjectRange& range : ranges)
+        count += range.size();
+    return count;
+}
+
 /// Paints what is selected, whole, whatever of it the window leaves.
 class Lighting {
 public:
     Lighting(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
         : styles_(styles), lines_(lines), options_(options),
-          plating_(lines, all_, options, options.selection.size())
+          plating_(lines, all_, options, objectsIn(options.selection))
     {
     }
 
     Plate plate()
     {
-        for (const auto& [first, end] : options_.selection.ranges())
+        for (const auto& [first, end] : options_.selection)
             lines_.forEachPart(lines_.firstLineOf(first), lines_.firstLineOf(end),
                                [&](auto run, auto from, auto to) { add(run, from, to); });
         return plating_.take();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_ranges.h"
 #include "app/document/scene_frame.h"
 #include "app/document/scene_lines.h"
 #include "app/document/session.h"
@@ -79,7 +80,7 @@ struct PictureOptions {
     /// For projectors: ghosts are opaque inks that can be told from this page (ink.h, ghostInk)
     /// instead of a layer that is painted with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
-    ObjectRanges selection{}; ///< objects to draw once more, over all, in `light`
+    std::span<const ObjectRange> selection{}; ///< objects to draw once more, over all, in `light`
     Colour light{};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
     Colour marked{};

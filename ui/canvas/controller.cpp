@@ -169,7 +169,7 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
         options.strokes = 2;
         options.ghosting = app::Ghosting{colourOf(pageColour()), look_.ghost};
     }
-    options.selection = session_.selection();
+    options.selection = session_.selection().ranges();
     options.light = colourOf(look_.selection);
     if (const app::Differences* differences = differing(pane))
         options.differing = differences->pieces;

@@ -155,7 +155,8 @@ private slots:
     void theSelectionIsLitWhole()
     {
         Stage stage({filledSquare({40, 10}, 20)});
-        stage.options.selection = {0};
+        const app::ObjectRanges selected{0};
+        stage.options.selection = selected.ranges();
         stage.options.light = {0, 0, 255};
         const app::Picture picture = stage.picture();
         QCOMPARE(picture.lit.chains.size(), std::size_t(1));

@@ -50,7 +50,10 @@ public:
     app::Plate lit(const app::PictureOptions& options) const
     {
         app::Plating plating(options, 0);
-        for (const std::size_t object : options.selection) {
+        app::ObjectRanges selected;
+        for (const app::ObjectRange& range : options.selection)
+            selected.insert(range);
+        for (const std::size_t object : selected) {
             app::Style style = document_.objects()[object].style();
             style.fill.reset();
             style.stroke = options.light;

@@ -160,7 +160,8 @@ private:
         options.strokes = random.below(3) == 0 ? 2 : 1;
         if (random.below(3) == 0)
             options.page = app::Colour{30, 30, 30};
-        options.selection = random.selection(document.objects().size());
+        const app::ObjectRanges selected = random.selection(document.objects().size());
+        options.selection = selected.ranges();
         options.light = random.colour();
         for (const RemovedPart removed :
              {RemovedPart::Ghosted, RemovedPart::Hidden, RemovedPart::Shown}) {
