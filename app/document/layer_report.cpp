@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/layer_report.h"
 
+#include <algorithm>
+
 namespace app {
+namespace {
+
+constexpr std::size_t mostStyles = 8192; // looked at: some 30 µs
+
+// One if all objects of the block have the same.
+std::span<const StyleIndex> stylesIn(const ObjectBlock& block, std::size_t first, std::size_t end)
+{
+    const std::span<const StyleIndex> styles(block.styles);
+    return styles.size() == 1 ? styles : styles.subspan(first, end - first);
+}
+
+} // namespace
 
 std::size_t linesOf(const Session& session, ContainerId container)
 {
@@ -12,11 +26,20 @@ std::size_t linesOf(const Session& session, ContainerId container)
 
 std::optional<Colour> inkOf(const Document& document, ContainerId container)
 {
+    const Objects& objects = document.objects();
     const ObjectRange range = document.containers().rangeOf(container);
-    for (std::size_t i = range.first; i < range.end; ++i) {
-        const Style& style = document.objects()[i].style();
-        if (style.stroke || style.fill)
-            return style.stroke ? style.stroke : style.fill;
+    std::size_t looked = 0;
+    for (std::size_t i = range.first; i < range.end && looked < mostStyles;) {
+        const std::size_t at = objects.blockOf(i), first = objects.firstOf(at);
+        const ObjectBlock& block = *objects.blocks()[at];
+        const std::size_t end = std::min(range.end - first, block.size());
+        for (const StyleIndex index : stylesIn(block, i - first, end)) {
+            const Style& style = document.styles()[index];
+            if (style.stroke || style.fill)
+                return style.stroke ? style.stroke : style.fill;
+            ++looked;
+        }
+        i = first + end;
     }
     return std::nullopt;
 }
