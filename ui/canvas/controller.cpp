@@ -334,17 +334,27 @@ void Controller::press(QMouseEvent& event)
         emit changed();
         return;
     }
-    if (event.button() == Qt::LeftButton && offerPlace(*this).contains(event.position())) {
-        layWindowOnPage(session_);
+    if (event.button() != Qt::LeftButton || pressOffer(event))
         return;
-    }
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
-    if (event.button() != Qt::LeftButton || !mayDraw())
+    if (!mayDraw())
         return;
     withTool([&] {
         event.type() == QEvent::MouseButtonDblClick ? tool_->doubleClick(pointer, bench_)
                                                     : tool_->press(pointer, bench_);
     });
+}
+
+// Whether the offer of a clip window takes the click. When a double click's second press comes, the
+// offer has gone.
+bool Controller::pressOffer(const QMouseEvent& event)
+{
+    if (onOffer_ && event.type() == QEvent::MouseButtonDblClick)
+        return true;
+    onOffer_ = offerPlace(*this).contains(event.position());
+    if (onOffer_)
+        layWindowOnPage(session_);
+    return onOffer_;
 }
 
 void Controller::move(QMouseEvent& event)
@@ -366,7 +376,7 @@ void Controller::release(QMouseEvent& event)
         emit changed();
         return;
     }
-    if (event.button() != Qt::LeftButton)
+    if (event.button() != Qt::LeftButton || onOffer_)
         return;
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
     withTool([&] { tool_->release(pointer, bench_); });

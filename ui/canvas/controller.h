@@ -119,6 +119,7 @@ private:
     bool mayDraw() const;
     void pointerEvent(QMouseEvent& event);
     void press(QMouseEvent& event);
+    bool pressOffer(const QMouseEvent& event);
     void move(QMouseEvent& event);
     void release(QMouseEvent& event);
     bool keyPress(QKeyEvent& event);
@@ -154,6 +155,7 @@ private:
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;
+    bool onOffer_ = false; ///< the last click of the left button: it is no tool's
     QTimer growing_; ///< runs while what is in hand has points that stepsChanged() has not told
     std::uint64_t revision_ = 1;
 };

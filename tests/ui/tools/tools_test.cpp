@@ -320,6 +320,34 @@ private slots:
         QCOMPARE(session.history.undoText(), "Draw clip window");
     }
 
+    void aDoubleClickOnTheOfferIsNotTheTools()
+    {
+        Stage stage(raster, {line({10, 50}, {190, 50}), line({-300, 121}, {500, 121})});
+        app::Session& session = stage.session;
+        session.document.apply({.windows = app::ClipWindows()});
+        stage.canvas->zoomBy(0.5);
+        session.select({0});
+        const QPoint under = stage.at({100, 121}); // on the offer, which hides the second line
+        const auto doubleClick = [&] {
+            QTest::mouseClick(&stage.surface(), Qt::LeftButton, {}, under);
+            QTest::mouseDClick(&stage.surface(), Qt::LeftButton, {}, under); // its second press
+            QTest::mouseRelease(&stage.surface(), Qt::LeftButton, {}, under);
+        };
+        for (int twice = 0; twice < 2; ++twice) {
+            doubleClick();
+            QVERIFY(!session.microscope.isOpen());
+            QCOMPARE(session.selection(), app::ObjectRanges{0});
+            QCOMPARE(session.clipWindow(), std::optional(session.now().page().rectangle()));
+            QCOMPARE(session.history.count(), 1);
+            session.history.undo(); // it is offered again
+        }
+        session.history.redo();
+        stage.click({100, 121}); // the next click is the tool's
+        QCOMPARE(session.selection(), app::ObjectRanges{1});
+        doubleClick();
+        QVERIFY(session.microscope.isOpen());
+    }
+
     void theSnapMarkGoesWithTheDrag()
     {
         Stage stage(raster, {});
