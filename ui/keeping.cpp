@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/keeping.h"
 
-#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
+#include "app/document/limited_steps.h"
 
 #include <QCoreApplication>
 
@@ -24,7 +24,7 @@ void layWindowOnPage(app::Session& session)
 {
     const clipping::Window page = session.now().page().rectangle();
     if (app::firstWindow(session.now().windows()) != page)
-        session.history.push(new app::SetWindow(session.document, page));
+        app::placeClipWindow(session, page);
 }
 
 } // namespace ui

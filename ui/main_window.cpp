@@ -62,6 +62,9 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
+    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
     rememberPanes();
     limitHistory();
     restoreLayout();

@@ -292,6 +292,22 @@ private slots:
         restyle();
         QTRY_VERIFY(!t.window->message().isEmpty());
     }
+    void whatADrawingHasNoRoomForIsSaid()
+    {
+        TestWindow t;
+        app::ClipWindows windows;
+        windows.list.resize(app::ClipWindows::most, {.visible = false});
+        t.window->session().document.apply({.windows = windows});
+        t.show();
+        t.action("window-on-page")->trigger();
+        QVERIFY(t.window->message().startsWith("No clip window was drawn."));
+        t.window->tell({});
+        t.window->canvas().setTool("window");
+        QTest::mousePress(t.drawingArea(), Qt::LeftButton, Qt::ControlModifier, {100, 100});
+        QTest::mouseRelease(t.drawingArea(), Qt::LeftButton, Qt::ControlModifier, {200, 200});
+        QVERIFY(t.window->message().startsWith("No clip window was drawn."));
+        QCOMPARE(t.window->session().history.count(), 0);
+    }
     void croppingWhatIsInsideIsNoStep()
     {
         TestWindow t;

@@ -3,6 +3,7 @@
 
 #include "app/commands/set_containers.h"
 #include "app/document/layer_report.h"
+#include "app/document/limited_steps.h"
 
 #include <QColor>
 
@@ -111,15 +112,9 @@ Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
     return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
 }
 
-void LayerModel::addLayer()
+bool LayerModel::addLayer()
 {
-    const app::Containers& containers = session_.now().containers();
-    const std::size_t top = containers.objects();
-    auto more = containers.inserted({.name = tr("Layer %1").arg(layers_.size() + 1)}, 0,
-                                    containers.childrenOf(0).size(), {top, top});
-    if (more)
-        session_.history.push(
-            new app::SetContainers(session_.document, std::move(*more), tr("Add layer")));
+    return app::addLayer(session_, tr("Layer %1").arg(layers_.size() + 1));
 }
 
 bool LayerModel::mayRemove(app::ContainerId layer) const

@@ -25,7 +25,7 @@ public:
     app::ContainerId layerOf(const QModelIndex& index) const;
     QModelIndex indexOf(app::ContainerId layer) const;
 
-    void addLayer();
+    bool addLayer(); ///< above all others; whether there was room for it
     bool mayRemove(app::ContainerId layer) const; ///< one layer stays
     void removeLayer(app::ContainerId layer);     ///< with those that lie in it
 

@@ -133,8 +133,8 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     buttons->addStretch();
     column->addLayout(buttons);
     connect(add_, &QToolButton::clicked, this, [this] {
-        model_->addLayer();
-        list_->setCurrentIndex(model_->index(0));
+        if (model_->addLayer())
+            list_->setCurrentIndex(model_->index(0));
     });
     connect(remove_, &QToolButton::clicked, this,
             [this] { model_->removeLayer(session_.pen.layer); });

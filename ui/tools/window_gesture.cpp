@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/window_gesture.h"
 
-#include "app/commands/set_window.h"
+#include "app/document/limited_steps.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <cmath>
@@ -45,7 +45,7 @@ void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
     const auto result = window();
     state_.reset();
     if (result && result != app::firstWindow(bench.session.now().windows()))
-        bench.session.history.push(new app::SetWindow(bench.session.document, *result));
+        app::placeClipWindow(bench.session, *result);
     bench.session.setPreview({});
 }
 

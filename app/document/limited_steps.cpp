@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/limited_steps.h"
+
+#include "app/commands/set_containers.h"
+#include "app/commands/set_window.h"
+#include "app/view/numbers.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+static QString tr(const char* text) { return QCoreApplication::translate("LimitedSteps", text); }
+
+void placeClipWindow(Session& session, const clipping::Window& window)
+{
+    const ClipWindows& windows = session.now().windows();
+    if (windows.list.size() < ClipWindows::most || firstWindow(windows))
+        session.history.push(new SetWindow(session.document, window));
+    else
+        emit session.refused(
+            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
+               "ones included, and cannot take more. Copy its objects to a new "
+               "drawing and draw the window there.")
+                .arg(countText(ClipWindows::most)));
+}
+
+bool addLayer(Session& session, const QString& name)
+{
+    const Containers& containers = session.now().containers();
+    const std::size_t top = containers.objects();
+    auto more = containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top});
+    if (more)
+        session.history.push(
+            new SetContainers(session.document, std::move(*more), tr("Add layer")));
+    else
+        emit session.refused(tr("No layer was added. This drawing has %1 layers and groups, and "
+                                "cannot take more. Delete a layer first.")
+                                 .arg(countText(Containers::mostContainers)));
+    return more.has_value();
+}
+
+} // namespace app
