@@ -42,13 +42,13 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     form->addWidget(published_);
     form->addStretch();
     auto* agree = new QHBoxLayout;
-    agree->setContentsMargins(space::dockMargin, 2, space::dockMargin, 8);
+    agree->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
     agree->setSpacing(6);
     agree->addWidget(tick_, 0, Qt::AlignTop);
     agree->addWidget(verdict_, 1);
     agree->addWidget(ask_);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 4, 0, 0);
+    column->setContentsMargins(0, 4, 0, space::labelToField);
     column->setSpacing(4);
     auto* list = new AlgorithmList(session);
     connect(list, &AlgorithmList::aboutWanted, this, &AlgorithmPanel::aboutWanted);

@@ -64,7 +64,9 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     rows->addWidget(table_);
     column->addLayout(rows, 1);
     column->addLayout(footer);
-    column->addWidget(new PageCaption(session));
+    auto* page = new PageCaption(session); // the panel's last line
+    page->setContentsMargins(space::dockMargin, 0, space::dockMargin, space::labelToField);
+    column->addWidget(page);
 
     connect(forms_, &Segments::picked, this, [this](int index) {
         QSettings().setValue(setting, index);

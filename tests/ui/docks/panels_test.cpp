@@ -2,6 +2,7 @@
 #include "app/document/usual_algorithm.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/compare_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
@@ -9,10 +10,13 @@
 #include "ui/status_bar.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/option_bar.h"
+#include "ui/widgets/page_caption.h"
 #include "ui/widgets/tool_list.h"
 
 #include <QLineEdit>
 #include <QRadioButton>
+
+#include <functional>
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
@@ -302,6 +306,27 @@ private slots:
         auto* panel = t.window->findChild<LinePanel*>();
         QTRY_VERIFY2(panel->steps().contains("Visible: (0.0000; 5.0000) to (10.0000; 5.0000)"),
                      qPrintable(panel->steps()));
+    }
+    void theLastLineOfAPanelKeepsClearOfTheNextPanel_data()
+    {
+        QTest::addColumn<std::function<QWidget*(app::Session&)>>("make");
+        using Make = std::function<QWidget*(app::Session&)>;
+        QTest::addRow("algorithm")
+            << Make([](app::Session& session) { return new AlgorithmPanel(session); });
+        QTest::addRow("compare") << Make(
+            [](app::Session& session) { return new ComparePanel(session); });
+    }
+    void theLastLineOfAPanelKeepsClearOfTheNextPanel()
+    {
+        QFETCH(std::function<QWidget*(app::Session&)>, make);
+        app::Session session; // without a clip window
+        const std::unique_ptr<QWidget> panel(make(session));
+        const auto* last = panel->findChild<PageCaption*>();
+        panel->show();
+        panel->resize(320, panel->minimumSizeHint().height());
+        QVERIFY(last->isVisible());
+        const QPoint bottom = last->mapTo(panel.get(), last->contentsRect().bottomLeft());
+        QVERIFY2(panel->height() - bottom.y() > 8, qPrintable(QString::number(bottom.y())));
     }
     void layersAreUndoable()
     {
