@@ -49,7 +49,7 @@ public:
     explicit Race(const std::vector<Variant>& variants, Clock clock = processorClock());
 
     /// What a round is for: only times, or also what has not been found out of this frame yet,
-    /// which takes a tenth more; until then rows keep what was found before.
+    /// which takes a sixth more; until then rows keep what was found before.
     enum class Purpose : std::uint8_t { Times, Findings };
     /// Begins a round. Times of another number of lines are forgotten. No round is under way.
     void begin(const RaceFrame& frame, Purpose purpose = Purpose::Findings);
@@ -70,9 +70,8 @@ private:
     bool judges() const { return purpose_ == Purpose::Findings && looks_ == 0; }
     bool counts() const;
     std::size_t turns() const;
-    void tellTruth(std::size_t block);
     void clip(std::size_t variant, std::size_t block);
-    void judge(RaceRow& row, std::size_t block, std::span<const clipping::Clipped> found) const;
+    void judge(RaceRow& row, std::size_t block, std::span<const clipping::Clipped> found);
     void count(std::size_t variant);
     void finish();
 
@@ -88,8 +87,8 @@ private:
     Purpose purpose_ = Purpose::Findings;
     bool racing_ = false;
     std::vector<clipping::Segment> sample_;
-    std::vector<clipping::Clipped> found_, truth_; ///< sources count from the block's first line
-    std::vector<std::size_t> truthEnds_;           ///< of each block, in truth_
+    std::vector<clipping::Clipped> found_; ///< in all lines; sources count in their block
+    std::vector<clipping::Clipped> truth_; ///< in the block that is judged
 };
 
 } // namespace app

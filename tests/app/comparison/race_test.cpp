@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cmath>
+#include <malloc.h>
 #include <random>
 
 #include "tests/app/document/scene_lines_of.h"
 #include "tests/not_empty.h"
+#include "tests/sanitizer.h"
 
 using namespace clipping;
 
@@ -79,6 +81,12 @@ app::DifferenceCounts countedOneByOne(const app::Variant& variant, std::span<con
         }
     }
     return counts;
+}
+
+double heapBytes()
+{
+    const auto info = ::mallinfo2();
+    return double(info.uordblks + info.hblkhd);
 }
 
 // Variants whose calls are written down, and whose time is the test's.
@@ -256,6 +264,17 @@ private slots:
             one.milliseconds.resize(6);
         QCOMPARE(app::groupsText(rows),
                  "Too few rounds: 3 algorithms need 7 rounds, this race has 6.");
+    }
+    void keepsOnePieceForEachLine()
+    {
+        constexpr std::size_t count = 500'000;
+        const auto scene = sceneLinesOf(scattered(count));
+        const double before = heapBytes();
+        app::Race race({{findAlgorithm("cs"), Form::Corrected}});
+        run(race, {scene, window});
+        const double bytes = (heapBytes() - before) / count;
+        if (memoryCanBeLimited)
+            QVERIFY2(bytes < sizeof(Clipped) + 4, qPrintable(QString::number(bytes)));
     }
     void whatIsDroppedLeavesNothing()
     {
