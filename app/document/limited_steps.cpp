@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app {
 
 static QString tr(const char* text) { return QCoreApplication::translate("LimitedSteps", text); }
@@ -24,9 +26,24 @@ void placeClipWindow(Session& session, const clipping::Window& window)
                 .arg(countText(ClipWindows::most)));
 }
 
+/// More layers than a file keeps apart would be one layer when it is opened again.
+static bool hasRoomForALayer(const Containers& containers)
+{
+    const auto isLayer = [&](ContainerId id) {
+        return containers[id].kind == Container::Kind::Layer;
+    };
+    return std::size_t(std::ranges::count_if(containers.inOrder(), isLayer)) < Containers::mostLayers;
+}
+
 bool addLayer(Session& session, const QString& name)
 {
     const Containers& containers = session.now().containers();
+    if (!hasRoomForALayer(containers)) {
+        emit session.refused(tr("No layer was added. This drawing has %1 layers, and a file cannot "
+                                "keep more apart. Delete a layer first.")
+                                 .arg(countText(Containers::mostLayers)));
+        return false;
+    }
     const std::size_t top = containers.objects();
     auto more = containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top});
     if (more)

@@ -69,6 +69,21 @@ private slots:
         QCOMPARE(containers[containers.childrenOf(0).back()].name, "Sky");
         QCOMPARE(session.refusals.size(), 0);
     }
+    void aLayerThatAFileWouldMergeIsRefused()
+    {
+        DocumentBuilder builder;
+        for (std::size_t i = 0; i + 1 < Containers::mostLayers; ++i) {
+            builder.open({.name = QString::number(i)});
+            builder.close();
+        }
+        Asked session(builder.take({}, {}, {}));
+        QVERIFY(addLayer(session, "last"));
+        QVERIFY(!addLayer(session, "too many"));
+        QCOMPARE(session.now().containers().size(), Containers::mostLayers);
+        QCOMPARE(session.refusals.size(), 1);
+        const QString sentence = session.refusals[0][0].toString();
+        QVERIFY2(sentence.contains("has 1,000 layers"), qPrintable(sentence));
+    }
     void oneLayerMoreIsRefused()
     {
         Asked session(drawing(0, Containers::mostContainers));
