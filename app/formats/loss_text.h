@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// "3 texts and 1 masks cannot be kept." Empty if nothing was lost.
+/// "3 texts and 1 mask cannot be kept." Empty if nothing was lost.
 QString lossSentence(const std::vector<Loss>& report);
 
 /// One line for each entry: what was lost, then what was kept in another way.

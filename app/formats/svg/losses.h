@@ -12,7 +12,7 @@ struct LossKind {
     const char* one;
     const char* many;
     bool remark = false;              ///< kept in another way
-    const char* oneInstead = nullptr; ///< what is kept of it; null: nothing
+    const char* oneInstead = nullptr; ///< what is kept of it, or would be; null: nothing
     const char* manyInstead = nullptr;
 };
 
@@ -75,9 +75,31 @@ inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many lay
 inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window above the first 1,000"),
                                   QT_TRANSLATE_NOOP("svg", "clip windows above the first 1,000")};
 
-inline constexpr LossKind invalidWindow{
-    QT_TRANSLATE_NOOP("svg", "clip window that is inverted or not finite was left out"),
-    QT_TRANSLATE_NOOP("svg", "clip windows that are inverted or not finite were left out"), true};
+inline constexpr LossKind invertedWindow{
+    QT_TRANSLATE_NOOP("svg", "inverted clip window"),
+    QT_TRANSLATE_NOOP("svg", "inverted clip windows"), false,
+    QT_TRANSLATE_NOOP("svg", "its left or top edge is beyond the opposite one"),
+    QT_TRANSLATE_NOOP("svg", "their left or top edges are beyond the opposite ones")};
+inline constexpr LossKind unreadableWindow{
+    QT_TRANSLATE_NOOP("svg", "clip window with a missing or invalid number"),
+    QT_TRANSLATE_NOOP("svg", "clip windows with a missing or invalid number"), false,
+    QT_TRANSLATE_NOOP("svg", "needed are xmin, ymin, xmax and ymax, or corners, all finite; an "
+                             "angle ends with rad"),
+    QT_TRANSLATE_NOOP("svg", "needed are xmin, ymin, xmax and ymax, or corners, all finite; an "
+                             "angle ends with rad")};
+// %1 stands for the texts that were met.
+inline constexpr LossKind unknownOperation{
+    QT_TRANSLATE_NOOP("svg", "clip window with the unknown operation %1"),
+    QT_TRANSLATE_NOOP("svg", "clip windows with the unknown operation %1"), false,
+    QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect"),
+    QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect")};
+inline constexpr LossKind unknownKeep{
+    QT_TRANSLATE_NOOP("svg", "unknown value %1 of keep (inside or outside) was read as inside"),
+    QT_TRANSLATE_NOOP("svg", "unknown values %1 of keep (inside or outside) were read as inside"),
+    true};
+inline constexpr LossKind unknownVisible{
+    QT_TRANSLATE_NOOP("svg", "unknown value %1 of visible (yes or no) was read as yes"),
+    QT_TRANSLATE_NOOP("svg", "unknown values %1 of visible (yes or no) were read as yes"), true};
 inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};

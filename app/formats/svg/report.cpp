@@ -7,24 +7,49 @@
 
 namespace app::svg {
 
+namespace {
+
+// Short, whatever a file says.
+QString shown(std::string_view text)
+{
+    constexpr qsizetype most = 40;
+    const QString words = QString::fromUtf8(text.substr(0, 4 * most)).simplified();
+    return u'“' + (words.size() > most ? words.left(most) + u'…' : words) + u'”';
+}
+
+} // namespace
+
+Report::Counted& Report::of(const LossKind& kind)
+{
+    const auto found = std::ranges::find(counted_, &kind, &Counted::kind);
+    return found != counted_.end() ? *found : counted_.emplace_back(Counted{&kind, 0});
+}
+
 void Report::add(const LossKind& kind, int count)
 {
-    if (count == 0)
-        return;
-    const auto found = std::ranges::find(counted_, &kind, &Counted::kind);
-    if (found != counted_.end())
-        found->count += count;
-    else
-        counted_.push_back({&kind, count});
+    if (count > 0)
+        of(kind).count += count;
+}
+
+void Report::add(const LossKind& kind, std::string_view text)
+{
+    constexpr qsizetype most = 3;
+    Counted& counted = of(kind);
+    ++counted.count;
+    if (const QString one = shown(text);
+        counted.texts.size() <= most && !counted.texts.contains(one))
+        counted.texts << (counted.texts.size() < most ? one : QStringLiteral("…"));
 }
 
 std::vector<Loss> Report::losses() const
 {
     std::vector<Loss> losses;
-    for (const auto& [kind, count] : counted_) {
+    for (const auto& [kind, count, texts] : counted_) {
         const char* const instead = count == 1 ? kind->oneInstead : kind->manyInstead;
-        losses.push_back({Text::tr(count == 1 ? kind->one : kind->many), count, kind->remark,
-                          instead ? Text::tr(instead) : QString()});
+        QString what = Text::tr(count == 1 ? kind->one : kind->many);
+        if (!texts.isEmpty())
+            what = what.arg(texts.join(QStringLiteral(", ")));
+        losses.push_back({what, count, kind->remark, instead ? Text::tr(instead) : QString()});
     }
     return losses;
 }

@@ -111,10 +111,18 @@ std::optional<WindowShape> shapeOf(const Tree& tree, Node node)
     const auto number = [&](std::string_view name) { return numberOf(tree.attribute(node, name)); };
     const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
     const auto angle = angleOf(tree.attribute(node, "angle"));
-    if (!angle || !std::ranges::all_of(v, [](const auto& one) { return one.has_value(); })
-        || *v[0] > *v[2] || *v[1] > *v[3])
+    if (!angle || !std::ranges::all_of(v, [](const auto& one) { return one.has_value(); }))
         return std::nullopt;
     return RectangleShape{{{*v[0], *v[1]}, {*v[2], *v[3]}}, *angle};
+}
+
+bool isInverted(const WindowShape& shape)
+{
+    const auto* const rectangle = std::get_if<RectangleShape>(&shape);
+    if (!rectangle)
+        return false;
+    const auto& [min, max] = rectangle->box;
+    return min.x > max.x || min.y > max.y;
 }
 
 std::optional<WindowOperation> operationOf(std::string_view text)
@@ -124,14 +132,32 @@ std::optional<WindowOperation> operationOf(std::string_view text)
                                      : std::optional(WindowOperation(found - operations.begin()));
 }
 
-std::optional<ClipWindow> windowOf(const Tree& tree, Node node)
+// Whether an attribute says the second of two words, the first being usual.
+bool saysSecond(const Tree& tree, Node node, std::string_view attribute,
+                std::array<std::string_view, 2> words, const LossKind& unknown, Report& report)
+{
+    const std::string_view text = tree.attribute(node, attribute);
+    if (!text.empty() && text != words[0] && text != words[1])
+        report.add(unknown, text);
+    return text == words[1];
+}
+
+std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
 {
     auto shape = shapeOf(tree, node);
-    const auto operation = operationOf(tree.attribute(node, "operation"));
-    if (!shape || !operation)
-        return std::nullopt;
-    return ClipWindow{QString::fromUtf8(tree.attribute(node, "name")), std::move(*shape),
-                      *operation, tree.attribute(node, "visible") != "no"};
+    const std::string_view operationText = tree.attribute(node, "operation");
+    const auto operation = operationOf(operationText);
+    if (!shape)
+        report.add(losses::unreadableWindow);
+    else if (isInverted(*shape))
+        report.add(losses::invertedWindow);
+    else if (!operation)
+        report.add(losses::unknownOperation, operationText);
+    else
+        return ClipWindow{
+            QString::fromUtf8(tree.attribute(node, "name")), std::move(*shape), *operation,
+            !saysSecond(tree, node, "visible", {"yes", "no"}, losses::unknownVisible, report)};
+    return std::nullopt;
 }
 
 // One without says something of all windows only.
@@ -144,14 +170,14 @@ bool hasShape(const Tree& tree, Node node)
 
 void read(const Tree& tree, Node node, ClipWindows& windows, Report& report)
 {
-    if (tree.attribute(node, "keep") == "outside")
+    if (saysSecond(tree, node, "keep", {"inside", "outside"}, losses::unknownKeep, report))
         windows.keep = Keep::Outside;
     if (!hasShape(tree, node))
         return;
-    auto window = windowOf(tree, node);
+    auto window = windowOf(tree, node, report);
     if (!window)
-        report.add(losses::invalidWindow);
-    else if (windows.list.size() == ClipWindows::most)
+        return;
+    if (windows.list.size() == ClipWindows::most)
         report.add(losses::windows);
     else
         windows.list.push_back(std::move(*window));

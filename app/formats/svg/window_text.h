@@ -18,8 +18,9 @@ namespace app::svg {
 /// "" if there is nothing to say.
 std::string textOf(const ClipWindows& windows);
 
-/// Those that Clearcut wrote into a file. What is left out is reported: windows that are inverted
-/// or not finite, and those above `ClipWindows::most`.
+/// Those that Clearcut wrote into a file. What is left out is reported: windows that are inverted,
+/// have a missing or invalid number or an unknown operation, and those above `ClipWindows::most`. So is
+/// an unknown value of keep or visible, which counts as the usual one.
 ClipWindows readWindows(const Tree& tree, Report& report);
 
 } // namespace app::svg

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clip windows of a document in its file.
+#include "app/formats/loss_text.h"
+
 #include <QTest>
 
 #include <limits>
@@ -92,29 +94,65 @@ private slots:
     void invalidOnesAreLeftOut()
     {
         const QByteArray good = "<c:window xmin='.1' ymin='-2' xmax='3' ymax='40'/>";
+        const auto isLeftOut = [&](const QByteArray& attributes, const QString& one,
+                                   const QString& two) {
+            const QByteArray window = "<c:window " + attributes + "/>";
+            QVERIFY2(read(window + good + window) == (app::ClipWindows{{{.shape = box}}}),
+                     attributes);
+            QCOMPARE(reportOn(window + good), one);
+            QCOMPARE(reportOn(window + window), two);
+        };
         for (const QByteArray bad :
-             {"xmin='5' ymin='0' xmax='4' ymax='9'", "xmin='0' ymin='9' xmax='4' ymax='8'",
-              "xmin='-1e308' ymin='0' xmax='1e308' ymax='9'", "xmin='x' ymin='0' xmax='1' ymax='9'",
+             {"xmin='5' ymin='0' xmax='4' ymax='9'", "xmin='0' ymin='9' xmax='4' ymax='8'"})
+            isLeftOut(bad, "1 inverted clip window", "2 inverted clip windows");
+        for (const QByteArray bad :
+             {"xmin='-1e308' ymin='0' xmax='1e308' ymax='9'", "xmin='x' ymin='0' xmax='1' ymax='9'",
               "xmin='0' ymin='0' xmax='1e400' ymax='9'", "xmin='0' ymin='0' xmax='nan' ymax='9'",
               "xmin='0'", "corners='0 0 1'", "corners='0 0 1 inf'", "corners='0 0 x 0'",
-              "xmin='0' ymin='0' xmax='1' ymax='1' angle='90'",
-              "xmin='0' ymin='0' xmax='1' ymax='1' operation='melt'"}) {
-            const QByteArray window = "<c:window " + bad + "/>";
-            QVERIFY2(read(window + good + window) == (app::ClipWindows{{{.shape = box}}}), bad);
-            QCOMPARE(reportOn(window + good),
-                     "1 clip window that is inverted or not finite was left out");
-            QCOMPARE(reportOn(window + window),
-                     "2 clip windows that are inverted or not finite were left out");
-        }
-        const auto remark = readText(drawing("<metadata xmlns:c='urn:clearcut:1'>"
-                                             "<c:window xmin='0'/></metadata>"));
-        QVERIFY(!remark.value->lossy());
+              "xmin='0' ymin='0' xmax='1' ymax='1' angle='90'"})
+            isLeftOut(bad, "1 clip window with a missing or invalid number",
+                      "2 clip windows with a missing or invalid number");
+        isLeftOut("xmin='0' ymin='0' xmax='1' ymax='1' operation='melt'",
+                  "1 clip window with the unknown operation “melt”",
+                  "2 clip windows with the unknown operation “melt”");
         constexpr double infinite = std::numeric_limits<double>::infinity();
         QCOMPARE(metadataOf({{{.shape = app::RectangleShape{{{0, 0}, {1, infinite}}}},
                               {.shape = app::RectangleShape{{{0, 0}, {1, 1}}, infinite}},
                               {.shape = app::PolygonShape{{{0, infinite}}}},
                               {.shape = box}}}),
                  metadataOf({{{.shape = box}}}));
+    }
+    void aWindowThatIsLeftOutIsALoss()
+    {
+        const auto lossesOf = [](const QByteArray& window) {
+            const auto result =
+                readText(drawing("<metadata xmlns:c='urn:clearcut:1'>" + window + "</metadata>"));
+            return result.value->report;
+        };
+        QCOMPARE(lossSentence(lossesOf("<c:window xmin='9' ymin='0' xmax='1' ymax='1'/>")),
+                 "1 inverted clip window cannot be kept.");
+        QCOMPARE(lossSentence(lossesOf("<c:window xmin='nan' ymin='0' xmax='1' ymax='1'/>")),
+                 "1 clip window with a missing or invalid number cannot be kept.");
+        QCOMPARE(lossLines(lossesOf("<c:window xmin='0' ymin='0' xmax='1' ymax='1' "
+                                    "operation='subtract'/>")),
+                 QStringList("Lost: 1 clip window with the unknown operation “subtract”; the "
+                             "operations are add, cut-out and intersect"));
+    }
+    void unknownWordsAreNamed()
+    {
+        const QByteArray head = "<c:window xmin='.1' ymin='-2' xmax='3' ymax='40' ";
+        const QByteArray windows = head + "keep='out' visible='false'/>" + head
+                                   + "keep='inside' visible='yes'/>" + head + "visible='off'/>";
+        QVERIFY(read(windows)
+                == (app::ClipWindows{{{.shape = box}, {.shape = box}, {.shape = box}}}));
+        QCOMPARE(reportOn(windows),
+                 "1 unknown value “out” of keep (inside or outside) was read as inside; 2 unknown "
+                 "values “false”, “off” of visible (yes or no) were read as yes");
+        QByteArray many;
+        for (const char* word : {"a", "b", "a", "%1", "d", "e"})
+            many += head + "operation='" + word + "'/>";
+        QCOMPARE(reportOn(many), "6 clip windows with the unknown operation “a”, “b”, “%1”, …");
+        QVERIFY(reportOn(head + "operation='" + QByteArray(9'999, 'x') + "'/>").size() < 100);
     }
     void thereIsALimit()
     {
