@@ -65,6 +65,11 @@ std::optional<Colour> colour(std::string_view text)
                   std::uint8_t(value)};
 }
 
+QString columnsText(std::size_t count)
+{
+    return count == 1 ? tr("1 column") : tr("%1 columns").arg(count);
+}
+
 class Reader {
 public:
     explicit Reader(QIODevice& in) : text_(in) {}
@@ -121,8 +126,8 @@ private:
     void addRow(const Record& record)
     {
         if (record.fields.size() > mostFields_)
-            throw Refused{record.line, tr("has %1 columns; there are at most %2.")
-                                           .arg(record.fields.size())
+            throw Refused{record.line, tr("has %1; there are at most %2.")
+                                           .arg(columnsText(record.fields.size()))
                                            .arg(mostFields_)};
         if (lines_.size() == mostRows)
             throw Refused{record.line, tr("is one too many: %1 lines are read at most. Split the "
@@ -147,7 +152,7 @@ private:
         if (positions_[column] >= record.fields.size())
             throw Refused{
                 record.line,
-                tr("has %1 columns; x1, y1, x2 and y2 are needed.").arg(record.fields.size())};
+                tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(record.fields.size()))};
         const auto text = field(record, column);
         if (const auto value = coordinate(text))
             return *value;

@@ -142,6 +142,7 @@ private slots:
         };
         row("short", "# hi\n1,2,3,4\n1,2,3\n",
             "line 3 has 3 columns; x1, y1, x2 and y2 are needed.");
+        row("one column", "1,2,3,4\n1\n", "line 2 has 1 column; x1, y1, x2 and y2 are needed.");
         row("NaN", "1,2,3,4\n1,nan,3,4\n", "line 2 has “nan” where a number is needed.");
         row("infinite", "1,2,3,4\n\n1,2,inf,4\n", "line 3 has “inf” where a number is needed.");
         row("1e400", "1,2,3,1e400",
