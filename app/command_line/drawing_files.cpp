@@ -39,16 +39,21 @@ QString typesWith(Function Format::*can)
 
 template <class Function>
 const Format& formatOf(const Given& given, const QString& option, const QString& path,
-                       Function Format::*can)
+                       Function Format::*can, const Format* ofName)
 {
     const Format* asked = given.format(option);
-    const Format* format = asked ? asked : formatOfFile(path);
+    const Format* format = asked ? asked : ofName;
     if (format && format->*can)
         return *format;
     const QString stream = option == QStringLiteral("to") ? Commands::tr("-o - (standard output)")
                                                           : Commands::tr("- (standard input)");
     throw WrongUsage{Commands::tr("%1: say what type it is, with --%2 and one of %3.")
                          .arg(path == standardStream ? stream : path, option, typesWith(can))};
+}
+
+const Format& readFormatOf(const Given& given, const QString& path)
+{
+    return formatOf(given, QStringLiteral("from"), path, &Format::read, formatToRead(path));
 }
 
 } // namespace
@@ -134,14 +139,12 @@ Imported readDrawing(const Given& given, const QString& path)
 {
     if (path != standardStream) {
         const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
-        auto imported =
-            readFile(path, there ? &formatOf(given, QStringLiteral("from"), path, &Format::read)
-                                 : &formats()[0]);
+        auto imported = readFile(path, there ? &readFormatOf(given, path) : &formats()[0]);
         if (!imported)
             throw Failure{imported.error};
         return std::move(*imported.value);
     }
-    const Format& format = formatOf(given, QStringLiteral("from"), path, &Format::read);
+    const Format& format = readFormatOf(given, path);
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
         throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};
@@ -163,7 +166,8 @@ Output outputOf(const Given& given, const QString& input)
             Commands::tr("%1 is the input as well. Give another name, or --in-place to "
                          "write over it.")
                 .arg(output.path)};
-    output.format = &formatOf(given, QStringLiteral("to"), output.path, &Format::write);
+    output.format = &formatOf(given, QStringLiteral("to"), output.path, &Format::write,
+                              formatOfFile(output.path));
     if (const auto decimals = given.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
     output.options.dpi = given.positive(QStringLiteral("dpi")).value_or(output.options.dpi);

@@ -56,7 +56,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
         return failure(*fault);
     if (!info.exists())
         return failure(QCoreApplication::translate("formats", "there is no such file."));
-    format = format ? format : formatOfFile(path);
+    format = format ? format : formatToRead(path);
     if (!format || !format->read)
         return failure(
             QCoreApplication::translate("formats", "this type of file is not read here."));

@@ -2,6 +2,7 @@
 #include "app/formats/read_open_file.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace app {
 
@@ -13,6 +14,13 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format)
     return Result<Imported>::failure(
         QCoreApplication::translate("formats", "it cannot be read to its end. %1.")
             .arg(file.errorString()));
+}
+
+const Format* formatToRead(const QString& path)
+{
+    const bool compressed =
+        QFileInfo(path).suffix().compare(QStringLiteral("svgz"), Qt::CaseInsensitive) == 0;
+    return compressed ? findFormat(u"svg") : formatOfFile(path);
 }
 
 } // namespace app

@@ -84,7 +84,8 @@ Result<Imported> read(QIODevice& in)
 {
     if (in.peek(2) == "\x1f\x8b")
         return Result<Imported>::failure(
-            Text::tr("it is compressed (.svgz). Unpack it with gunzip and open the .svg file."));
+            Text::tr("it is compressed (.svgz). Unpack it first, for example with gunzip < "
+                     "drawing.svgz > drawing.svg, and open the .svg file."));
     try {
         return Result<Imported>::of(import(readTree(in)));
     } catch (const Refused& refused) {

@@ -236,6 +236,10 @@ private slots:
         row("missing info", "$clearcut info no.svg", "Cannot open no.svg: there is no such file.");
         row("folder", "$clearcut clip . -o x.svg",
             "Cannot open .: it is a folder. Name a file in it.");
+        row("compressed", "printf '\\x1f\\x8b\\x08' > a.svgz; $clearcut info a.svgz",
+            "Cannot open a.svgz: it is compressed (.svgz). Unpack it");
+        row("compressed, clip", "printf '\\x1f\\x8b\\x08' > a.svgz; $clearcut clip a.svgz -o x.svg",
+            "Cannot open a.svgz: it is compressed (.svgz). Unpack it");
         row("folder out", "mkdir -p f.svg; $clearcut clip a.csv -o f.svg", "Cannot write f.svg: ");
         row("no such folder", "$clearcut clip a.csv -o no/x.svg",
             "Cannot write no/x.svg: No such file or directory.");
