@@ -10,6 +10,7 @@
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -21,6 +22,23 @@ QString text(double value)
     std::string number;
     appendNumber(number, value);
     return QString::fromStdString(number);
+}
+
+// A short number instead of one that rounding errors alone put beside it: 3.3 for
+// 3.3000000000000003. 0.3333333333333333 stays.
+double withoutNoise(double value)
+{
+    constexpr int digits = 12;
+    constexpr double noise = 4 * std::numeric_limits<double>::epsilon();
+    const double near = QString::number(value, 'g', digits).toDouble();
+    return std::abs(near - value) <= noise * std::abs(value) ? near : value;
+}
+
+QString calculated(const clipping::Window& box)
+{
+    const auto& [min, max] = box;
+    return rectangleText(
+        {{withoutNoise(min.x), withoutNoise(min.y)}, {withoutNoise(max.x), withoutNoise(max.y)}});
 }
 
 // A sum, which may be beyond all numbers.
@@ -91,9 +109,10 @@ QString shapeText(const WindowShape& shape)
     if (const auto* polygon = std::get_if<PolygonShape>(&shape))
         return Commands::tr("polygon of %1 corners").arg(polygon->corners.size());
     const auto& [box, angle] = std::get<RectangleShape>(shape);
-    return angle == 0 ? rectangleText(box)
-                      : Commands::tr("%1 turned by %2°")
-                            .arg(rectangleText(box), text(angle * 180 / std::numbers::pi));
+    return angle == 0
+               ? rectangleText(box)
+               : Commands::tr("%1 turned by %2°")
+                     .arg(rectangleText(box), text(withoutNoise(angle * 180 / std::numbers::pi)));
 }
 
 QString operationText(WindowOperation operation)
@@ -142,7 +161,7 @@ Rows rowsOf(const Imported& imported)
                                     .arg(all.subpaths)
                                     .arg(all.closedSubpaths)
                                     .arg(all.curves)},
-        {Commands::tr("bounds"), all.bounds ? rectangleText(*all.bounds) : Commands::tr("none")},
+        {Commands::tr("bounds"), all.bounds ? calculated(*all.bounds) : Commands::tr("none")},
         {Commands::tr("in mm"),
          all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
     };
@@ -151,8 +170,9 @@ Rows rowsOf(const Imported& imported)
     const Rows paper{
         {Commands::tr("page"),
          Commands::tr("%1, on paper %2 × %3")
-             .arg(rectangleText(page.rectangle()), text(page.width), text(page.height))},
-        {Commands::tr("unit"), text(page.millimetresPerUnit()) + QStringLiteral("mm")},
+             .arg(calculated(page.rectangle()), text(page.width), text(page.height))},
+        {Commands::tr("unit"),
+         text(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
     };
     for (const Rows& more : {paper, containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());

@@ -606,6 +606,23 @@ private slots:
             QVERIFY2(run.out.contains(line), run.out.constData());
         QVERIFY(clearcut({"info", path("a.csv")}).out.contains("mm from the origin\n"));
     }
+
+    // What is calculated has rounding errors; a clip window is a number of the file.
+    void infoLeavesOutRoundingErrors()
+    {
+        const auto run = clearcut(
+            {"info", "-", "--from", "svg"},
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:c='urn:clearcut:1' width='9in' "
+            "height='9in'><metadata><c:window xmin='0.1' ymin='0' xmax='0.30000000000000004' "
+            "ymax='9'/><c:window xmin='0' ymin='0' xmax='1' ymax='1' "
+            "angle='0.5235987755982988rad'/></metadata><path transform='scale(1.1)' "
+            "d='M0 0L490.87 3'/></svg>");
+        for (const char* line : {"bounds  0,0,539.957,3.3\n", "page    0,0,864,864, ",
+                                 "0.1,0,0.30000000000000004,9, adds\n", "turned by 30°, adds\n"})
+            QVERIFY2(run.out.contains(line), run.out.constData());
+        const auto third = clearcut({"info", "-", "--from", "csv"}, "0,0,0.3333333333333333,1\n");
+        QVERIFY2(third.out.contains("bounds  0,0,0.3333333333333333,1\n"), third.out.constData());
+    }
 };
 
 QTEST_GUILESS_MAIN(UsageTest)
