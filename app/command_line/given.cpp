@@ -7,7 +7,9 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace app {
@@ -39,6 +41,21 @@ QString refusalOf(const QCommandLineParser& parser, const Command& command)
         names << option.names.last();
     return Commands::tr("There is no option “%1”. The nearest is “%2”.")
         .arg(dashed(unknown.front()), dashed(nearestTo(unknown.front().toLower(), names)));
+}
+
+// A number or a length, but beyond what can be calculated with: its form is not to blame.
+bool isTooLarge(const QString& text)
+{
+    const std::string all = trimmed(text);
+    const char* const first = all.data() + (all.starts_with('+') ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(first, all.data() + all.size(), value);
+    const std::string_view number(first, std::size_t(end - first));
+    // One that is too small has no other error.
+    if (error != std::errc::result_out_of_range || number.find("e-") != number.npos
+        || number.find("E-") != number.npos)
+        return false;
+    return parseLength('0' + std::string(end)).has_value();
 }
 
 std::optional<quint64> wholeNumber(const QString& text)
@@ -83,6 +100,17 @@ void Given::refuse(const QString& option, const QString& expected) const
 {
     throw WrongUsage{
         Commands::tr("--%1 %2: give %3.").arg(option, parser_.value(option), expected)};
+}
+
+void Given::refuseNumbers(const QString& option, const QString& expected) const
+{
+    const QString given = parser_.value(option);
+    const QStringList parts = given.split(u',');
+    const auto found = std::ranges::find_if(parts, isTooLarge);
+    if (found == parts.end())
+        refuse(option, expected);
+    throw WrongUsage{Commands::tr("--%1 %2: “%3” is too large; numbers go up to 1.79e308.")
+                         .arg(option, given, found->trimmed())};
 }
 
 std::optional<quint64> Given::count(const QString& option, quint64 least, quint64 most) const
@@ -132,8 +160,9 @@ std::optional<std::array<Length, 4>> Given::rectangle(const QString& option) con
         lengths[std::size_t(i)] = length.value_or(Length{});
     }
     if (!fits)
-        refuse(option, Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as -100,-75,100,75 or "
-                                    "0,0,10cm,70mm"));
+        refuseNumbers(option,
+                      Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as -100,-75,100,75 or "
+                                   "0,0,10cm,70mm"));
     return lengths;
 }
 
@@ -188,7 +217,7 @@ std::optional<std::array<double, 4>> Given::numbers(const QString& option,
         numbers[std::size_t(i)] = number.value_or(0);
     }
     if (!fits)
-        refuse(option, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
+        refuseNumbers(option, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
     return numbers;
 }
 

@@ -44,6 +44,8 @@ public:
 
 private:
     [[noreturn]] void refuse(const QString& option, const QString& expected) const;
+    /// The same for numbers with commas between them, one of which may be too large.
+    [[noreturn]] void refuseNumbers(const QString& option, const QString& expected) const;
 
     QCommandLineParser parser_;
 };

@@ -38,6 +38,22 @@ void refuseMixture(const Given& given, const std::array<Length, 4>& lengths)
                 .arg(*given.text(QStringLiteral("window")))};
 }
 
+// One without area is a window: it is closed, and keeps what lies on it.
+void refuseInverted(const Given& given, const clipping::Window& window)
+{
+    const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;
+    if (!beyond && !below)
+        return;
+    if (const auto margin = given.text(QStringLiteral("margin")))
+        throw WrongUsage{
+            Commands::tr("--margin %1 is too large: nothing of the page is left.").arg(*margin)};
+    throw WrongUsage{
+        beyond ? Commands::tr("The window is inverted: its left edge is beyond its right edge. "
+                              "Give XMIN,YMIN,XMAX,YMAX.")
+               : Commands::tr("The window is inverted: its top edge is beyond its bottom edge. "
+                              "Give XMIN,YMIN,XMAX,YMAX.")};
+}
+
 // A length counts from the paper's corner, a bare number is the drawing's own.
 double placeOf(const Length& length, double corner, double unit)
 {
@@ -93,9 +109,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
         if (!std::isfinite(number))
             throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
                                           "smaller lengths.")};
-    if (window.min.x > window.max.x || window.min.y > window.max.y)
-        throw WrongUsage{Commands::tr("The window is empty: its XMIN,YMIN must not be greater than "
-                                      "its XMAX,YMAX.")};
+    refuseInverted(given, window);
     return window;
 }
 

@@ -17,7 +17,7 @@ clipping::Window windowOf(const Imported& imported);
 /// The clip window that the options choose, in user units; without them the drawing's own. Bare
 /// numbers count from the user origin, lengths with a unit from the paper's top left corner (in a
 /// file without a page: from the user origin). Throws WrongUsage for a window that mixes the two,
-/// and for an empty one.
+/// and for an inverted one.
 clipping::Window windowOf(const Given& given, const Imported& imported);
 
 /// All clip windows that the options choose; without them the visible ones of the drawing, with the

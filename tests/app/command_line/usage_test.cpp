@@ -155,10 +155,18 @@ private slots:
         row(clip + QStringList{"-w", "1,2,3,4%"}, "give four lengths");
         row(clip + QStringList{"-w", "0in,0in,1e308in,1in"}, "The window is too large");
         row(clip + QStringList{"--page", "--margin=-1e308in"}, "The window is too large");
-        row(clip + QStringList{"-w", "1,2,0,4"}, "The window is empty");
+        row(clip + QStringList{"-w", "1e308,0,1e309,4"},
+            "--window 1e308,0,1e309,4: “1e309” is too large");
+        row(clip + QStringList{"-w", "0mm,0mm,-1e999mm,4mm"}, "“-1e999mm” is too large");
+        row(clip + QStringList{"-w", "1,2,3,1e999ell"}, "give four lengths");
+        row(clip + QStringList{"-w", "1,2,0,4"},
+            "The window is inverted: its left edge is beyond its right edge.");
+        row(clip + QStringList{"-w", "1,2,3,1"},
+            "The window is inverted: its top edge is beyond its bottom edge.");
         row(clip + QStringList{"--page", "-w", "1,2,3,4"}, "not both");
         row(clip + QStringList{"--margin", "1"}, "--margin needs --page");
-        row(clip + QStringList{"--page", "--margin", "1e6"}, "The window is empty");
+        row(clip + QStringList{"--page", "--margin", "1e6"},
+            "--margin 1e6 is too large: nothing of the page is left.");
         row(clip + QStringList{"-a", "nobody"}, "There is no algorithm “nobody”");
         row(clip + QStringList{"-a", "md,md"}, "name one with -a");
         row(clip + QStringList{"--form", "new"}, "--form new: give corrected or published");
