@@ -142,6 +142,8 @@ QString sourceText(const Given& given, const Imported& imported)
         return Commands::tr("the page");
     if (!regionOf(imported.document.windows()).everything())
         return Commands::tr("saved in the drawing");
+    if (!imported.paged && imported.document.objects().empty())
+        return Commands::tr("the usual page, for nothing is drawn");
     return imported.drawn || !imported.paged ? Commands::tr("all that is drawn")
                                              : Commands::tr("the page");
 }
@@ -151,12 +153,15 @@ QString sourceText(const Given& given, const Imported& imported)
 QString windowText(const Given& given, const Imported& imported, const ClipRegion& region)
 {
     const QString source = sourceText(given, imported);
+    const QString keeps = region.keep == Keep::Outside
+                              ? QStringLiteral("; ") + Commands::tr("keeps what is outside")
+                              : QString();
     if (const auto window = region.single())
-        return Commands::tr("Window (%1): %2.").arg(source, placeText(*window, imported));
+        return Commands::tr("Window (%1): %2%3.").arg(source, placeText(*window, imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
         steps << operationText(step.operation).arg(placeText(step.box, imported));
-    return Commands::tr("Windows (%1): %2.").arg(source, steps.join(QStringLiteral("; ")));
+    return Commands::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
 }
 
 QString placeText(const clipping::Window& rectangle, const Imported& imported)

@@ -26,7 +26,7 @@ ClipWindows windowsOf(const Given& given, const Imported& imported);
 
 /// "Window (the page): -40,-40,40,40 in …": where `windowsOf` took them from, and each as
 /// `placeText`. Where they do not simply add up to one: "Windows (saved in the drawing): add …; cut
-/// out …".
+/// out …". Says so if the outside is kept.
 QString windowText(const Given& given, const Imported& imported, const ClipRegion& region);
 
 /// "10mm,10mm,90mm,90mm from the paper's top left corner", rounded to micrometres.

@@ -194,6 +194,14 @@ private slots:
                                 << "the page, margin 1mm): 2,2,78,38" + own + ", 1mm,1mm,39mm,19mm"
                                        + paper;
         QTest::newRow("millimetres") << whole << QStringList() << "the page): 0,0,40,20" + own;
+        const QByteArray outside = "; keeps what is outside";
+        QTest::newRow("outside") << whole << QStringList{"-k", "outside"}
+                                 << "the page): 0,0,40,20" + own + outside;
+        QTest::newRow("outside, saved")
+            << whole
+                   + "<metadata><clearcut:window keep='outside' xmin='5' ymin='6' xmax='7' "
+                     "ymax='18'/></metadata>"
+            << QStringList() << "saved in the drawing): 5,6,7,18" + own + outside;
         QTest::newRow("no size") << QByteArray(">") << QStringList()
                                  << QByteArray("all that is drawn): -10.5,0,190.5,9.5") + own
                                         + ", -2.778mm,0mm,50.403mm,2.514mm" + paper;
@@ -211,6 +219,23 @@ private slots:
         QCOMPARE(run.code, 0);
         QVERIFY2(run.err.endsWith("\nWindow (" + window + ".\n"), run.err.constData());
         QCOMPARE(clearcut(more << "-q", drawing).err, "");
+    }
+
+    void anEmptyTableHasNoDrawnWindow()
+    {
+        const auto run =
+            clearcut({"clip", "-", "--from", "csv", "--to", "svg", "-o", "-"}, "x1,y1,x2,y2\n");
+        QVERIFY2(run.err.contains("Window (the usual page, for nothing is drawn): 0,0,297,210 in "),
+                 run.err.constData());
+    }
+
+    void aWindowWithoutAreaIsLegal()
+    {
+        const auto run =
+            clearcut({"clip", "-", "--from", "csv", "--to", "csv", "-o", "-", "-w", "3,0,3,9"},
+                     "0,5,9,5\n3,-9,3,99\n");
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.out, csvHeader + "3,5,3,5,Drawing,#000000,1,0\n3,0,3,9,Drawing,#000000,1,1\n");
     }
 
     void theHelpAndThePageSayFromWhereLengthsCount()
