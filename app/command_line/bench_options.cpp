@@ -2,6 +2,9 @@
 #include "app/command_line/bench_options.h"
 
 #include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
+#include "app/command_line/window_options.h"
+#include "app/document/compared_window.h"
 #include "app/document/scene.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/one_by_one.h"
@@ -48,8 +51,19 @@ std::optional<clipping::Window> plainRectangle(const Given& given, const QString
     return clipping::Window{{l[0].value, l[1].value}, {l[2].value, l[3].value}};
 }
 
+// Its own; given ones stand in the tables.
+void sayWindow(const Imported& imported, const clipping::Window& window)
+{
+    const bool saved =
+        !comparedWindow(imported.document.windows(), imported.document.page()).isPage;
+    const QString source = saved            ? Commands::tr("saved in the drawing")
+                           : imported.paged ? Commands::tr("the page")
+                                            : Commands::tr("all that is drawn");
+    say(Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported)));
+}
+
 /// The lines that a drawing shows, and its window.
-void takeDrawing(const QString& path, ExperimentOptions& options)
+void takeDrawing(const Given& given, const QString& path, ExperimentOptions& options)
 {
     const auto imported = readFile(path);
     if (!imported)
@@ -60,6 +74,8 @@ void takeDrawing(const QString& path, ExperimentOptions& options)
     if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;
+    if (!given.has(QStringLiteral("window")))
+        sayWindow(*imported.value, options.field.window);
 }
 
 void takeScene(const Given& given, ExperimentOptions& options)
@@ -67,7 +83,7 @@ void takeScene(const Given& given, ExperimentOptions& options)
     const QString scene = given.text(QStringLiteral("scene")).value_or(QString());
     constexpr QStringView file = u"file:";
     if (scene.startsWith(file) && scene.size() > file.size())
-        return takeDrawing(scene.mid(file.size()), options);
+        return takeDrawing(given, scene.mid(file.size()), options);
     const auto rows = testScenes();
     // The last is none of the rows: with a path it was a drawing's.
     options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];

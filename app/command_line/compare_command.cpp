@@ -98,8 +98,8 @@ void compare(const Given& given)
     const Imported imported = readDrawing(given, given.operands().first());
     const EditedDocument document(imported.document);
     const Scene scene(document);
-    const Differences found =
-        extended({windowOf(given, imported)}, comparison, scene.lines(), scene.lines().size());
+    const clipping::Window window = windowOf(given, imported);
+    const Differences found = extended({window}, comparison, scene.lines(), scene.lines().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
     // A person who wants the sum, or where there is no difference, gets the sentence alone.
@@ -110,8 +110,10 @@ void compare(const Given& given)
         table = summed(std::move(table));
     if (!forPerson || (whole && !found.list.empty()))
         writeTables(output, {&table, 1});
-    if (!given.has(QStringLiteral("quiet")))
+    if (!given.has(QStringLiteral("quiet"))) {
+        say(windowText(given, imported, {{{window, WindowOperation::Add}}}));
         say(summary);
+    }
     if (!found.list.empty())
         throw CheckFailed{};
 }
@@ -134,7 +136,9 @@ Command compareCommand()
     };
     const std::vector<Option> last{
         {{"summary"}, {}, Commands::tr("Do not list the lines that differ, only sum them up.")},
-        {{"q", "quiet"}, {}, Commands::tr("Do not say how many lines differ.")}};
+        {{"q", "quiet"},
+         {},
+         Commands::tr("Do not say at which window, nor how many lines differ.")}};
     for (const auto& more : {windowOptions(), tableOptions(), readingOptions(), last})
         options.insert(options.end(), more.begin(), more.end());
     return {"compare",

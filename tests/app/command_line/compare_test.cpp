@@ -3,6 +3,13 @@
 
 #include "tests/app/command_line/program.h"
 
+namespace {
+
+const QByteArray windowSaid = "Window (given): 0,0,300,300 in the drawing's coordinates, "
+                              "0mm,0mm,79.375mm,79.375mm from the origin.\n";
+
+} // namespace
+
 /// `clearcut compare`, as people call it.
 class CompareTest : public QObject {
     Q_OBJECT
@@ -19,7 +26,7 @@ private slots:
         const auto run = clearcut(
             {"compare", file(), "-w", "0,0,300,300", "-a", "kwc:published", "--format", "csv"});
         QCOMPARE(run.code, 3);
-        QCOMPARE(run.err, "KWC as published loses 1 line that exact keeps.\n");
+        QCOMPARE(run.err, windowSaid + "KWC as published loses 1 line that exact keeps.\n");
         const auto lines = run.out.split('\n');
         const auto row = std::ranges::find_if(
             lines, [](const QByteArray& line) { return line.contains("only_b"); });
@@ -32,8 +39,27 @@ private slots:
     {
         const auto run = clearcut({"compare", file(), "-a", "md", "-b", "lb", "-w", "0,0,300,300"});
         QCOMPARE(run.code, 0);
-        QCOMPARE(run.err, "They agree on all 3 lines here.\n");
+        QCOMPARE(run.err, windowSaid + "They agree on all 3 lines here.\n");
         QCOMPARE(run.out, "");
+    }
+
+    void saysAtWhichWindow()
+    {
+        const auto said = [](const QByteArray& windows) {
+            const auto run = clearcut({"compare", "-", "--from", "svg", "-a", "md"},
+                                      "<svg xmlns='http://www.w3.org/2000/svg' "
+                                      "xmlns:c='urn:clearcut:1' width='20mm' height='10mm' "
+                                      "viewBox='0 0 20 10'><metadata>"
+                                          + windows + "</metadata><path d='M0 0h9'/></svg>");
+            return run.err.left(run.err.indexOf('\n'));
+        };
+        QCOMPARE(said({}), "Window (the page): 0,0,20,10 in the drawing's coordinates.");
+        QCOMPARE(said("<c:window xmin='1' ymin='1' xmax='3' ymax='4'/><c:window xmin='2' ymin='2' "
+                      "xmax='5' ymax='5'/>"),
+                 "Window (saved in the drawing): 1,1,3,4 in the drawing's coordinates.");
+        const auto table = clearcut({"compare", file(), "-a", "md"});
+        QVERIFY2(table.err.startsWith("Window (all that is drawn): -0.5,-50.5,300.5,350.5 in "),
+                 table.err.constData());
     }
 
     void endsThatAreApartByUlps()
@@ -57,7 +83,7 @@ private slots:
             clearcut({"compare", file(), "-w", "0,0,300,300", "-a", "md-step-2", "--summary"});
         QCOMPARE(run.code, 3);
         QCOMPARE(run.out, "");
-        QVERIFY2(run.err.startsWith("MD with Step 2 as printed "), run.err.constData());
+        QVERIFY2(run.err.contains("\nMD with Step 2 as printed "), run.err.constData());
         const auto quiet = clearcut(
             {"compare", file(), "-w", "0,0,300,300", "-a", "md-step-2", "--summary", "-q"});
         QCOMPARE(quiet.code, 3);

@@ -537,6 +537,22 @@ private slots:
                  run.out.constData());
     }
 
+    void benchSaysAtWhichWindowOfADrawing()
+    {
+        const auto said = [&](const QByteArray& windows) {
+            writeText(path("drawing.svg"),
+                      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:c='urn:clearcut:1' "
+                      "width='20mm' height='10mm' viewBox='0 0 20 10'><metadata>"
+                          + windows + "</metadata><path d='M0 0h9' stroke='red'/></svg>");
+            return clearcut({"bench", "-a", "exact", "--runs", "1", "--scene",
+                             "file:" + path("drawing.svg")})
+                .err;
+        };
+        QCOMPARE(said({}), "Window (the page): 0,0,20,10 in the drawing's coordinates.\n");
+        QCOMPARE(said("<c:window xmin='1' ymin='1' xmax='3' ymax='4'/>"),
+                 "Window (saved in the drawing): 1,1,3,4 in the drawing's coordinates.\n");
+    }
+
     void tablesFitATerminal_data()
     {
         QTest::addColumn<QStringList>("arguments");
