@@ -221,6 +221,16 @@ private slots:
         QCOMPARE(clearcut(more << "-q", drawing).err, "");
     }
 
+    // Whoever writes an SVG drawing by hand finds there what a window may say.
+    void thePageNamesWhatAWindowOfAFileSays()
+    {
+        const QByteArray page = contentOf(SOURCE_DIR "/resources/desktop/clearcut.1");
+        const QByteArray section = page.mid(page.indexOf(".Sh CLIP WINDOWS IN SVG FILES"));
+        for (const char* word : {"name", "operation", "visible", "keep", "xmin", "angle", "corners",
+                                 "cut-out", "intersect", "urn:clearcut:1"})
+            QVERIFY2(section.left(section.indexOf(".Sh FILES")).contains(word), word);
+    }
+
     void anEmptyTableHasNoDrawnWindow()
     {
         const auto run =
