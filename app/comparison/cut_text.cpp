@@ -27,11 +27,14 @@ QString cutText(const CutCounts& counts)
         if (count > 0)
             parts << tr(text).arg(countText(count));
     };
-    add(counts.whole, "%1 whole");
-    add(counts.cut, "%1 cut");
-    add(counts.gone, "%1 left out");
-    QString text = parts.isEmpty() ? tr("there was nothing to cut.")
-                                   : tr("shapes %1.").arg(parts.join(tr(", ")));
+    const auto addFirst = [&](std::size_t count, const char* one, const char* many,
+                              const char* further) {
+        add(count, !parts.isEmpty() ? further : count == 1 ? one : many);
+    };
+    addFirst(counts.whole, "%1 object whole", "%1 objects whole", "%1 whole");
+    addFirst(counts.cut, "%1 object cut", "%1 objects cut", "%1 cut");
+    addFirst(counts.gone, "%1 object left out", "%1 objects left out", "%1 left out");
+    QString text = parts.isEmpty() ? tr("there was nothing to cut.") : parts.join(tr(", ")) + u'.';
     addCount(text, counts.opened, "Opened: %1.");
     addCount(text, counts.unfilled, "Fill lost: %1.");
     addCount(text, counts.hidden, "Still hidden: %1.");
