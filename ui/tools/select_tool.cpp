@@ -142,14 +142,19 @@ clipping::Window SelectTool::target() const
                         anchorOf(to_.modifiers));
 }
 
+// The line in the inspector is still the same one: only its numbers are others.
 void SelectTool::finishDrag(Workbench& bench)
 {
     app::Session& session = bench.session;
+    const auto inspected = session.inspected();
+    const std::size_t lines = session.scene.lines().size();
     if (boxGrip_.value_or(app::Grip{}) == app::Grip{})
         session.history.push(new app::MoveObjects(session.document, session.selection(), offset()));
     else
         session.history.push(
             new app::ResizeObjects(session.document, session.selection(), bounds_, target()));
+    if (session.scene.lines().size() == lines) // else a curve has other lines now
+        session.inspect(inspected);
 }
 
 void SelectTool::release(const Pointer& pointer, Workbench& bench)
@@ -230,11 +235,15 @@ QString SelectTool::hint(const Workbench& bench) const
                    "Tools", "Line %1 in %2. Click selects it, Shift adds it, drag moves it.")
             .arg(app::countText(*litSegment_ + 1), containers[layer].name);
     }
-    const auto count = int(session.selection().size());
-    return count == 0 ? QString()
-                      : QCoreApplication::translate(
-                          "Tools", "%n selected. Drag to move, Delete removes, arrow keys nudge.",
-                          nullptr, count);
+    if (!session.selection().empty())
+        return QCoreApplication::translate(
+                   "Tools", "%1 selected. Drag to move, Delete removes, arrow keys nudge.")
+            .arg(app::countText(session.selection().size()));
+    if (const auto line = session.inspected())
+        return QCoreApplication::translate(
+                   "Tools", "Line %1 is in the Line panel. Click a line to select it.")
+            .arg(app::countText(*line + 1));
+    return {};
 }
 
 QCursor SelectTool::cursor(const Workbench&) const

@@ -298,6 +298,30 @@ private slots:
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
 
+    void aLineThatIsDraggedAtOnceIsInspected()
+    {
+        Stage stage(raster, {line({10, 10}, {60, 10}), line({10, 90}, {60, 90})});
+        stage.drag({30, 11}, {40, 31});
+        QCOMPARE(stage.session.selection(), Set{0});
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(0));
+        stage.drag({30, 91}, {40, 71});
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(1));
+    }
+
+    void theHintGroupsDigitsAndNamesTheInspectedLine()
+    {
+        std::vector<app::Shape> many(1200, line({10, 50}, {190, 50}));
+        Stage stage(raster, std::move(many));
+        const QString usual = stage.canvas->toolHint();
+        stage.session.select(app::ObjectRanges(app::ObjectRange{0, 1200}));
+        stage.move({100, 90});
+        QVERIFY(stage.canvas->toolHint().startsWith("1,200 selected."));
+        stage.session.select({});
+        QCOMPARE(stage.canvas->toolHint(), usual);
+        stage.session.inspect(1);
+        QVERIFY(stage.canvas->toolHint().startsWith("Line 2 is in the Line panel."));
+    }
+
     void withoutAWindowADragDrawsOneAndTheOfferLaysOne()
     {
         Stage stage(raster, {});
