@@ -16,6 +16,7 @@ struct FigureFrame {
     YAxis y = YAxis::Up;
     QFont font;        ///< with a pixel size; strokes, marks and distances go with it
     QRectF reserved{}; ///< labels keep clear of this part of the picture
+    bool windowIsPage = false; ///< the line is clipped at the page: there is no clip window
 
     QRectF picture() const { return {QPointF(), size}; }
     /// Where a point of the drawing is in the picture. Always finite: what is very far away is only

@@ -146,7 +146,8 @@ void labelWindow(std::vector<FigureLabel>& labels, const Specimen& specimen,
 {
     const QRectF box = windowBox(specimen, frame);
     const double gap = 3 * frame.unit();
-    FigureLabel label{Tone::Window, tr("Clip window"), {}, {}, {}};
+    FigureLabel label{
+        Tone::Window, frame.windowIsPage ? tr("Page") : tr("Clip window"), {}, {}, {}};
     const QSizeF size = sizeOf(label, frame);
     std::vector<QRectF> places;
     const double left = box.left() + gap, right = box.right() - gap - size.width();

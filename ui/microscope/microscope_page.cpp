@@ -62,6 +62,8 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     setAccessibleName(tr("Clip microscope"));
     place_->setFont(captionFont(font()));
     place_->setForegroundRole(QPalette::PlaceholderText);
+    place_->setAutoFillBackground(true); // where nothing is free it lies over lines
+    place_->setBackgroundRole(QPalette::Base);
     place_->setAttribute(Qt::WA_TransparentForMouseEvents);
     back_->setText(tr("Back to the line of the drawing"));
     back_->setObjectName(QStringLiteral("back-to-line"));
@@ -186,8 +188,10 @@ void MicroscopePage::showPlace()
 {
     const QString origin = session_.microscope.specimen().origin;
     QStringList lines(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
-    if (const QString at = app::atText(session_.compared()); !at.isEmpty() && drawn_.line())
+    const QString at = drawn_.line() ? app::atText(session_.compared()) : QString();
+    if (!at.isEmpty())
         lines << at;
+    view_->setWindowIsPage(!at.isEmpty());
     place_->setText(lines.join(u'\n'));
     overview_->setVisible(drawn_.line().has_value());
     back_->setVisible(drawn_.changed());

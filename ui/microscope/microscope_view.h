@@ -21,6 +21,8 @@ public:
     const app::FigureFrame& frame() const { return frame_; }
     /// Labels keep clear of what lies there.
     void reserve(const QRectF& place);
+    /// What the window is called: there may be none but the page.
+    void setWindowIsPage(bool isPage);
     /// Window and line well in sight.
     void fit();
     bool fitted() const { return fitted_; }
@@ -75,6 +77,7 @@ private:
     QRectF reserved_;
     std::optional<LineEnd> chosen_, lit_;
     std::optional<Drag> drag_;
+    bool windowIsPage_ = false;
     bool ring_ = false;  ///< the focus came by the keyboard: it is shown
     bool fitted_ = true; ///< the person has not zoomed or moved what is seen
 };

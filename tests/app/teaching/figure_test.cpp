@@ -140,6 +140,20 @@ class FigureTest : public QObject {
     std::mt19937_64 random_{8};
 
 private slots:
+    void whatIsClippedAtThePageIsCalledPage()
+    {
+        const Specimen s = specimen("exact", {{-150, -20}, {150, 30}});
+        const Walk walk = walkOf(s);
+        FigureFrame frame = figureFrame(s, size, font());
+        const auto names = [&](const QString& name) {
+            return std::ranges::count(figureLabels(s, walk, stepScene(s, walk, 0), frame), name,
+                                      &FigureLabel::head);
+        };
+        QCOMPARE(names("Clip window"), 1);
+        frame.windowIsPage = true;
+        QCOMPARE(names("Clip window"), 0);
+        QCOMPARE(names("Page"), 1);
+    }
     void marksAreWhereTheNumbersAre()
     {
         const Specimen s = specimen("matthes-drakopoulos", {{-160, -30}, {70, 130}});
