@@ -341,6 +341,17 @@ private slots:
             QCOMPARE(t.window->statusBar()->currentMessage(), QString());
         }
     }
+    void withoutAClipWindowThereIsNoneToFit()
+    {
+        TestWindow t;
+        t.show();
+        QVERIFY(!t.action("fit-window")->isEnabled());
+        QTest::keyClick(t.drawingArea(), Qt::Key_3, Qt::ShiftModifier);
+        QCOMPARE(t.window->statusBar()->currentMessage(),
+                 "There is no clip window. Draw one first (W).");
+        setWindow(t, middle);
+        QVERIFY(t.action("fit-window")->isEnabled());
+    }
     void aWarningOfTheClipboardGoesWithTheNextPaste()
     {
         TestWindow t;
@@ -433,6 +444,22 @@ private slots:
         QTRY_VERIFY(inFront(algorithm));
         QVERIFY(QSettings().value("windowDragged").toBool());
         QTRY_VERIFY(!t.window->findChild<WindowNote*>());
+    }
+    void theNoteOfTheFirstStartSaysHowToGetAWindow()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto* note = t.window->findChild<WindowNote*>();
+        QVERIFY(note->text().contains("Drag the clip window"));
+        t.action("new")->trigger();
+        QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
+        QVERIFY(note->text().contains("Window on page"));
+        app::Session& session = t.window->session();
+        session.setPreview({.window = middle});
+        QVERIFY(note->text().contains("Drag the clip window"));
+        session.setPreview({});
+        QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
     }
     void theNoteOfTheFirstStartHidesNothing()
     {

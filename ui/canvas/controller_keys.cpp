@@ -153,7 +153,7 @@ bool Controller::navigationKey(const QKeyEvent& event)
         fitDrawing();
     else if (shift && isOneOf(event.key(), {Qt::Key_2, Qt::Key_At, Qt::Key_QuoteDbl}))
         fitSelection();
-    else if (shift
+    else if (shift && clipWindow()
              && isOneOf(event.key(),
                         {Qt::Key_3, Qt::Key_NumberSign, Qt::Key_sterling, Qt::Key_section}))
         fitWindow();

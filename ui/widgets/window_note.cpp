@@ -13,10 +13,8 @@ constexpr int accentWidth = 4;
 
 } // namespace
 
-WindowNote::WindowNote(const app::Session& session)
+WindowNote::WindowNote(const app::Session& session) : session_(session)
 {
-    setText(tr("<b>Drag the clip window,</b> or draw one (W). What it leaves out is cut, at every "
-               "frame."));
     setContentsMargins(12, 8, 12, 8);
     setWordWrap(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider
@@ -25,6 +23,18 @@ WindowNote::WindowNote(const app::Session& session)
                 if (change.windows && !change.everything && isVisible())
                     emit learnt();
             });
+    connect(&session, &app::Session::previewChanged, this, &WindowNote::follow);
+    connect(&session, &app::Session::loaded, this, &WindowNote::follow);
+    follow();
+}
+
+void WindowNote::follow()
+{
+    const QString first = session_.clipWindow()
+                              ? tr("<b>Drag the clip window,</b> or draw one (W).")
+                              : tr("<b>Draw a clip window (W),</b> or lay one on the page with the "
+                                   "button <i>Window on page</i>.");
+    setText(first + u' ' + tr("What it leaves out is cut, at every frame."));
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)

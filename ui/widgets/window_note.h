@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// What to do first, in a strip of its own above the first drawing, until a clip window is changed.
+/// What to do first, with a clip window or to get one, in a strip of its own above the first
+/// drawing, until a clip window is changed.
 class WindowNote : public QLabel {
     Q_OBJECT
 
@@ -19,6 +20,11 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+
+private:
+    void follow();
+
+    const app::Session& session_;
 };
 
 } // namespace ui
