@@ -121,6 +121,7 @@ private:
     void arrangeAs(Arrangement arrangement);
     Arrangement fittingArrangement() const;
     int lowerTabs() const;
+    void fitStack();
     void shareHeight();
     void shareHeightWithWide();
     int columnWidth() const;
@@ -143,7 +144,7 @@ private:
     /// A panel that went to make room for the microscope, or for those who look on.
     struct HiddenDock {
         QDockWidget* dock;
-        QSize size;
+        QSize size;   ///< with its tabs
         bool inFront; ///< of the others in its tabs
     };
     std::vector<HiddenDock> hiddenDocks_;

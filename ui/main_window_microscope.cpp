@@ -13,13 +13,32 @@
 #include <QLayout>
 #include <QScopedValueRollback>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QToolBar>
 
+#include <cstdlib>
 #include <utility>
 
 // The microscope takes the place of the canvas, and of all panels. They come back as they were.
 
 namespace ui {
+
+namespace {
+
+/// What the tabs above a panel take of its place; 0: it has none.
+int tabsAbove(const QDockWidget& dock, const QMainWindow& window)
+{
+    constexpr int nearby = 8; // pixels
+    for (const auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        const QRect place = tabs->geometry();
+        if (tabs->isVisible() && std::abs(place.bottom() - dock.y()) <= nearby
+            && place.left() <= dock.geometry().right() && place.right() >= dock.x())
+            return dock.y() - place.top();
+    }
+    return 0;
+}
+
+} // namespace
 
 void MainWindow::addMicroscope()
 {
@@ -109,7 +128,8 @@ void MainWindow::makeBare()
     for (auto* dock : findChildren<QDockWidget*>()) {
         dock->toggleViewAction()->setEnabled(false);
         if (!dock->isHidden())
-            hiddenDocks_.push_back({dock, dock->size(), dock->x() >= 0 || dock->isFloating()});
+            hiddenDocks_.push_back({dock, dock->size() + QSize(0, tabsAbove(*dock, *this)),
+                                    dock->x() >= 0 || dock->isFloating()});
     }
     for (const HiddenDock& hidden : hiddenDocks_)
         hidden.dock->hide();
@@ -122,11 +142,14 @@ void MainWindow::endBare()
 {
     if (layoutBefore_.isEmpty())
         return;
+    findChild<LinePanel*>()->showNow(); // or it would have the height of another line
     bringPanelsBack();
     layoutBefore_.clear();
     barsBefore_.clear();
     if (fittingArrangement() != arrangement_) // the window is another size now, or Start is over
         arrange();
+    makeRoomForLine(); // one may have been inspected meanwhile
+    fitStack();
     refreshDockTitles();
 }
 

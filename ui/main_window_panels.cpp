@@ -152,6 +152,14 @@ int MainWindow::lowerTabs() const
     return 0;
 }
 
+/// A panel that has grown may leave too little room for the others.
+void MainWindow::fitStack()
+{
+    if (layoutBefore_.isEmpty() && !ownLayout_ && arrangement_ == Arrangement::Stacked
+        && lowerTabs() != lowerTabs_)
+        arrange();
+}
+
 QList<QAction*> MainWindow::panelToggles() const
 {
     QList<QAction*> toggles;

@@ -33,8 +33,13 @@ DrawnLine::DrawnLine(Session& session, QObject* parent) : QObject(parent), sessi
 
 void DrawnLine::look()
 {
-    if (const auto line = firstLine(session_))
-        return look(*line);
+    if (const auto line = firstLine(session_)) {
+        const bool ownChoice = !session_.inspected();
+        look(*line);
+        if (ownChoice)
+            lent_ = line;
+        return;
+    }
     line_.reset();
     own_ = false;
     display_ = variantOf(session_.display());
@@ -45,6 +50,7 @@ void DrawnLine::look(std::size_t segment) { show(segment, explaining(session_, s
 
 void DrawnLine::show(std::size_t segment, const Variant& variant)
 {
+    lent_.reset();
     line_ = segment;
     own_ = false;
     display_ = variantOf(session_.display());
@@ -110,6 +116,9 @@ void DrawnLine::show(const Specimen& specimen)
 
 void DrawnLine::adopt()
 {
+    if (const auto lent = std::exchange(lent_, std::nullopt);
+        lent && !session_.microscope.isOpen() && session_.inspected() == lent)
+        return session_.inspect(std::nullopt);
     const auto inspected = session_.inspected();
     if (showing_ || !session_.microscope.isOpen() || !inspected)
         return;

@@ -49,6 +49,8 @@ private:
 
     Session& session_;
     std::optional<std::size_t> line_; ///< nothing: of an empty drawing
+    std::optional<std::size_t>
+        lent_; ///< inspected by us alone: no longer when the microscope closes
     Specimen ours_;                   ///< as we showed it last
     Variant display_;                 ///< of the drawing, as last seen
     bool attached_ = false;           ///< what is under the microscope is ours

@@ -84,6 +84,14 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     show();
 }
 
+void LinePanel::showNow()
+{
+    if (!soon_.isActive())
+        return;
+    soon_.stop();
+    show();
+}
+
 void LinePanel::show()
 {
     const auto inspected = session_.inspected();

@@ -21,6 +21,7 @@ public:
 
     QString verdict() const { return verdict_->text(); } ///< with the algorithm's name
     QString steps() const { return steps_->toPlainText(); }
+    void showNow(); ///< what is to be shown soon
 
 signals:
     void microscopeWanted();

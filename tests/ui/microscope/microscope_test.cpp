@@ -17,6 +17,7 @@
 
 #include <utility>
 
+#include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -75,6 +76,36 @@ QByteArray docksOf(const MainWindow& window)
                 + ' ' + QByteArray::number(dock->width()) + ' ' + QByteArray::number(dock->height())
                 + '\n';
     return text;
+}
+
+/// Qt remembers any place for those that are behind another.
+QByteArray docksInFront(const MainWindow& window)
+{
+    QByteArrayList lines = docksOf(window).split('\n');
+    lines.removeIf([](const QByteArray& line) { return !line.contains(" seen shown docked 0"); });
+    return lines.join('\n');
+}
+
+/// Drawn with a tool.
+app::UndoCommand* addLine(app::Session& session, const clipping::Segment& line)
+{
+    app::Shape shape;
+    shape.paths.push_back({line.a, {{line.b}}, false});
+    shape.style.stroke = app::Colour{};
+    return addShapes(session.document, {shape}, QStringLiteral("Draw line"));
+}
+
+bool noPanelCoversAnother(const MainWindow& window)
+{
+    QList<QRect> places;
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        if (dock->isVisible() && dock->x() >= 0)
+            places << dock->geometry();
+    for (const QRect& one : places)
+        for (const QRect& other : places)
+            if (one != other && one.intersects(other))
+                return false;
+    return true;
 }
 
 } // namespace
@@ -320,6 +351,27 @@ private slots:
         QTRY_COMPARE(docksOf(*t.window), before);
         QVERIFY(t.window->canvas().isAncestorOf(QApplication::focusWidget())
                 || QApplication::focusWidget() == &t.window->canvas());
+    }
+    /// The microscope looks at a line by itself if none was clicked: that is over when it closes.
+    void withoutAClickedLineThePanelsComeBackAsTheyWere()
+    {
+        TestWindow t;
+        t.show();
+        t.window->session().history.push(addLine(t.window->session(), {{20, 20}, {180, 160}}));
+        QTest::qWait(300); // until the verdict of the Algorithm panel is there
+        const QByteArray before = docksInFront(*t.window);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+        QVERIFY(t.window->session().inspected());
+        QTest::qWait(60); // the Line panel is filled meanwhile
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(!t.window->session().inspected());
+        QTRY_COMPARE(docksInFront(*t.window), before);
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
+        QTest::qWait(60);
+        t.window->drawnLine().look(0); // now a person chose it: it stays
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(t.window->session().inspected());
+        QTRY_VERIFY(noPanelCoversAnother(*t.window));
     }
     void aLayoutOfOnesOwnIsKeptAndSavedAsItIs()
     {
