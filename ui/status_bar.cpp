@@ -46,6 +46,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
     connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
+    connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
     for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::specimenChanged,
                               &app::Microscope::stepChanged})
@@ -76,6 +77,19 @@ void StatusBar::note(const FrameTimes& times)
     last_ = times;
     if (!pause_.isActive())
         pause_.start();
+}
+
+/// Until the first frame of another drawing there is nothing to say of it.
+void StatusBar::forgetFrames()
+{
+    pause_.stop();
+    clip_.forget();
+    draw_.forget();
+    last_ = {};
+    for (StatusCell* cell : {visible_, times_}) {
+        cell->setText({});
+        cell->setToolTip({});
+    }
 }
 
 void StatusBar::showTimes()
@@ -211,7 +225,9 @@ void StatusBar::addZoomMenu()
     menu->addSeparator();
     menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
     menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);
-    menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
+    QAction* window = menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
+    connect(menu, &QMenu::aboutToShow, window,
+            [this, window] { window->setEnabled(session_.clipWindow().has_value()); });
     zoom_->setMenu(menu);
     zoom_->setAccessibleName(tr("Zoom"));
     zoom_->setToolTip(tr("Zoom"));

@@ -36,6 +36,7 @@ protected:
 
 private:
     void note(const FrameTimes& times);
+    void forgetFrames();
     void showTimes();
     void showPosition(std::optional<app::Point> position);
     void showStep();
