@@ -13,6 +13,7 @@
 #include "ui/saved_theme.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
+#include "ui/widgets/length_field.h"
 #include "ui/widgets/option_bar.h"
 #include "ui/widgets/tool_list.h"
 #include "ui/widgets/window_note.h"
@@ -52,6 +53,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addPanels();
     addMenus(*this);
     addBars();
+    connectFields();
     addMicroscope();
     connectFiles();
     for (const ToolList* list : findChildren<ToolList*>())
@@ -167,9 +169,6 @@ void MainWindow::addBars()
         return findChild<QAction*>(QLatin1StringView(name));
     };
     auto* options = new OptionBar(session_, *canvas_, find("undo"), find("redo"), find("export"));
-    connect(options, &OptionBar::refused, this, [this](const QString& sentence) {
-        tell({Message::Kind::Warning, sentence});
-    });
     addToolBar(Qt::TopToolBarArea, options);
     auto* bar = new QToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
@@ -184,6 +183,14 @@ void MainWindow::addBars()
             button->setFixedSize(space::toolButton, space::toolButton);
     }
     addToolBar(Qt::LeftToolBarArea, bar);
+}
+
+void MainWindow::connectFields()
+{
+    for (const LengthField* field : findChildren<LengthField*>()) {
+        connect(field, &LengthField::refused, strip_, &MessageStrip::refuse);
+        connect(field, &LengthField::taken, strip_, &MessageStrip::withdrawRefusal);
+    }
 }
 
 void MainWindow::connectFiles()

@@ -112,6 +112,7 @@ private:
     void follow(Dock& wide);
     void makeRoomForLine();
     void addBars();
+    void connectFields();
     void connectFiles();
     void showTitle();
     void rememberPanes();

@@ -5,11 +5,13 @@
 #include "app/view/numbers.h"
 #include "ui/look.h"
 
-#include <QKeyEvent>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPainter>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
+#include <QToolTip>
 
 #include <cmath>
 
@@ -19,12 +21,38 @@ namespace {
 
 constexpr double limit = 1e9;
 
+/// Shows the beginning of a number for which there is no room, with an ellipsis, or it would look
+/// like another number. With the focus it scrolls.
+class NumberEdit : public QLineEdit {
+public:
+    QString seen() const
+    {
+        return hasFocus() ? text() : fontMetrics().elidedText(text(), Qt::ElideRight, room());
+    }
+
+protected:
+    void paintEvent(QPaintEvent* event) override
+    {
+        if (seen() == text())
+            return QLineEdit::paintEvent(event);
+        QPainter painter(this);
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(rect().adjusted(margin, 0, -margin, 0),
+                         int(alignment()) | Qt::AlignVCenter, seen());
+    }
+
+private:
+    static constexpr int margin = 2; // QLineEdit's own
+    int room() const { return width() - 2 * margin; }
+};
+
 } // namespace
 
 LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent)
     : QDoubleSpinBox(parent), name_(name), range_(range)
 {
     setAccessibleName(name);
+    setLineEdit(new NumberEdit);
     setAlignment(suffix == Suffix::Unit ? Qt::AlignLeft : Qt::AlignRight);
     setProperty("withUnit", suffix == Suffix::Unit);
     setRange(-limit, limit); // what is refused is said, not silently changed
@@ -52,11 +80,17 @@ app::Result<double> LengthField::typed(QString text) const
 bool LengthField::takesTyped()
 {
     const auto length = typed(text());
-    if (length)
-        return range_ == Range::Any || *length.value >= 0; // else finish() says so
-    const QString refusedText = text().trimmed();
+    if (length) {
+        const bool fits = range_ == Range::Any || *length.value >= 0; // else finish() says so
+        if (fits && lineEdit()->isModified())
+            emit taken();
+        return fits;
+    }
+    const QString refusedText = text().trimmed(), quoted = tr("“%1”").arg(refusedText);
     lineEdit()->setText(textFromValue(value()));
-    emit refused(tr("%1: “%2” is no length: %3.").arg(name_, refusedText, length.error));
+    emit refused(length.error.contains(quoted) // which is not said twice
+                     ? tr("%1: %2.").arg(name_, length.error)
+                     : tr("%1: %2 is no length: %3.").arg(name_, quoted, length.error));
     return false;
 }
 
@@ -78,6 +112,18 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
     shown_ = value();
 }
 
+QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
+
+/// What there is no room for is said by the tooltip.
+bool LengthField::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && seenText() != text()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
+        return true;
+    }
+    return QDoubleSpinBox::event(event);
+}
+
 void LengthField::finish()
 {
     if (value() == shown_)
@@ -88,6 +134,7 @@ void LengthField::finish()
         return;
     }
     shown_ = value();
+    emit taken();
     emit edited(app::fromUnit(shown_, unit_, millimetresPerUnit_), merging_);
 }
 
@@ -135,8 +182,10 @@ void LengthField::keyPressEvent(QKeyEvent* event)
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const bool fits = !enters || takesTyped();
     QDoubleSpinBox::keyPressEvent(event);
-    if (enters && fits)
+    if (enters && fits) {
+        emit taken();
         emit entered();
+    }
 }
 
 } // namespace ui

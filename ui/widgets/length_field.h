@@ -25,6 +25,8 @@ public:
     /// In user units; sends no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
     void stepBy(int steps) override;
+    /// Its text, with an ellipsis where there is no room for the whole number.
+    QString seenText() const;
 
 signals:
     /// In user units. What is typed is a step of its own; arrows and the wheel may join the last
@@ -32,8 +34,10 @@ signals:
     void edited(double length, app::Merging merging);
     void entered();                        ///< with Enter, and it fits: typing is over
     void refused(const QString& sentence); ///< what was typed is no length, or out of range
+    void taken();                          ///< what is there now is a value that fits
 
 protected:
+    bool event(QEvent* event) override;
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;

@@ -9,6 +9,8 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include <utility>
+
 namespace ui {
 
 MessageStrip::MessageStrip(QWidget* parent)
@@ -27,7 +29,7 @@ MessageStrip::MessageStrip(QWidget* parent)
     row->addWidget(text_, 1);
     row->addWidget(button_);
     row->addWidget(close);
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, [this] { under_ ? withdrawRefusal() : hide(); });
     connect(button_, &QPushButton::clicked, this, [this] {
         hide();
         if (const auto action = message_.action)
@@ -37,6 +39,25 @@ MessageStrip::MessageStrip(QWidget* parent)
 }
 
 void MessageStrip::tell(Message message)
+{
+    under_.reset();
+    put(std::move(message));
+}
+
+void MessageStrip::refuse(const QString& sentence)
+{
+    const Message before = !under_ && !isHidden() ? message_ : under_.value_or(Message{});
+    put({Message::Kind::Warning, sentence});
+    under_ = before;
+}
+
+void MessageStrip::withdrawRefusal()
+{
+    if (under_)
+        put(*std::exchange(under_, std::nullopt));
+}
+
+void MessageStrip::put(Message message)
 {
     message_ = std::move(message);
     text_->setText(message_.sentence);
@@ -50,6 +71,8 @@ void MessageStrip::tell(Message message)
 
 void MessageStrip::takeBackDone()
 {
+    if (under_ && under_->kind == Message::Kind::Done)
+        under_ = Message{};
     if (message_.kind == Message::Kind::Done)
         hide();
 }

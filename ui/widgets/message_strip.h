@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include <functional>
+#include <optional>
 
 namespace ui {
 
@@ -28,13 +29,19 @@ public:
 
     void tell(Message message);
     void takeBackDone(); ///< closes it if it tells of something done, which is past now
+    /// A warning about what was typed, over the message that is there, which comes back after it.
+    void refuse(const QString& sentence);
+    void withdrawRefusal(); ///< a field has taken a value
     QString sentence() const { return isHidden() ? QString() : message_.sentence; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void put(Message message);
+
     Message message_;
+    std::optional<Message> under_; ///< while a refusal is shown: what it hides, or an empty one
     QLabel* text_;
     QPushButton* button_;
 };

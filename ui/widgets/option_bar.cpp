@@ -102,7 +102,6 @@ void OptionBar::addStroke()
     addWidget(dashes_);
 
     connect(ink_, &QToolButton::clicked, this, &OptionBar::chooseInk);
-    connect(width_, &LengthField::refused, this, &OptionBar::refused);
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
         restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"), merging);
     });

@@ -24,9 +24,6 @@ public:
     OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
               QAction* exportCut);
 
-signals:
-    void refused(const QString& sentence);
-
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/length_field.h"
 
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 using namespace ui;
 
@@ -45,12 +47,12 @@ private slots:
                                              .arg(QString(text), QString::fromUtf8(why));
         };
         row("10+", "the sum ends without a number");
-        row("ten", "“ten” is not a number");
         row("50%", "“%” is not a unit of length here");
         row("2mm*3mm", "a length times a length is an area");
         row("1/0", "division by zero");
         row("5e10", "it is too large");
         row("", "the sum ends without a number");
+        QTest::newRow("said once") << "ten" << QString::fromUtf8("Width: “ten” is not a number.");
     }
     void whatIsNoLengthIsRefusedInWords()
     {
@@ -65,6 +67,24 @@ private slots:
             QCOMPARE(field->text(), end == Qt::Key_Up ? "101.00" : "100.00");
             QCOMPARE(field.entered.size(), 0);
         }
+    }
+    void aNumberThatDoesNotFitShowsItsBeginning()
+    {
+        Field field;
+        field->setFixedSize(90, 26);
+        field->show(1e9, app::Unit::Mm, 1);
+        field.other.setFocus();
+        QVERIFY(field->seenText().startsWith("1,000"));
+        QVERIFY(field->seenText().endsWith(u'…'));
+        QCOMPARE(field->text(), "1,000,000,000.00"); // the number itself is not touched
+        QHelpEvent tip(QEvent::ToolTip, {9, 9}, field->mapToGlobal(QPoint(9, 9)));
+        QApplication::sendEvent(field.operator->(), &tip);
+        QCOMPARE(QToolTip::text(), "1,000,000,000.00");
+        field->setFocus();
+        QCOMPARE(field->seenText(), field->text());
+        field->show(5, app::Unit::Mm, 1);
+        field.other.setFocus();
+        QCOMPARE(field->seenText(), "5.00");
     }
     void escapeBacksOutOfTheTextAndThenOfTheField()
     {
