@@ -58,9 +58,7 @@ void MainWindow::addPanels()
     connect(algorithmPanel_, &AlgorithmPanel::aboutWanted, this,
             [this](const auto& algorithm) { showExplanation(algorithm, *this); });
     connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
-    connect(window, &WindowPanel::refused, this, [this](const QString& sentence) {
-        tell({Message::Kind::Warning, sentence});
-    });
+    connect(window, &WindowPanel::resized, this, &MainWindow::fitStack, Qt::QueuedConnection);
     connectStart(*start);
     connect(line, &LinePanel::titled, this, &MainWindow::makeRoomForLine); // it has its size now
 }

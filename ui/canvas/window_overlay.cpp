@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace ui {
@@ -30,7 +31,17 @@ QRectF rectangleOnScreen(const Controller& controller)
     return onScreen(controller.view(), controller.window());
 }
 
-// The other windows of the drawing: thin, and dashed where they take away from what others add.
+// One that adds is solid; what the others do can be told apart by their dashes.
+Qt::PenStyle dashesOf(app::WindowOperation operation)
+{
+    static const std::map<app::WindowOperation, Qt::PenStyle> styles{
+        {app::WindowOperation::Add, Qt::SolidLine},
+        {app::WindowOperation::CutOut, Qt::DashLine},
+        {app::WindowOperation::Intersect, Qt::DotLine}};
+    return styles.at(operation);
+}
+
+// The other windows of the drawing: thin.
 void paintOthers(QPainter& painter, const Controller& controller)
 {
     painter.setBrush(Qt::NoBrush);
@@ -38,8 +49,7 @@ void paintOthers(QPainter& painter, const Controller& controller)
     for (const app::ClipRegion::Step& step : controller.session().region().steps) {
         if (std::exchange(first, false))
             continue; // that is the one with handles
-        const bool adds = step.operation == app::WindowOperation::Add;
-        painter.setPen(QPen(controller.look().accent, 1, adds ? Qt::SolidLine : Qt::DashLine));
+        painter.setPen(QPen(controller.look().accent, 1, dashesOf(step.operation)));
         painter.drawRect(onScreen(controller.view(), step.box));
     }
 }

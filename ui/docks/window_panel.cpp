@@ -3,9 +3,11 @@
 
 #include "app/commands/set_window.h"
 #include "app/view/place.h"
+#include "app/view/which_text.h"
 #include "ui/keeping.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/unit_box.h"
 
@@ -18,6 +20,7 @@ namespace ui {
 namespace {
 
 enum Field : std::size_t { X, Y, Width, Height };
+enum Row { Which, First, Second };
 
 clipping::Window edited(const clipping::Window& window, std::size_t field, double length,
                         bool proportional)
@@ -40,8 +43,8 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
 } // namespace
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), chain_(new QToolButton), unit_(new UnitBox(session)),
-      pages_(new QStackedLayout(this))
+    : QWidget(parent), session_(session), which_(new ElidedLabel), chain_(new QToolButton),
+      unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeFields());
     pages_->addWidget(makeOffer());
@@ -60,6 +63,9 @@ QWidget* WindowPanel::makeFields()
                new LengthField(tr("Width"), Range::NotNegative, none),
                new LengthField(tr("Height"), Range::NotNegative, none)};
     const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H")};
+    which_->setObjectName(QStringLiteral("which-window"));
+    which_->setFont(captionFont(font()));
+    which_->setForegroundRole(QPalette::PlaceholderText);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
@@ -67,20 +73,21 @@ QWidget* WindowPanel::makeFields()
         auto* label = new QLabel(labels[qsizetype(i)]);
         label->setForegroundRole(QPalette::PlaceholderText);
         label->setBuddy(fields_[i]);
-        grid->addWidget(label, int(i % 2), i < 2 ? 0 : 2);
-        grid->addWidget(fields_[i], int(i % 2), i < 2 ? 1 : 3);
+        const int row = First + int(i % 2);
+        grid->addWidget(label, row, i < 2 ? 0 : 2);
+        grid->addWidget(fields_[i], row, i < 2 ? 1 : 3);
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double length, app::Merging merging) { edit(i, length, merging); });
         connect(fields_[i], &LengthField::entered, this, &WindowPanel::entered);
-        connect(fields_[i], &LengthField::refused, this, &WindowPanel::refused);
     }
     chain_->setIcon(icon("chain"));
     chain_->setCheckable(true);
     chain_->setAutoRaise(true);
     chain_->setToolTip(tr("Keep the proportion of width and height"));
     chain_->setAccessibleName(chain_->toolTip());
-    grid->addWidget(unit_, 0, 4);
-    grid->addWidget(chain_, 1, 4, Qt::AlignLeft);
+    grid->addWidget(which_, Which, 0, 1, 5);
+    grid->addWidget(unit_, First, 4);
+    grid->addWidget(chain_, Second, 4, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     grid->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
@@ -109,8 +116,22 @@ QWidget* WindowPanel::makeOffer()
     return offer;
 }
 
+void WindowPanel::sayWhich()
+{
+    const QString text = app::whichText(session_.windows());
+    which_->setWhole(text);
+    which_->setToolTip(tr("%1\nOn the canvas windows that add are solid, those that cut out are "
+                          "dashed, those that intersect are dotted.")
+                           .arg(text));
+    if (which_->isHidden() != text.isEmpty()) {
+        which_->setHidden(text.isEmpty());
+        emit resized();
+    }
+}
+
 void WindowPanel::follow()
 {
+    sayWhich();
     pages_->setCurrentIndex(session_.clipWindow() ? 0 : 1);
     const clipping::Window window = session_.window();
     const double size = session_.now().page().millimetresPerUnit();

@@ -13,6 +13,7 @@
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/tool_list.h"
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QRadioButton>
 
@@ -174,6 +175,31 @@ private slots:
         QCOMPARE(t.window->session().history.count(), 0);
         QCOMPARE(t.window->message(), "Width must be at least 0.");
         QCOMPARE(fields[2]->text(), "100.00");
+    }
+    void aRefusalGoesWithTheNextValueThatIsTaken()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
+        for (LengthField* field : {fields[2], width}) {
+            t.window->tell({Message::Kind::Warning, "Markers were not kept."});
+            type(field, "abc");
+            QVERIFY(t.window->message().contains("abc"));
+            type(field, "def");
+            QVERIFY(t.window->message().contains("def"));
+            type(field, "50");
+            QCOMPARE(t.window->message(), "Markers were not kept."); // the import's remark again
+            type(field, "abc");
+            field->setFocus();
+            QTest::keyClick(field, Qt::Key_Return); // the number from before is taken
+            QCOMPARE(t.window->message(), "Markers were not kept.");
+            t.window->tell({});
+            type(field, "abc");
+            type(field, "60");
+            QCOMPARE(t.window->message(), "");
+        }
     }
     void proportionsAreKept()
     {
@@ -396,6 +422,48 @@ private slots:
         QTRY_COMPARE(t.window->status().times(), "painting…");
         frame(false);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
+    }
+    void theFiguresOfAnotherFileAreNotShown()
+    {
+        TestWindow t; // never shown, so that no other frames come
+        emit t.window->canvas().frameShown({.visible = 18, .total = 41});
+        QTRY_COMPARE(t.window->status().visibility(), "18 of 41 visible");
+        emit t.window->canvas().frameShown({.visible = 17, .total = 41});
+        t.window->files().open(t.twoLines());
+        QCOMPARE(t.window->status().visibility(), "");
+        QCOMPARE(t.window->status().times(), "");
+        QTest::qWait(150); // what came before is shown no more
+        QCOMPARE(t.window->status().visibility(), "");
+        emit t.window->canvas().frameShown({.visible = 2, .total = 2});
+        QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
+    }
+    void thePanelSaysWhichWindowOfHowManyItShows()
+    {
+        TestWindow t;
+        t.show();
+        app::Session& session = t.window->session();
+        const auto box = [](double at) {
+            return app::RectangleShape{{{at, at}, {at + 50, at + 50}}};
+        };
+        app::ClipWindows windows;
+        windows.list = {{.name = "Hidden", .shape = box(0), .visible = false},
+                        {.name = "Main", .shape = box(10)},
+                        {.shape = box(20), .operation = app::WindowOperation::CutOut}};
+        session.document.apply({.windows = windows});
+        const auto* which = t.window->findChild<QLabel*>("which-window");
+        QVERIFY(which->isVisible());
+        QVERIFY(which->toolTip().startsWith("Window 2 of 3: Main\n"));
+        QCOMPARE(which->text(), "Window 2 of 3: Main");
+        const int width = t.window->findChild<QDockWidget*>("window")->width();
+        windows.list[1].name = QString(80, u'M');
+        session.document.apply({.windows = windows});
+        QVERIFY(which->text().startsWith("Window 2 of 3: MM"));
+        QVERIFY(which->text().endsWith(u'…'));
+        QVERIFY(which->fontMetrics().horizontalAdvance(which->text()) <= which->width());
+        QCOMPARE(t.window->findChild<QDockWidget*>("window")->width(), width);
+        windows.list = {{.name = "Main", .shape = box(10)}};
+        session.document.apply({.windows = windows});
+        QVERIFY(!which->isVisible());
     }
     void theStatusBarCounts()
     {
