@@ -77,9 +77,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
 
 void MainWindow::rememberPanes()
 {
-    const app::Display& display = session_.display();
-    if (const auto panes = app::Panes::fromText(QSettings().value("panes").toString(),
-                                                {display.algorithm, display.usedForm()}))
+    if (const auto panes =
+            app::Panes::fromText(QSettings().value("panes").toString(), session_.variant()))
         canvas_->setPanes(*panes);
     connect(canvas_, &Canvas::panesChanged, this, [this] {
         QSettings().setValue("panes", canvas_->panes().text());

@@ -188,7 +188,7 @@ void StatusBar::keepRoom()
     times_->setWidest(
         tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     if (!session_.microscope.isOpen())
-        showAlgorithm({session_.display().algorithm, session_.display().usedForm()});
+        showAlgorithm(session_.variant());
     renderer_->setWidest(QStringLiteral("OpenGL"));
     renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
     renderer_->setToolTip(canvas_.backendReason());

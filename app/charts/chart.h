@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/variant.h"
 #include "app/experiment/statistics.h"
-#include "clipping/algorithm.h"
 
 #include <QStringList>
 
@@ -35,9 +35,8 @@ Box boxOf(std::span<const double> numbers); ///< of at least one, all finite
 using Figure = std::variant<std::monostate, Bar, Box>;
 
 struct ChartRow {
-    const clipping::Algorithm* algorithm; ///< colour and marker; null: that of text, and none
-    clipping::Form form = clipping::Form::Corrected; ///< filled is ours, hollow as published
-    QString name;                                    ///< "CS"
+    Variant variant{}; ///< colour and marker, hollow if published; no algorithm: text's, and none
+    QString name;      ///< "CS"
     QString note{};                ///< "as published"; left out where space is short
     QString value{};               ///< "23.9 ns", left of the panel
     std::vector<Figure> figures;   ///< one a panel

@@ -114,7 +114,7 @@ double placeNames(ChartLayout& layout, const Chart& chart, const QRectF& area, c
     layout.notes = shown.notes;
     layout.values = shown.values;
     const bool marks =
-        std::ranges::any_of(chart.rows, [](const ChartRow& row) { return row.algorithm; });
+        std::ranges::any_of(chart.rows, [](const ChartRow& row) { return row.variant.algorithm; });
     layout.nameLeft = area.left() + (marks ? 20 * u : 0);
     const double name = shown.notes ? std::max(widths.name, widths.note) : widths.name;
     layout.nameRight = layout.nameLeft + std::min(name + 1, area.width() * 0.4);

@@ -36,7 +36,7 @@ struct Canvas {
 
 QColor colourOf(const ChartRow& row, const ChartLook& look)
 {
-    return row.algorithm ? algorithmColour(*row.algorithm, look.ground) : look.text;
+    return row.variant.algorithm ? algorithmColour(*row.variant.algorithm, look.ground) : look.text;
 }
 
 /// A text's height around a line.
@@ -154,9 +154,8 @@ void paintReference(const Canvas& c)
 void paintNames(const Canvas& c, const ChartRow& row, double middle)
 {
     const double u = c.layout.unit, left = c.layout.rows.front().left();
-    if (row.algorithm)
-        paintMarker(c.painter, {left, middle - 6 * u, 12 * u, 12 * u}, *row.algorithm, row.form,
-                    c.look.ground);
+    if (row.variant.algorithm)
+        paintMarker(c.painter, {left, middle - 6 * u, 12 * u, 12 * u}, row.variant, c.look.ground);
     const QFont bold = semiBoldFont(c.look), caption = captionFont(c.look);
     c.line(around(c.layout.nameLeft, c.layout.nameRight, middle, u), Qt::AlignLeft, bold,
            c.look.text, row.name);
@@ -182,8 +181,9 @@ void paintOther(const Canvas& c, const ChartRow& row, double top)
     c.painter.drawLine(QPointF(c.layout.panels.front().left(), y),
                        QPointF(x - size / 2 - 2 * u, y));
     const QRectF box(x - size / 2, y - size / 2, size, size);
-    if (row.algorithm)
-        paintMarker(c.painter, box, *row.algorithm, clipping::Form::Published, c.look.ground);
+    if (row.variant.algorithm)
+        paintMarker(c.painter, box, {row.variant.algorithm, clipping::Form::Published},
+                    c.look.ground);
 }
 
 void paintRow(const Canvas& c, std::size_t r)
@@ -192,7 +192,8 @@ void paintRow(const Canvas& c, std::size_t r)
     const double middle = c.layout.rows[r].top() + c.layout.barMiddle;
     paintNames(c, row, middle);
     for (std::size_t p = 0; p < row.figures.size(); ++p)
-        paintFigure(c.painter, {c.layout, c.look, p, middle, colourOf(row, c.look), row.form},
+        paintFigure(c.painter,
+                    {c.layout, c.look, p, middle, colourOf(row, c.look), row.variant.form},
                     row.figures[p]);
     paintOther(c, row, c.layout.rows[r].top());
     for (std::size_t i = 0; i < c.layout.columnRights.size(); ++i)

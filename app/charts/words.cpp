@@ -13,8 +13,7 @@ ChartRow rowFor(const Variant& variant)
 {
     const std::string_view name = variant.algorithm->abbreviation;
     const bool published = variant.form == clipping::Form::Published;
-    return {.algorithm = variant.algorithm,
-            .form = variant.form,
+    return {.variant = variant,
             .name = latin(name),
             .note = published ? Charts::tr("as published") : QString(),
             .figures = {}};

@@ -48,11 +48,11 @@ void add(Dissent& to, std::span<const Difference> fromMajority, std::size_t firs
 }
 
 /// Those that are judged: the published form first.
-std::vector<Dissent> allToJudge(const Algorithm& chosen, Form form)
+std::vector<Dissent> allToJudge(const Variant& chosen)
 {
     std::vector<Dissent> all;
-    if (form == Form::Published && chosen.published)
-        all.push_back({.variant = {&chosen, form}});
+    if (chosen.form == Form::Published)
+        all.push_back({.variant = chosen});
     for (const Algorithm& algorithm : algorithms())
         all.push_back({.variant = {&algorithm}});
     return all;
@@ -98,11 +98,10 @@ QString sentence(const Dissent& dissent)
 
 } // namespace
 
-std::vector<Dissent> dissents(const SceneLines& lines, const Window& window,
-                              const Algorithm& chosen, Form form)
+std::vector<Dissent> dissents(const SceneLines& lines, const Window& window, const Variant& chosen)
 {
-    std::vector<Dissent> found = allToJudge(chosen, form);
-    const Variant corrected{&chosen}; // stands for the majority: what it promises is the same
+    std::vector<Dissent> found = allToJudge(chosen);
+    const Variant corrected{chosen.algorithm}; // stands for the majority, which promises the same
     for (const SceneLines::Run& run : lines.runs())
         judge(found, run, window, corrected);
     std::erase_if(found, [](const Dissent& one) { return one.none(); });

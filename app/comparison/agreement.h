@@ -26,7 +26,7 @@ struct Dissent {
 /// differs from what the majority of them says, and one for `chosen` in `form` if that is the
 /// published one. Empty: they agree. Takes as long as clipping once with every algorithm.
 std::vector<Dissent> dissents(const SceneLines& lines, const clipping::Window& window,
-                              const clipping::Algorithm& chosen, clipping::Form form);
+                              const Variant& chosen);
 
 /// "All algorithms, corrected, agree here", or "KWC as published loses 456 lines that are visible".
 QString sentence(std::span<const Dissent> dissents);

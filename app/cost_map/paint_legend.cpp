@@ -64,7 +64,7 @@ void paintShares(QPainter& painter, const QRectF& room, const CostMap& map,
                 paintMarker(painter,
                             {at + QPointF(0, (metrics.height() - markerSize) / 2),
                              QSizeF(markerSize, markerSize)},
-                            *variant.algorithm, variant.form, look.ground);
+                            variant, look.ground);
                 at.rx() += markerSize + 3;
             }
         painter.setPen(look.text);

@@ -13,7 +13,7 @@ namespace app {
 
 Session::Session(QObject* parent) : QObject(parent)
 {
-    display_.algorithm = &usualAlgorithm();
+    display_.variant.algorithm = &usualAlgorithm();
     pen.layer = now().containers().childrenOf(0).back();
     connect(&document, &EditedDocument::changed, this, &Session::say);
     connect(&scene, &Scene::outdated, this, [this] {
@@ -48,7 +48,8 @@ void Session::setDisplay(const Display& display)
 
 const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
 {
-    return *clipping::usesOf(*display_.algorithm, display_.usedForm());
+    const Variant used = variant();
+    return *clipping::usesOf(*used.algorithm, used.form);
 }
 
 void Session::select(ObjectRanges objects)

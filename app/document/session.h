@@ -19,19 +19,13 @@ enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
 
 /// How the drawing is being looked at: never part of the document, never undone.
 struct Display {
-    const clipping::Algorithm* algorithm = nullptr; ///< never null in a session
-    clipping::Form form = clipping::Form::Corrected;
+    /// The algorithm, never null in a session, and the form that is wanted of each that has it.
+    Variant variant{};
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm; ///< of rulers, labels and fields; a drawing that is opened brings its own
     bool overlay = false; ///< what the algorithm sees, over the drawing
     bool asPrinted = false;  ///< dark theme: the true page and inks
     bool presenting = false; ///< for a projector: strokes twice as wide, ghosts that can be seen
-
-    /// The form that clips: an algorithm without a published one is corrected in any case.
-    clipping::Form usedForm() const
-    {
-        return clipping::usesOf(*algorithm, form) ? form : clipping::Form::Corrected;
-    }
     friend bool operator==(const Display&, const Display&) = default;
 };
 
@@ -87,7 +81,8 @@ public:
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
-    /// The chosen form of the chosen algorithm.
+    /// What clips: the form that is wanted where the algorithm has it.
+    Variant variant() const { return usable(display_.variant); }
     const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
 
     /// Numbers of objects; follows insertions and removals.

@@ -16,4 +16,11 @@ struct Variant {
     friend bool operator==(const Variant&, const Variant&) = default;
 };
 
+/// The form of the wish's algorithm that can clip: corrected where that has no published one.
+inline Variant usable(const Variant& wish)
+{
+    const bool has = clipping::usesOf(*wish.algorithm, wish.form);
+    return {wish.algorithm, has ? wish.form : clipping::Form::Corrected};
+}
+
 } // namespace app

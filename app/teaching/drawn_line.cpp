@@ -10,8 +10,6 @@ namespace app {
 
 namespace {
 
-Variant variantOf(const Display& display) { return {display.algorithm, display.usedForm()}; }
-
 /// Only the line may be another one: the rest is ours.
 bool sameButLine(Specimen one, const Specimen& other)
 {
@@ -42,7 +40,7 @@ void DrawnLine::look()
     }
     line_.reset();
     own_ = false;
-    display_ = variantOf(session_.display());
+    display_ = session_.variant();
     show(firstSpecimen(session_));
 }
 
@@ -53,7 +51,7 @@ void DrawnLine::show(std::size_t segment, const Variant& variant)
     lent_.reset();
     line_ = segment;
     own_ = false;
-    display_ = variantOf(session_.display());
+    display_ = session_.variant();
     Specimen specimen = specimenOf(session_, segment);
     specimen.variant = variant;
     show(specimen);
@@ -78,8 +76,7 @@ void DrawnLine::choose(const Variant& variant)
         return session_.microscope.setSpecimen(specimen);
     show(specimen);
     Display display = session_.display();
-    display.algorithm = variant.algorithm;
-    display.form = variant.form;
+    display.variant = {variant.algorithm, variant.form};
     session_.setDisplay(display);
 }
 
@@ -142,7 +139,7 @@ void DrawnLine::notice()
 
 void DrawnLine::followDisplay()
 {
-    const Variant now = variantOf(session_.display());
+    const Variant now = session_.variant();
     if (now == std::exchange(display_, now) || !attached_ || !session_.microscope.isOpen())
         return;
     Specimen specimen = session_.microscope.specimen();

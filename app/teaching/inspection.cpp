@@ -183,7 +183,7 @@ Variant explaining(const Session& session, std::size_t segment)
     const auto& list = session.differences.found().list;
     const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
     if (!asked || found == list.end() || found->source != segment)
-        return {session.display().algorithm, session.display().usedForm()};
+        return session.variant();
     return asked->a == exactVariant() ? asked->b : asked->a;
 }
 

@@ -42,8 +42,7 @@ void paintHeader(QPainter& painter, const Specimen& specimen, const Walk& walk, 
     const FigureColours colours = figureColours(ground);
     const QFont body = slideFonts().body;
     const QRectF line(margin, 16, slideWidth - 2 * margin, 34);
-    paintMarker(painter, QRectF(line.left(), line.top() + 7, 20, 20), *specimen.variant.algorithm,
-                specimen.variant.form, ground);
+    paintMarker(painter, QRectF(line.left(), line.top() + 7, 20, 20), specimen.variant, ground);
     painter.setFont(bold(sized(body, 1.4)));
     painter.setPen(colours.text);
     painter.drawText(line.adjusted(30, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

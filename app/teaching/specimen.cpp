@@ -70,7 +70,7 @@ std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
 Specimen specimenOf(const Session& session, std::size_t segment)
 {
     const SceneLines& lines = session.scene.lines();
-    return {.variant = {session.display().algorithm, session.display().usedForm()},
+    return {.variant = session.variant(),
             .line = lines[segment],
             .window = session.window(),
             .y = YAxis::Down,
@@ -92,7 +92,7 @@ Specimen firstSpecimen(const Session& session)
     if (const auto line = firstLine(session))
         return specimenOf(session, *line);
     const clipping::Window window = session.window();
-    return {.variant = {session.display().algorithm, session.display().usedForm()},
+    return {.variant = session.variant(),
             .line = across(window),
             .window = window,
             .y = YAxis::Down,

@@ -136,10 +136,10 @@ QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground)
 
 QPainterPath markerPath(const clipping::Algorithm& algorithm) { return markOf(algorithm).path; }
 
-void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
-                 clipping::Form form, Ground ground)
+void paintMarker(QPainter& painter, const QRectF& box, const Variant& variant, Ground ground)
 {
-    paintMarker(painter, box, markerPath(algorithm), form, algorithmColour(algorithm, ground));
+    paintMarker(painter, box, markerPath(*variant.algorithm), variant.form,
+                algorithmColour(*variant.algorithm, ground));
 }
 
 void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,

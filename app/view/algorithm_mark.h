@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/algorithm.h"
+#include "app/document/variant.h"
 
 #include <QColor>
 #include <QPainterPath>
@@ -33,8 +33,7 @@ QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground);
 QPainterPath markerPath(const clipping::Algorithm& algorithm);
 
 /// Paints the marker into a square, filled for the corrected form, hollow for the published one.
-void paintMarker(QPainter& painter, const QRectF& box, const clipping::Algorithm& algorithm,
-                 clipping::Form form, Ground ground);
+void paintMarker(QPainter& painter, const QRectF& box, const Variant& variant, Ground ground);
 
 /// The same of any path within that circle, in any colour.
 void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,

@@ -90,7 +90,7 @@ void measure(app::Session& session, ui::Canvas& canvas, QTextStream& out)
     canvas.setTool("select");
     for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
         app::Display display = session.display();
-        display.algorithm = &algorithm;
+        display.variant.algorithm = &algorithm;
         out << algorithm.abbreviation.data() << ": a frame while hovering";
         for (const bool on : {false, true}) {
             display.overlay = on;
@@ -113,7 +113,7 @@ void paintAll(app::Session& session, ui::Canvas& canvas, const QDir& folder)
     app::Display display = session.display();
     display.overlay = true;
     for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
-        display.algorithm = &algorithm;
+        display.variant.algorithm = &algorithm;
         session.setDisplay(display);
         const auto save = [&](const QString& kind) {
             canvas.settle();

@@ -144,10 +144,10 @@ private slots:
         // Every algorithm by its digit leaves the same.
         for (std::size_t i = 0; i < clipping::algorithms().size() && i < 9; ++i) {
             QTest::keyClick(canvas, Qt::Key(Qt::Key_1 + int(i)));
-            QCOMPARE(session.display().algorithm, &clipping::algorithms()[i]);
+            QCOMPARE(session.display().variant.algorithm, &clipping::algorithms()[i]);
         }
         QTest::keyClick(canvas, Qt::Key_0); // the last
-        QCOMPARE(session.display().algorithm, &clipping::algorithms().back());
+        QCOMPARE(session.display().variant.algorithm, &clipping::algorithms().back());
 
         while (session.history.index() > 1)
             QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);

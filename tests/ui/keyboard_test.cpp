@@ -41,11 +41,12 @@ private slots:
         };
         test.window->canvas().setFocus();
         press(pressed(Qt::Key_Ampersand, 10, "&"));
-        QCOMPARE(test.window->session().display().algorithm, &clipping::algorithms().front());
+        QCOMPARE(test.window->session().display().variant.algorithm,
+                 &clipping::algorithms().front());
         press(pressed(0x3BB, 46, "λ"));
         QVERIFY(test.window->canvas().tool() == "line");
         press(pressed(Qt::Key_QuoteDbl, 12, "\""));
-        QCOMPARE(test.window->session().display().algorithm, &clipping::algorithms()[2]);
+        QCOMPARE(test.window->session().display().variant.algorithm, &clipping::algorithms()[2]);
     }
 };
 

@@ -113,13 +113,13 @@ private slots:
         t.window->files().open(t.twoLines());
         t.show();
         const auto all = clipping::algorithms();
-        QCOMPARE(t.window->session().display().algorithm, &clipping::exactAlgorithm());
+        QCOMPARE(t.window->session().display().variant.algorithm, &clipping::exactAlgorithm());
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
-        QCOMPARE(t.window->session().display().algorithm, &all[1]);
+        QCOMPARE(t.window->session().display().variant.algorithm, &all[1]);
         auto* field = t.window->findChild<QDoubleSpinBox*>();
         field->setFocus();
         QTest::keyClick(field, Qt::Key_1);
-        QCOMPARE(t.window->session().display().algorithm, &all[1]);
+        QCOMPARE(t.window->session().display().variant.algorithm, &all[1]);
     }
     void lettersChooseTheTool()
     {
@@ -597,7 +597,7 @@ private slots:
         const auto before = t.window->canvas().panes();
         MainWindow again(Backend::Raster);
         QVERIFY(std::ranges::equal(again.canvas().panes().choices(), before.choices()));
-        QCOMPARE(again.session().display().algorithm, before.chosen().algorithm);
+        QCOMPARE(again.session().display().variant.algorithm, before.chosen().algorithm);
         t.action("panes-all")->trigger();
         QCOMPARE(segments->chosen(), 3);
         t.action("panes-1")->trigger();

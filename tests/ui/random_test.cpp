@@ -90,7 +90,7 @@ public:
             return "the window is inside out";
         const app::Panes& panes = test_.window->canvas().panes();
         const app::Display& display = session().display();
-        if (panes.chosen() != app::Variant{display.algorithm, display.usedForm()})
+        if (panes.chosen() != usable(display.variant))
             return "what is chosen is not the active pane's";
         if (test_.drawingArea()->isVisibleTo(test_.window.get()) == session().microscope.isOpen()
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))

@@ -11,8 +11,7 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
     : controller(session),
       choice(chooseBackend(wish, wish == Backend::Raster ? GlProbe{} : probeGl())),
       corner(controller, &canvas), top(controller, Qt::Horizontal, &canvas),
-      left(controller, Qt::Vertical, &canvas),
-      panes({session.display().algorithm, session.display().usedForm()})
+      left(controller, Qt::Vertical, &canvas), panes(session.variant())
 {
 }
 

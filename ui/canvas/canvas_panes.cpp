@@ -34,8 +34,7 @@ void Canvas::setPanes(const app::Panes& panes)
     layOut();
     app::Session& session = parts_->controller.session();
     app::Display display = session.display();
-    display.algorithm = panes.chosen().algorithm;
-    display.form = panes.chosen().form;
+    display.variant = panes.chosen();
     session.setDisplay(display);
     emit panesChanged();
 }
@@ -52,8 +51,7 @@ void Canvas::activatePane(std::size_t pane)
 /// Another algorithm was chosen, somewhere.
 void Canvas::followChoice()
 {
-    const app::Display& display = parts_->controller.session().display();
-    const app::Variant choice{display.algorithm, display.usedForm()};
+    const app::Variant choice = parts_->controller.session().variant();
     if (choice == parts_->panes.chosen())
         return;
     parts_->panes.choose(choice);

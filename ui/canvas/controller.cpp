@@ -70,8 +70,7 @@ void Controller::followDisplay()
 {
     const app::Display before = std::exchange(shown_, session_.display());
     app::Display now = shown_;
-    now.algorithm = before.algorithm;
-    now.form = before.form;
+    now.variant = before.variant;
     if (now != before)
         outdate();
     else

@@ -28,8 +28,7 @@ QIcon markerIcon(const app::Variant& choice, const QPalette& palette)
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    app::paintMarker(painter, QRectF(2, 2, markerSize, markerSize), *choice.algorithm, choice.form,
-                     groundOf(palette));
+    app::paintMarker(painter, QRectF(2, 2, markerSize, markerSize), choice, groundOf(palette));
     return picture;
 }
 
@@ -154,8 +153,8 @@ void PaneHeading::paintEvent(QPaintEvent*)
     if (pane_->active)
         painter.fillRect(0, 0, width(), 2, look.selection);
     const int markerTop = (height() - markerSize) / 2 + 1;
-    app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize),
-                     *choice.algorithm, choice.form, groundOf(palette()));
+    app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize), choice,
+                     groundOf(palette()));
     const auto text = [&](const QRect& place, const QFont& font, const QColor& colour,
                           const QString& words) {
         if (!place.isValid())

@@ -51,9 +51,8 @@ public:
         int x = r.left();
         text(x, 12, look.muted, captionFont(option.font), digitOf(row));
         x += 17;
-        const auto form = usesOf(row, session_.display().form) ? session_.display().form
-                                                               : clipping::Form::Corrected;
-        app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), row, form,
+        const auto form = usable({&row, session_.display().variant.form}).form;
+        app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), {&row, form},
                          groundOf(option.palette));
         x += 20;
         text(x, abbreviation, look.text, semiBold(option.font), app::latin(row.abbreviation));
@@ -180,13 +179,13 @@ void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex
     if (!current.isValid())
         return;
     app::Display display = session_.display();
-    display.algorithm = &clipping::algorithms()[std::size_t(current.row())];
+    display.variant.algorithm = &clipping::algorithms()[std::size_t(current.row())];
     session_.setDisplay(display);
 }
 
 void AlgorithmList::follow()
 {
-    const auto row = session_.display().algorithm - clipping::algorithms().data();
+    const auto row = session_.display().variant.algorithm - clipping::algorithms().data();
     setCurrentIndex(model()->index(int(row), 0));
     viewport()->update();
 }

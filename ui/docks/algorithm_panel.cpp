@@ -60,7 +60,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 
     const auto choose = [this](clipping::Form chosen) {
         app::Display display = session_.display();
-        display.form = chosen;
+        display.variant.form = chosen;
         session_.setDisplay(display);
     };
     connect(corrected_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Corrected); });
@@ -78,9 +78,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 void AlgorithmPanel::compare()
 {
     idle_.stop();
-    const auto& display = session_.display();
-    dissents_ = app::dissents(session_.scene.lines(), session_.window(), *display.algorithm,
-                              display.usedForm());
+    dissents_ = app::dissents(session_.scene.lines(), session_.window(), session_.variant());
     verdict_->setText(app::sentence(dissents_));
     verdict_->show();
     tick_->show();
@@ -111,14 +109,14 @@ void AlgorithmPanel::outdate()
 
 void AlgorithmPanel::follow()
 {
-    const auto& display = session_.display();
-    const bool both = display.algorithm->published;
+    const app::Variant used = session_.variant();
+    const bool both = used.algorithm->published;
     published_->setEnabled(both);
     published_->setText(both ? tr("as published") : tr("as published: none"));
     published_->setToolTip(both ? tr("As its authors printed it, faults included")
                                 : tr("%1 has no published form: it is always the corrected one")
-                                      .arg(QLatin1StringView(display.algorithm->name)));
-    (display.usedForm() == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
+                                      .arg(QLatin1StringView(used.algorithm->name)));
+    (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
 }
 

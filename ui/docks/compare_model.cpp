@@ -119,11 +119,9 @@ void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines)
 
 bool CompareModel::timed() const { return lines_ >= app::leastLinesToTime; }
 
-int CompareModel::rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const
+int CompareModel::rowOf(const app::Variant& variant) const
 {
-    const auto found = std::ranges::find_if(rows_, [&](const app::RaceRow& row) {
-        return row.variant.algorithm == &algorithm && row.variant.form == form;
-    });
+    const auto found = std::ranges::find(rows_, variant, &app::RaceRow::variant);
     return found == rows_.end() ? -1 : int(found - rows_.begin());
 }
 

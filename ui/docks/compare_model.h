@@ -24,7 +24,7 @@ public:
     bool timed() const; ///< there are enough lines for times to say something
     bool sortsBy(int column) const { return timed() || column < Sparkline || column > Spread; }
     /// The number of the row of that form, or -1.
-    int rowOf(const clipping::Algorithm& algorithm, clipping::Form form) const;
+    int rowOf(const app::Variant& variant) const; ///< -1: none
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

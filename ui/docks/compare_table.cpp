@@ -76,16 +76,14 @@ void CompareTable::choose(const QModelIndex& index)
         return;
     const app::Variant& chosen = model_.row(sorted_.mapToSource(index).row()).variant;
     app::Display display = session_.display();
-    display.algorithm = chosen.algorithm;
-    display.form = chosen.form;
+    display.variant = chosen;
     session_.setDisplay(display);
 }
 
 void CompareTable::follow()
 {
     const QScopedValueRollback quiet(following_, true);
-    const app::Display& display = session_.display();
-    const int row = model_.rowOf(*display.algorithm, display.usedForm());
+    const int row = model_.rowOf(session_.variant());
     if (row < 0)
         return selectionModel()->clear();
     const QModelIndex index = sorted_.mapFromSource(model_.index(row, CompareModel::Name));

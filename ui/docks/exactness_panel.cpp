@@ -157,7 +157,7 @@ QWidget* ExactnessPanel::magnifierPage()
 app::LiveTruth::Question ExactnessPanel::wanted() const
 {
     const app::Display& display = session_.display();
-    const app::Variant clipping{display.algorithm, display.usedForm()};
+    const app::Variant clipping = usable(display.variant);
     return {algorithm_->variant().value_or(clipping),
             yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
 }

@@ -267,7 +267,7 @@ ExplanationWindow& showExplanation(MainWindow& window)
     const app::Session& session = window.session();
     return showExplanation(session.microscope.isOpen()
                                ? *session.microscope.specimen().variant.algorithm
-                               : *session.display().algorithm,
+                               : *session.display().variant.algorithm,
                            window);
 }
 

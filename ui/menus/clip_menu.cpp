@@ -27,7 +27,7 @@ void change(MainWindow& window, const std::function<void(app::Display&)>& edit)
 
 void choose(MainWindow& window, const clipping::Algorithm& algorithm)
 {
-    change(window, [&](app::Display& display) { display.algorithm = &algorithm; });
+    change(window, [&](app::Display& display) { display.variant.algorithm = &algorithm; });
 }
 
 /// The algorithms, by digit while the canvas has the focus.
@@ -45,7 +45,7 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
             window.canvas().addAction(action);
         }
         QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, &row, action] {
-            action->setChecked(window.session().display().algorithm == &row);
+            action->setChecked(window.session().display().variant.algorithm == &row);
         });
     }
 }

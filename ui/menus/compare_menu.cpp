@@ -74,7 +74,7 @@ void showMisprint(MainWindow& window)
 void choose(MainWindow& window, clipping::Form form)
 {
     app::Display display = window.session().display();
-    display.form = form;
+    display.variant.form = form;
     window.session().setDisplay(display);
 }
 
@@ -144,7 +144,7 @@ MenuInfo compareMenu()
                  [](MainWindow& w) { choose(w, clipping::Form::Corrected); },
                  nullptr,
                  [](const MainWindow& w) {
-                     return w.session().display().usedForm() == clipping::Form::Corrected;
+                     return w.session().variant().form == clipping::Form::Corrected;
                  },
                  "form"},
                 {"form-published",
@@ -154,10 +154,10 @@ MenuInfo compareMenu()
                  {},
                  [](MainWindow& w) { choose(w, clipping::Form::Published); },
                  [](const MainWindow& w) {
-                     return w.session().display().algorithm->published != nullptr;
+                     return w.session().display().variant.algorithm->published != nullptr;
                  },
                  [](const MainWindow& w) {
-                     return w.session().display().usedForm() == clipping::Form::Published;
+                     return w.session().variant().form == clipping::Form::Published;
                  },
                  "form"},
                 {},

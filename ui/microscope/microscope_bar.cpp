@@ -22,7 +22,7 @@ QPixmap marker(const clipping::Algorithm& algorithm, clipping::Form form, const 
     picture.setDevicePixelRatio(pixelRatio);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), algorithm, form,
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), {&algorithm, form},
                      groundOf(palette));
     return picture;
 }

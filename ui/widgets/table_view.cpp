@@ -67,10 +67,9 @@ private:
         const auto* algorithm = app::timedAlgorithm(who[0]);
         const int top = option.rect.center().y() - marker / 2;
         const QRectF box(option.rect.left() + padding, top + 0.5, marker, marker);
-        app::paintMarker(painter, box, *algorithm,
-                         who[1] == u"published" ? clipping::Form::Published
-                                                : clipping::Form::Corrected,
-                         groundOf(option.palette));
+        const auto form =
+            who[1] == u"published" ? clipping::Form::Published : clipping::Form::Corrected;
+        app::paintMarker(painter, box, {algorithm, form}, groundOf(option.palette));
     }
 };
 

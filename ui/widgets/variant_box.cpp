@@ -21,8 +21,7 @@ QPixmap marker(const app::Variant& variant, const QPalette& palette, double pixe
     picture.setDevicePixelRatio(pixelRatio);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), *variant.algorithm,
-                     variant.form, groundOf(palette));
+    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), variant, groundOf(palette));
     return picture;
 }
 

@@ -21,7 +21,7 @@ void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionVi
 {
     const Look& look = lookOf(option.palette);
     app::paintMarker(painter, QRectF(cell.left(), cell.center().y() - 5.5, markerSize, markerSize),
-                     *variant.algorithm, variant.form, groundOf(option.palette));
+                     variant, groundOf(option.palette));
     QRect text = cell.adjusted(markerRoom, 0, 0, 0);
     const QFont bold = semiBold(option.font);
     const QString name = variant.exhibit ? QString() : app::latin(variant.algorithm->abbreviation);

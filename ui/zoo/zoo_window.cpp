@@ -111,8 +111,7 @@ void ZooWindow::draw(const app::HardCase& hard, const app::Variant& variant)
     if (!document || !window_.files().openMade(*document.value, hard.title))
         return;
     app::Display display = window_.session().display();
-    display.algorithm = variant.algorithm;
-    display.form = variant.form;
+    display.variant = {variant.algorithm, variant.form};
     window_.session().setDisplay(display);
     window_.raise();
     window_.activateWindow();

@@ -63,7 +63,7 @@ Chart barsOf(std::initializer_list<double> lengths)
     Chart chart{.key = "bars", .title = "Bars", .rows = {}};
     auto algorithm = clipping::algorithms().begin();
     for (const double length : lengths) {
-        chart.rows.push_back({.algorithm = &*algorithm, .name = "row", .figures = {Bar{{length}}}});
+        chart.rows.push_back({.variant = {&*algorithm}, .name = "row", .figures = {Bar{{length}}}});
         ++algorithm;
     }
     return chart;
@@ -110,7 +110,7 @@ private slots:
         const ChartLook look = chartLook(dark ? Ground::Dark : Ground::Light);
         const QImage image = sample::picture(chart, look, {640, 400}, scale);
         const auto runOf = [&](const ChartRow& row) {
-            return longestRun(image, algorithmColour(*row.algorithm, look.ground));
+            return longestRun(image, algorithmColour(*row.variant.algorithm, look.ground));
         };
         const Run longest = runOf(chart.rows.back());
         QVERIFY(longest.length > 150 * scale);
@@ -138,11 +138,12 @@ private slots:
     void filledIsOursAndHollowAsPublished()
     {
         Chart chart = barsOf({3, 3});
-        chart.rows[1].algorithm = chart.rows[0].algorithm = clipping::findAlgorithm("CS");
-        chart.rows[1].form = clipping::Form::Published;
+        chart.rows[1].variant.algorithm = chart.rows[0].variant.algorithm =
+            clipping::findAlgorithm("CS");
+        chart.rows[1].variant.form = clipping::Form::Published;
         const ChartLook look = chartLook(Ground::Light);
         const QImage image = sample::picture(chart, look, {400, 120}, 2);
-        const QRgb colour = algorithmColour(*chart.rows[0].algorithm, look.ground).rgb();
+        const QRgb colour = algorithmColour(*chart.rows[0].variant.algorithm, look.ground).rgb();
         const ChartLayout layout = layoutOf(chart, {0, 0, 400, 120}, look);
         const auto rowAt = [&](std::size_t r) { return int(2 * layout.rows[r].top()); };
         const auto filled = longestRun(image, colour, rowAt(0), rowAt(1)),
@@ -162,7 +163,7 @@ private slots:
         const QImage image = sample::picture(with, look, {640, 420}, 1);
         const ChartLayout layout = layoutOf(with, {0, 0, 640, 420}, look);
         for (std::size_t r = 0; r < with.rows.size(); ++r) {
-            const QRgb colour = algorithmColour(*with.rows[r].algorithm, look.ground).rgb();
+            const QRgb colour = algorithmColour(*with.rows[r].variant.algorithm, look.ground).rgb();
             Chart moved = with;
             moved.rows[r].other = *with.rows[r].other * 1.1;
             const QRect changed = difference(image, sample::picture(moved, look, {640, 420}, 1));
@@ -249,8 +250,7 @@ private slots:
     void everyPatternIsItsOwn()
     {
         Chart chart = barsOf({});
-        chart.rows.push_back(
-            {.algorithm = nullptr, .name = "all", .figures = {Bar{{1, 1, 1, 1, 1}}}});
+        chart.rows.push_back({.name = "all", .figures = {Bar{{1, 1, 1, 1, 1}}}});
         const ChartLook look = chartLook(Ground::Light);
         const QImage image =
             sample::picture(chart, look, {540, 100}, 1).convertToFormat(QImage::Format_Grayscale8);
@@ -271,11 +271,12 @@ private slots:
         const ChartLook look = chartLook(Ground::Light);
         const QImage image = sample::picture(chart, look, {500, 260}, 1);
         const auto runOf = [&](std::size_t r) {
-            return longestRun(image, algorithmColour(*chart.rows[r].algorithm, look.ground)).length;
+            return longestRun(image, algorithmColour(*chart.rows[r].variant.algorithm, look.ground))
+                .length;
         };
         QVERIFY(runOf(0) > 200); // not squeezed by the last
         const ChartLayout layout = layoutOf(chart, {0, 0, 500, 260}, look);
-        const QRgb colour = algorithmColour(*chart.rows[6].algorithm, look.ground).rgb();
+        const QRgb colour = algorithmColour(*chart.rows[6].variant.algorithm, look.ground).rgb();
         const int y = int(layout.rows[6].top() + layout.barMiddle);
         QCOMPARE(image.pixel(int(layout.panels[0].right()) - 3, y), colour);
         QCOMPARE(image.pixel(int(layout.panels[0].right()) - 14, y), look.paper.rgb());

@@ -17,7 +17,7 @@ Chart boxesOf(std::initializer_list<std::vector<double>> numbers)
 {
     Chart chart{.key = {}, .title = {}, .panels = {{{}, {}, false}}, .rows = {}};
     for (const auto& some : numbers)
-        chart.rows.push_back({.algorithm = nullptr, .name = {}, .figures = {boxOf(some)}});
+        chart.rows.push_back({.name = {}, .figures = {boxOf(some)}});
     return chart;
 }
 
@@ -68,7 +68,7 @@ private slots:
     {
         Chart chart{.key = {}, .title = {}, .rows = {}};
         for (const double length : {95.0, 97.0, 99.0})
-            chart.rows.push_back({.algorithm = nullptr, .name = {}, .figures = {Bar{{length}}}});
+            chart.rows.push_back({.name = {}, .figures = {Bar{{length}}}});
         QCOMPARE(axisOf(chart, 0, 5).range.low, 0.0);
         QCOMPARE(axisOf(chart, 0, 5).ticks.front(), 0.0);
     }
@@ -85,8 +85,8 @@ private slots:
         const Chart chart = chartOf(record, clip, paperTables().front());
         const double fastest = std::ranges::min(times, {}, &Summary::median).median;
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const auto row = std::ranges::find(chart.rows, record.timings[i].variant.algorithm,
-                                               &ChartRow::algorithm);
+            const auto row =
+                std::ranges::find(chart.rows, record.timings[i].variant, &ChartRow::variant);
             QVERIFY(std::abs(barOf(*row).length() - times[i].median / fastest) < 1e-12);
             QCOMPARE(row->numbers.size(), 2);
         }
@@ -111,7 +111,7 @@ private slots:
                                        [](const ChartRow& row) { return row.other.has_value(); }),
                  7);
         for (const ChartRow& row : chart.rows)
-            QVERIFY(!row.other || row.form == clipping::Form::Corrected);
+            QVERIFY(!row.other || row.variant.form == clipping::Form::Corrected);
     }
     void thePapersFastestIsOneOnBothScales()
     {
@@ -148,9 +148,7 @@ private slots:
         QCOMPARE(chart.legend.size(), std::size_t(4));
         const auto table = operationTable(profile);
         for (const VariantOperations& one : profile.rows) {
-            const auto row = std::ranges::find_if(chart.rows, [&](const ChartRow& r) {
-                return r.algorithm == one.variant.algorithm && r.form == one.variant.form;
-            });
+            const auto row = std::ranges::find(chart.rows, one.variant, &ChartRow::variant);
             const auto counts = one.scene();
             QCOMPARE(barOf(*row).parts, (std::vector{double(counts.comparisons) / 2000,
                                                      double(counts.additions) / 2000,

@@ -105,9 +105,9 @@ private slots:
         session.history.undo();
         QCOMPARE(session.microscope.specimen().line, across);
         app::Display display = session.display();
-        display.algorithm = clipping::findAlgorithm("skala");
+        display.variant.algorithm = clipping::findAlgorithm("skala");
         session.setDisplay(display);
-        QCOMPARE(session.microscope.specimen().variant.algorithm, display.algorithm);
+        QCOMPARE(session.microscope.specimen().variant.algorithm, display.variant.algorithm);
         session.inspect(1);
         QCOMPARE(session.microscope.specimen().line, half);
     }
@@ -159,11 +159,11 @@ private slots:
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         session.inspect(1);
         app::Display display = session.display();
-        display.algorithm = clipping::findAlgorithm("skala");
+        display.variant.algorithm = clipping::findAlgorithm("skala");
         session.setDisplay(display);
         QCOMPARE(session.microscope.specimen(), lesson);
         drawn.choose({clipping::findAlgorithm("lb")});
-        QCOMPARE(session.display().algorithm, clipping::findAlgorithm("skala"));
+        QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("skala"));
         QCOMPARE(session.microscope.specimen().variant.algorithm, clipping::findAlgorithm("lb"));
     }
     void choosingClipsTheDrawingToo()
@@ -173,8 +173,8 @@ private slots:
         session.load({app::documentOf(sheetOf({across})), {}});
         drawn.look(0);
         drawn.choose({clipping::findAlgorithm("cs"), clipping::Form::Published});
-        QCOMPARE(session.display().algorithm, clipping::findAlgorithm("cs"));
-        QCOMPARE(session.display().form, clipping::Form::Published);
+        QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("cs"));
+        QCOMPARE(session.display().variant.form, clipping::Form::Published);
         QCOMPARE(session.microscope.specimen().variant.form, clipping::Form::Published);
     }
     void linesGoRoundAndRound()

@@ -29,7 +29,7 @@ app::Inspection inspected(const char* algorithm, const clipping::Segment& line,
 {
     app::Session session;
     session.load({app::documentOf(sheetOf({line})), {}});
-    session.setDisplay({.algorithm = clipping::findAlgorithm(algorithm), .form = form});
+    session.setDisplay({.variant = {clipping::findAlgorithm(algorithm), form}});
     return app::inspect(session, 0);
 }
 
@@ -67,7 +67,7 @@ private slots:
         app::Session session;
         session.load({app::documentOf(sheetOf({{{-5, -5}, {15, 5}}})), {}});
         app::Display display = session.display();
-        display.algorithm = clipping::findAlgorithm("cs");
+        display.variant.algorithm = clipping::findAlgorithm("cs");
         session.setDisplay(display);
         const auto line = app::inspect(session, 0);
         QCOMPARE(line.from.outcode(), "0101");
@@ -80,7 +80,7 @@ private slots:
         session.load({app::documentOf(sheetOf({{{-10, 5}, {10, 5}}})), {}});
         for (const auto& algorithm : clipping::algorithms()) {
             app::Display display = session.display();
-            display.algorithm = &algorithm;
+            display.variant.algorithm = &algorithm;
             session.setDisplay(display);
             const auto line = app::inspect(session, 0);
             QCOMPARE(line.visible, (clipping::Segment{{0, 5}, {10, 5}}));

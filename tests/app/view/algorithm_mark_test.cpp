@@ -21,7 +21,7 @@ QImage markerOf(const clipping::Algorithm& algorithm, Form form)
     QImage image(size, size, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
-    paintMarker(painter, QRectF(0, 0, size, size), algorithm, form, Ground::Light);
+    paintMarker(painter, QRectF(0, 0, size, size), {&algorithm, form}, Ground::Light);
     return image;
 }
 
@@ -108,7 +108,7 @@ private slots:
                 QImage image(size, size, QImage::Format_RGB32);
                 image.fill(Qt::white);
                 QPainter painter(&image);
-                paintMarker(painter, QRectF(12, 12, 24, 24), algorithm, form, Ground::Light);
+                paintMarker(painter, QRectF(12, 12, 24, 24), {&algorithm, form}, Ground::Light);
                 painter.end();
                 const int within = painted(image.copy(11, 11, 26, 26));
                 QVERIFY2(within > 0 && painted(image) == within, algorithm.key.data());

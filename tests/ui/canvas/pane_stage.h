@@ -78,8 +78,5 @@ public:
             }
         return found;
     }
-    app::Variant chosen() const
-    {
-        return {session.display().algorithm, session.display().usedForm()};
-    }
+    app::Variant chosen() const { return session.variant(); }
 };

@@ -93,7 +93,7 @@ private slots:
                     continue; // what it loses is marked in panes
                 stage.canvas->activatePane(i);
                 app::Display display = single.session.display();
-                display.algorithm = stage.canvas->panes().choices()[i].algorithm;
+                display.variant.algorithm = stage.canvas->panes().choices()[i].algorithm;
                 single.session.setDisplay(display);
                 single.canvas->fitDrawing();
                 QCOMPARE(single.canvas->view(), stage.canvas->view());
@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(stage.chosen(), row("cs"));
         QCOMPARE(stage.canvas->focusProxy(), &stage.pane(1));
         app::Display display = stage.session.display();
-        display.algorithm = clipping::findAlgorithm("skala");
+        display.variant.algorithm = clipping::findAlgorithm("skala");
         stage.session.setDisplay(display);
         QCOMPARE(stage.canvas->panes().choices()[1], row("skala"));
         QCOMPARE(stage.canvas->panes().active(), std::size_t(1));

@@ -10,7 +10,7 @@ void show(Stage& stage, bool overlay, std::string_view algorithm = "CS")
 {
     app::Display display = stage.session.display();
     display.overlay = overlay;
-    display.algorithm = clipping::findAlgorithm(algorithm);
+    display.variant.algorithm = clipping::findAlgorithm(algorithm);
     stage.session.setDisplay(display);
 }
 

@@ -68,7 +68,7 @@ struct CompareWindow : TestWindow {
     QString chosen() const
     {
         const app::Display& display = window->session().display();
-        return app::shortNameOf(app::Variant{display.algorithm, display.usedForm()});
+        return app::shortNameOf(usable(display.variant));
     }
 };
 
@@ -144,7 +144,7 @@ private slots:
             t.click(row);
             QCOMPARE(t.chosen(), name);
             if (name.endsWith("published"))
-                QCOMPARE(t.window->session().display().form, clipping::Form::Published);
+                QCOMPARE(t.window->session().display().variant.form, clipping::Form::Published);
         }
     }
     void keysChooseToo()
@@ -163,7 +163,7 @@ private slots:
         CompareWindow t(2000);
         t.openPanel();
         app::Display display = t.window->session().display();
-        display.algorithm = clipping::findAlgorithm("lb");
+        display.variant.algorithm = clipping::findAlgorithm("lb");
         t.window->session().setDisplay(display);
         const auto current = t.table().currentIndex();
         QCOMPARE(t.text(current.row(), CompareModel::Name), "LB");

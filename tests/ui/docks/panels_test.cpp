@@ -151,7 +151,7 @@ private slots:
         TestWindow t;
         t.window->files().open(t.twoLines());
         t.show();
-        const auto chosen = [&] { return t.window->session().display().algorithm; };
+        const auto chosen = [&] { return t.window->session().display().variant.algorithm; };
         const auto digit = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         type(fields[0], "25");
@@ -264,7 +264,7 @@ private slots:
         QTest::keyClick(t.drawingArea(), Qt::Key_1);
         const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
         QTest::mouseClick(radios[1], Qt::LeftButton, {}, QPoint(8, radios[1]->height() / 2));
-        QCOMPARE(t.window->session().display().form, clipping::Form::Published);
+        QCOMPARE(t.window->session().display().variant.form, clipping::Form::Published);
     }
     void whatWasNeverPublishedSaysSo()
     {
@@ -273,7 +273,7 @@ private slots:
         t.show();
         app::Session& session = t.window->session();
         const auto choose = [&](const clipping::Algorithm& algorithm) {
-            session.setDisplay({.algorithm = &algorithm, .form = clipping::Form::Published});
+            session.setDisplay({.variant = {&algorithm, clipping::Form::Published}});
         };
         const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
         choose(clipping::algorithms().front());

@@ -268,7 +268,7 @@ private slots:
         const Stage stage;
         stage.click("Run");
         auto& session = stage.test.window->session();
-        const auto before = session.display().algorithm;
+        const auto before = session.display().variant.algorithm;
         QElapsedTimer timer;
         timer.start();
         for (QAction* action : stage.test.window->findChildren<QAction*>())
@@ -278,7 +278,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(stage.test.window.get()));
         stage.test.window->canvas().setFocus();
         QTest::keyClick(stage.test.drawingArea(), Qt::Key_5);
-        QVERIFY(session.display().algorithm != before);
+        QVERIFY(session.display().variant.algorithm != before);
         qInfo("answered in %lld ms", timer.elapsed());
         QVERIFY(stage.measuring());
         stage.click("Cancel");

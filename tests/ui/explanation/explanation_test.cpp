@@ -119,9 +119,10 @@ private slots:
     {
         Reader reader;
         QVERIFY(reader.window->isVisible());
-        QCOMPARE(reader.page->algorithm(), reader.test.window->session().display().algorithm);
+        QCOMPARE(reader.page->algorithm(),
+                 reader.test.window->session().display().variant.algorithm);
         app::Display display = reader.test.window->session().display();
-        display.algorithm = &row("Skala");
+        display.variant.algorithm = &row("Skala");
         reader.test.window->session().setDisplay(display);
         reader.test.action("about-algorithm")->trigger();
         QCOMPARE(reader.page->algorithm(), &row("Skala"));

@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(session.scene.lines().size(), std::size_t(1));
         QCOMPARE(session.scene.lines()[0], theCase("one-decimal").line);
         QCOMPARE(session.window(), theCase("one-decimal").window);
-        QCOMPARE(session.display().form, clipping::Form::Published);
+        QCOMPARE(session.display().variant.form, clipping::Form::Published);
         QVERIFY(visit.test.window->windowTitle().contains(theCase("one-decimal").title));
         for (const char* key : {"nan", "infinite-end", "tiny", "sdl-6116", "inside-out"}) {
             visit.zoo->choose(theCase(key));
