@@ -92,7 +92,7 @@ ChartRow rowOf(const Variant& variant, const Summary& times, double lowest)
 
 void compare(ChartRow& row, const PaperTable& paper)
 {
-    const PaperColumn* column = columnOf(paper, row.algorithm);
+    const PaperColumn* column = columnOf(paper, row.variant.algorithm);
     row.other = column->printedAverage / lowestOf(paper);
     row.numbers << ratioText(*row.other);
     row.detail += u'\n'

@@ -190,15 +190,6 @@ QString pieceMeaning(const Comparison& comparison)
         .arg(nameOf(variantOf(comparison, side)));
 }
 
-QString superscript(int number)
-{
-    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text;
-    for (const QChar digit : QString::number(number))
-        text += digits[digit.digitValue()];
-    return text;
-}
-
 } // namespace
 
 std::span<const DifferenceColumn> differenceColumns()
@@ -260,17 +251,6 @@ std::vector<std::uint32_t> sortedBy(const Session& session, const DifferenceColu
         return ascending ? keys[one] < keys[other] : keys[other] < keys[one];
     });
     return rows;
-}
-
-QString ulpsText(double ulps)
-{
-    if (!std::isfinite(ulps))
-        return QStringLiteral("∞");
-    if (ulps < 1e6)
-        return numberText(ulps, ulps < 10 && ulps != std::floor(ulps) ? 1 : 0);
-    const int exponent = int(std::floor(std::log10(ulps)));
-    return QStringLiteral("%1 × 10%2")
-        .arg(numberText(ulps / std::pow(10, exponent), 1), superscript(exponent));
 }
 
 } // namespace app

@@ -31,7 +31,4 @@ QString piecesInFull(const Session& session, const Difference& difference);
 std::vector<std::uint32_t> sortedBy(const Session& session, const DifferenceColumn& column,
                                     Qt::SortOrder order);
 
-/// "3.5", "1,234", "8.4 × 10¹²", "∞".
-QString ulpsText(double ulps);
-
 } // namespace app

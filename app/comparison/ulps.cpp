@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/ulps.h"
 
+#include "app/view/numbers.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -12,6 +14,15 @@ namespace app {
 namespace {
 
 using clipping::Segment;
+
+QString superscript(int number)
+{
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text;
+    for (const QChar digit : QString::number(number))
+        text += digits[digit.digitValue()];
+    return text;
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -47,5 +58,16 @@ double endsApart(const Segment& one, const Segment& other, Ends ends)
 }
 
 double extentOf(const Segment& piece) { return apart(piece.a, piece.b); }
+
+QString ulpsText(double ulps)
+{
+    if (!std::isfinite(ulps))
+        return QStringLiteral("∞");
+    if (ulps < 1e6)
+        return numberText(ulps, ulps < 10 && ulps != std::floor(ulps) ? 1 : 0);
+    const int exponent = int(std::floor(std::log10(ulps)));
+    return QStringLiteral("%1 × 10%2")
+        .arg(numberText(ulps / std::pow(10, exponent), 1), superscript(exponent));
+}
 
 } // namespace app

@@ -3,6 +3,8 @@
 
 #include "clipping/geometry.h"
 
+#include <QString>
+
 // How far answers about one line are apart, in the unit of the library's contract
 // (clipping/README.md, "How far off").
 
@@ -21,5 +23,8 @@ double endsApart(const clipping::Segment& one, const clipping::Segment& other, E
 
 /// Of a piece: its larger extent on an axis; 0 for a point, infinite as above.
 double extentOf(const clipping::Segment& piece);
+
+/// "3.5", "1,234", "8.4 × 10¹²", "∞".
+QString ulpsText(double ulps);
 
 } // namespace app

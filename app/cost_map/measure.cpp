@@ -2,7 +2,7 @@
 #include "app/cost_map/measure.h"
 
 #include "app/cost_map/words.h"
-#include "app/experiment/operation_profile.h"
+#include "app/experiment/promised_operations.h"
 #include "app/latin.h"
 #include "app/view/numbers.h"
 

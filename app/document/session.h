@@ -10,12 +10,11 @@
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
 #include "app/truth/live_truth.h"
+#include "app/view/removed_part.h"
 
 #include <optional>
 
 namespace app {
-
-enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
 
 /// How the drawing is being looked at: never part of the document, never undone.
 struct Display {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/experiment.h"
+#include "app/experiment/progress.h"
 
 #include <QString>
 

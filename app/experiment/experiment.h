@@ -6,9 +6,8 @@
 #include "app/experiment/easel.h"
 #include "app/experiment/findings.h"
 #include "app/experiment/order.h"
+#include "app/experiment/progress.h"
 #include "app/experiment/statistics.h"
-
-#include <stop_token>
 
 namespace app {
 
@@ -50,19 +49,6 @@ struct Measure {
 
 /// Clipping, drawing, and their sum with the making of the lines, which is what the paper timed.
 std::vector<Measure> measures();
-
-/// How far an experiment has come.
-struct Progress {
-    double share;       ///< 0 to 1
-    double secondsLeft; ///< as things went so far
-};
-
-/// Who follows an experiment from the outside; both may be left out. `progress` is called after
-/// each variant's turn (some hundredths of a second) by the thread that measures.
-struct Follower {
-    std::stop_token stop{};
-    std::function<void(const Progress&)> progress{};
-};
 
 /// The paper's experiment, made fair: the lines of a scene, all clipped at its window by every
 /// variant in every run, and drawn if there is an easel. The lines come in blocks of a million,

@@ -67,11 +67,6 @@ QStringList rowOf(const Variant& variant, const QString& lineClass, std::uint64_
 
 } // namespace
 
-std::uint64_t promisedOf(const OperationCounts& counts)
-{
-    return counts.additions + counts.multiplications + counts.divisions + counts.comparisons;
-}
-
 OperationCounts VariantOperations::scene() const
 {
     return std::accumulate(byClass.begin(), byClass.end(), OperationCounts{}, sum);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/experiment/class_lines.h"
+#include "app/experiment/promised_operations.h"
 #include "app/experiment/record.h"
 
 namespace app {
@@ -12,10 +13,6 @@ struct VariantOperations {
     std::array<clipping::OperationCounts, lineClasses.size()> byClass; ///< of all lines of a class
     clipping::OperationCounts scene() const;                           ///< of all lines
 };
-
-/// What the paper's abstract promises: additions (with subtractions), multiplications, divisions
-/// and comparisons. Negations are not among them.
-std::uint64_t promisedOf(const clipping::OperationCounts& counts);
 
 /// What the paper's abstract promises and the paper never shows.
 struct OperationProfile {

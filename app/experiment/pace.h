@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/experiment.h"
+#include "app/experiment/clock.h"
+#include "app/experiment/progress.h"
 
 namespace app {
 

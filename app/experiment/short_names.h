@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/experiment.h"
+#include "app/document/variant.h"
 
 #include <QStringList>
+
+#include <span>
 
 namespace app {
 

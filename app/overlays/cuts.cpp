@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/latin.h"
 #include "app/overlays/parts.h"
-#include "app/teaching/teaching.h"
 
 #include <QCoreApplication>
 

@@ -4,7 +4,7 @@
 #include "app/overlays/overlay.h"
 
 // The families of overlays: a file each. An algorithm's row (app/teaching/teaching.h) names its
-// own.
+// own, or has the default.
 
 namespace app {
 
@@ -28,5 +28,8 @@ Overlay parameterOverlay(const Seeing& seeing); ///< Liang-Barsky, Cyrus-Beck
 Overlay pushOverlay(const Seeing& seeing);      ///< Kodituwakku…, Matthes-Drakopoulos
 Overlay cellOverlay(const Seeing& seeing);      ///< Slater-Barsky
 Overlay turnOverlay(const Seeing& seeing);      ///< Exact
+
+/// The default overlay of any algorithm: the edges, and where its steps cut the line.
+Overlay traceOverlay(const Seeing& seeing);
 
 } // namespace app

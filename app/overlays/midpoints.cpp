@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/midpoints.h"
 
+#include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/document/subpath.h"
+#include "app/teaching/traced_line.h"
+
+#include <QStringList>
+
+#include <optional>
+#include <vector>
 
 // What an algorithm sees of the plane around the clip window: plain data, made of what the library
 // computes, painted by whoever has a screen. All points are the drawing's.
@@ -85,9 +91,5 @@ struct OverlaySubject {
     clipping::Window seen{}; ///< the part of the drawing that the screen shows
     YAxis y = YAxis::Down;
 };
-
-/// Computed anew at each call, in the time of a few traces. Numbers that nothing can be done with
-/// (not finite, a window turned inside out) give a caption that says so.
-Overlay overlayOf(const OverlaySubject& subject);
 
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/outcode_text.h"
 #include "app/overlays/corner_signs.h"
 #include "app/overlays/parts.h"
 

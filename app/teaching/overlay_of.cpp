@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/overlay_of.h"
+
 #include "app/overlays/family.h"
 #include "app/teaching/teaching.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/overlays/family.h"
 #include "app/teaching/teller.h"
 #include "app/teaching/value_unit.h"
 
@@ -11,12 +12,6 @@
 // pseudo-code only.
 
 namespace app {
-
-struct Overlay; // app/overlays/overlay.h
-struct Seeing;  // app/overlays/family.h
-
-/// The default overlay of any algorithm: the edges, and where its steps cut the line.
-Overlay traceOverlay(const Seeing& seeing);
 
 /// A line in the paper's window (y up) that tells something about an algorithm, and the step of its
 /// corrected form that is shown on its page.

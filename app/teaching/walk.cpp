@@ -5,7 +5,6 @@
 #include "app/teaching/page.h"
 #include "app/teaching/teaching.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -16,8 +15,6 @@ namespace app {
 using clipping::Step;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("walk", text); }
 
 Mark markOf(const Step& step, const clipping::OperationCounts& before)
 {
@@ -121,27 +118,6 @@ std::optional<double> Telling::known(std::string_view name) const
 {
     const auto found = std::ranges::find(variables, latin(name), &Variable::name);
     return found == variables.end() ? std::nullopt : std::optional(found->value);
-}
-
-QString refusalOf(const Specimen& specimen)
-{
-    if (specimen.variant.exhibit)
-        return tr("This is an exhibit: its steps are not recorded.");
-    const auto& [a, b] = specimen.line;
-    const auto& [min, max] = specimen.window;
-    struct Row {
-        const char* name;
-        double value;
-    };
-    for (const Row& row :
-         {Row{"x1", a.x}, Row{"y1", a.y}, Row{"x2", b.x}, Row{"y2", b.y}, Row{"xmin", min.x},
-          Row{"ymin", min.y}, Row{"xmax", max.x}, Row{"ymax", max.y}})
-        if (!std::isfinite(row.value))
-            return tr("%1 is not a finite number: nothing is clipped. Give it another value.")
-                .arg(latin(row.name));
-    if (min.x > max.x || min.y > max.y)
-        return tr("The window's minimum lies beyond its maximum: nothing is clipped. Swap them.");
-    return {};
 }
 
 Walk walkOf(const Specimen& specimen)

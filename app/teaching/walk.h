@@ -4,15 +4,12 @@
 #include "app/comparison/outcode_text.h"
 #include "app/comparison/variants.h"
 #include "app/document/subpath.h"
+#include "app/teaching/traced_line.h"
 
 #include <QString>
 #include <QStringList>
 
 namespace app {
-
-/// Where y grows to as it is seen: down in drawings, up in lessons and figures. The library's Top
-/// is the edge at ymax in either case.
-enum class YAxis : std::uint8_t { Down, Up };
 
 /// What the timeline shows of a step.
 enum class Mark : std::uint8_t { Look, Compare, Divide, Cut, Accept, Reject, GiveUp };
@@ -42,16 +39,6 @@ struct Moment {
     std::optional<bool> answer{};     ///< of a test
 };
 
-/// What is looked at through the microscope.
-struct Specimen {
-    Variant variant{};
-    clipping::Segment line{};
-    clipping::Window window{};
-    YAxis y = YAxis::Down;
-    QString origin{}; ///< where the line is from: "Line 217 of 420"
-    friend bool operator==(const Specimen&, const Specimen&) = default;
-};
-
 /// A whole trace, as people read it. The steps are the library's own, so they cannot drift from
 /// what it does.
 struct Walk {
@@ -62,11 +49,7 @@ struct Walk {
     QString refusal{}; ///< why there are no steps: "x1 is not a number", "the window …"
 };
 Walk walkOf(const Specimen& specimen);
-/// Why there is nothing to trace, and what to do; empty: there is.
-QString refusalOf(const Specimen& specimen);
 
-/// "the top edge", as it is seen; empty for no edge.
-QString edgeWords(clipping::Edge edge, YAxis y);
 /// The shortest text that is the number, with a real minus: "−9.0625".
 QString exactText(double value);
 /// Six digits at most, for sentences.

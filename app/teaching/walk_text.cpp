@@ -18,18 +18,6 @@ QString withMinus(QString text) { return text.replace(u'-', u'\u2212'); }
 
 } // namespace
 
-QString edgeWords(clipping::Edge edge, YAxis y)
-{
-    static constexpr std::array<const char*, 5> up{"", "the left edge", "the right edge",
-                                                   "the bottom edge", "the top edge"};
-    auto at = std::size_t(edge);
-    if (at >= up.size())
-        return {};
-    if (y == YAxis::Down && at >= 3)
-        at = 7 - at;
-    return at == 0 ? QString() : tr(up[at]);
-}
-
 QString exactText(double value)
 {
     return withMinus(QLocale().toString(value, 'g', QLocale::FloatingPointShortest));

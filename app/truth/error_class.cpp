@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/truth/error_class.h"
 
-#include "app/comparison/difference_row.h"
+#include "app/comparison/ulps.h"
 #include "app/view/numbers.h"
 #include "app/view/sequential_scale.h"
 

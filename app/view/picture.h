@@ -4,7 +4,7 @@
 #include "app/document/object_ranges.h"
 #include "app/document/scene_frame.h"
 #include "app/document/scene_lines.h"
-#include "app/document/session.h"
+#include "app/view/removed_part.h"
 #include "app/view/view.h"
 
 #include <QPointF>

@@ -3,6 +3,7 @@
 
 #include "app/view/area.h"
 #include "app/view/ink.h"
+#include "clipping/algorithm.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/seen_overlay.h"
 
+#include "app/teaching/overlay_of.h"
 #include "ui/canvas/algorithm_overlay.h"
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/window_overlay.h"

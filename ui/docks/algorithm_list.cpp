@@ -51,7 +51,7 @@ public:
         int x = r.left();
         text(x, 12, look.muted, captionFont(option.font), digitOf(row));
         x += 17;
-        const auto form = usable({&row, session_.display().variant.form}).form;
+        const auto form = app::usable({&row, session_.display().variant.form}).form;
         app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), {&row, form},
                          groundOf(option.palette));
         x += 20;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/overlays/overlay.h"
+#include "app/comparison/variants.h"
+#include "app/teaching/overlay_of.h"
 
 #include <QTest>
 

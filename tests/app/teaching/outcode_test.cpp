@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/overlays/overlay.h"
 #include "app/teaching/inspection.h"
+#include "app/teaching/overlay_of.h"
 #include "app/teaching/page.h"
 
 #include <QMap>

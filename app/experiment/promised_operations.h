@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+namespace app {
+
+/// What the paper's abstract promises: additions (with subtractions), multiplications, divisions
+/// and comparisons. Negations are not among them.
+inline std::uint64_t promisedOf(const clipping::OperationCounts& counts)
+{
+    return counts.additions + counts.multiplications + counts.divisions + counts.comparisons;
+}
+
+} // namespace app
