@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 

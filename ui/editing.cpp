@@ -4,9 +4,9 @@
 #include "app/commands/add_objects.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
-#include "app/document/clipboard.h"
 #include "app/document/copy_place.h"
 #include "app/document/editable.h"
+#include "app/session/clipboard.h"
 
 #include <QClipboard>
 #include <QCoreApplication>

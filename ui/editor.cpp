@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor.h"
 
+#include "app/base/replace_file.h"
 #include "app/command_line/misnamed.h"
-#include "app/formats/replace_file.h"
 #include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
 #include "ui/display.h"

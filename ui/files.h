@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/cut.h"
-#include "app/document/recent_files.h"
-#include "app/document/samples.h"
-#include "app/document/session.h"
+#include "app/cut/cut.h"
 #include "app/recovery/leftover.h"
+#include "app/session/recent_files.h"
+#include "app/session/samples.h"
+#include "app/session/session.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 

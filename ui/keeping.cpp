@@ -2,7 +2,7 @@
 #include "ui/keeping.h"
 
 #include "app/commands/set_windows.h"
-#include "app/document/limited_steps.h"
+#include "app/session/limited_steps.h"
 
 #include <QCoreApplication>
 

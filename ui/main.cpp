@@ -2,7 +2,7 @@
 #include "app/command_line/application.h"
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
-#include "app/plug_in/child.h"
+#include "app/judge/child.h"
 #include "ui/editor.h"
 
 int main(int argc, char** argv)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
 #include "app/settings/remembered.h"
-#include "app/view/numbers.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recovery.h"
 
-#include "app/formats/unfinished.h"
+#include "app/base/unfinished.h"
 #include "ui/files.h"
 #include "ui/main_window.h"
 

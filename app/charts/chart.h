@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/variant.h"
-#include "app/experiment/statistics.h"
+#include "app/base/statistics.h"
+#include "app/base/variant.h"
 
 #include <QStringList>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_file.h"
 
+#include "app/base/latin.h"
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 #include "app/charts/chart_layout.h"
 #include "app/charts/chart_paint.h"
 #include "app/charts/words.h"
 #include "app/formats/painted.h"
-#include "app/formats/replace_file.h"
-#include "app/formats/write_all.h"
-#include "app/latin.h"
 
 #include <QBuffer>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_layout.h"
 
+#include "app/base/numbers.h"
 #include "app/experiment/record.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_paint.h"
 
+#include "app/base/numbers.h"
 #include "app/charts/figure_paint.h"
-#include "app/view/numbers.h"
 
 #include <QPainter>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/charts/chart.h"
-#include "app/charts/chart_look.h"
+#include "app/view/chart_look.h"
 
 #include <QRectF>
 

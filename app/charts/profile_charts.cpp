@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/charts/record_chart.h"
 #include "app/charts/words.h"
 #include "app/experiment/one_by_one.h"
-#include "app/view/numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/record_chart.h"
 
+#include "app/base/numbers.h"
 #include "app/charts/words.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
 #include "app/experiment/ranking_text.h"
-#include "app/view/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/statistics.h"
+#include "app/base/statistics.h"
 
 #include <QColor>
 #include <QRectF>

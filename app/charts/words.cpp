@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/words.h"
 
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
 #include "app/experiment/ranking_text.h"
-#include "app/latin.h"
-#include "app/view/numbers.h"
 
 #include <algorithm>
 

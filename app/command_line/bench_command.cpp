@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/command_line/bench_files.h"
 #include "app/command_line/bench_plan.h"
 #include "app/command_line/progress_line.h"
@@ -6,7 +7,6 @@
 #include "app/command_line/table.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/threads.h"
-#include "app/view/numbers.h"
 
 #include <algorithm>
 

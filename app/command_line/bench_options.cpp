@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/bench_options.h"
 
+#include "app/base/latin.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
-#include "app/document/compared_window.h"
-#include "app/document/scene.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/threads.h"
 #include "app/formats/format.h"
-#include "app/latin.h"
+#include "app/scene/compared_window.h"
+#include "app/scene/scene.h"
 
 #include <QFileInfo>
 

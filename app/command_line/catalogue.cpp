@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/file_name.h"
 #include "app/command_line/command.h"
 #include "app/command_line/given.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
-#include "app/formats/file_name.h"
 
 #include <QLocale>
 

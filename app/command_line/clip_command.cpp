@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/usual_algorithm.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
+#include "app/cut/cut.h"
 #include "app/document/contents.h"
-#include "app/document/cut.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
-#include "app/document/usual_algorithm.h"
 
 #include <algorithm>
 #include <chrono>

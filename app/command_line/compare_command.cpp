@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/number.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
 #include "app/comparison/live_differences.h"
-#include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
 #include <array>

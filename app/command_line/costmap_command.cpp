@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
+#include "app/base/number.h"
 #include "app/command_line/given.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/cost_map/files.h"
 #include "app/experiment/paper_scene.h"
-#include "app/formats/number.h"
-#include "app/latin.h"
 
 #include <QFileInfo>
 

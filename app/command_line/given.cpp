@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/given.h"
 
+#include "app/base/number.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
-#include "app/formats/number.h"
 
 #include <QRegularExpression>
 

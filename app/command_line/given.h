@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/length.h"
 #include "app/command_line/command.h"
 #include "app/comparison/variants.h"
-#include "app/document/length.h"
 #include "app/formats/format.h"
 
 #include <QCommandLineParser>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/number.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -6,7 +7,6 @@
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
 #include "app/document/hidden_objects.h"
-#include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>

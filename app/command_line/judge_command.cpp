@@ -3,8 +3,8 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
-#include "app/plug_in/example_files.h"
-#include "app/plug_in/judge.h"
+#include "app/judge/example_files.h"
+#include "app/judge/judge.h"
 
 #include <limits>
 

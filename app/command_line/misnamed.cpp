@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/misnamed.h"
 
+#include "app/base/file_name.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
-#include "app/formats/file_name.h"
 
 #include <QFileInfo>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/table.h"
 
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
-#include "app/formats/replace_file.h"
-#include "app/formats/write_all.h"
 
 #include <QFileInfo>
 

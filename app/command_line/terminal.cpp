@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/terminal.h"
 
+#include "app/base/unfinished.h"
 #include "app/command_line/command.h"
 #include "app/command_line/refusal.h"
-#include "app/formats/unfinished.h"
 
 #include <QFile>
 

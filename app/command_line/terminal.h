@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/replace_file.h"
+#include "app/base/replace_file.h"
 
 #include <QString>
 

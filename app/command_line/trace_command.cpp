@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
+#include "app/base/usual_algorithm.h"
 #include "app/command_line/given.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
-#include "app/document/usual_algorithm.h"
-#include "app/latin.h"
 #include "app/teaching/trace_file.h"
 
 #include <QDir>

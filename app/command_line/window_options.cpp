@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/window_options.h"
 
+#include "app/base/number.h"
 #include "app/command_line/refusal.h"
-#include "app/document/compared_window.h"
-#include "app/formats/number.h"
 #include "app/formats/rectangle_text.h"
+#include "app/scene/compared_window.h"
 
 #include <algorithm>
 #include <cmath>

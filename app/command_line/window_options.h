@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/given.h"
-#include "app/document/region.h"
+#include "app/scene/region.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/edit_command.h"
-#include "app/document/cut.h"
+#include "app/cut/cut.h"
 
 namespace app {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/heap_bytes.h"
 #include "app/commands/undo_command.h"
 #include "app/document/edited_document.h"
-#include "app/document/heap_bytes.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
 
-#include "app/document/compared_window.h"
+#include "app/scene/compared_window.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
 
+#include "app/base/numbers.h"
 #include "app/comparison/difference.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/comparison/variants.h"
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_lines.h"
 
 #include <QString>
 

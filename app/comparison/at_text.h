@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/compared_window.h"
+#include "app/scene/compared_window.h"
 
 #include <QString>
 

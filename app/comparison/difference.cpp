@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/difference.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/live_finding.h"
 
-#include "app/document/compared_window.h"
+#include "app/scene/compared_window.h"
 
 #include <QElapsedTimer>
 

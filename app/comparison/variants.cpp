@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/variants.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 
 #include <QCoreApplication>
 

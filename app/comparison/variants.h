@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/variant.h"
 #include "app/comparison/exhibits/exhibit.h"
 #include "app/comparison/ulps.h"
-#include "app/document/variant.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/cost_map.h"
 
-#include "app/experiment/clock.h"
+#include "app/base/clock.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/files.h"
 
+#include "app/base/latin.h"
+#include "app/base/number.h"
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 #include "app/cost_map/words.h"
-#include "app/formats/number.h"
-#include "app/formats/replace_file.h"
-#include "app/formats/write_all.h"
-#include "app/latin.h"
 
 #include <QBuffer>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/statistics.h"
 #include "app/cost_map/cost_map.h"
-#include "app/experiment/statistics.h"
 
 namespace app {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/measure.h"
 
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/base/promised_operations.h"
 #include "app/cost_map/words.h"
-#include "app/experiment/promised_operations.h"
-#include "app/latin.h"
-#include "app/view/numbers.h"
 
 #include <algorithm>
 #include <array>

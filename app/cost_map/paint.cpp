@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/paint.h"
 
+#include "app/base/numbers.h"
 #include "app/cost_map/regions.h"
 #include "app/cost_map/words.h"
-#include "app/view/numbers.h"
 #include "app/view/sequential_scale.h"
 
 #include <QFontMetricsF>

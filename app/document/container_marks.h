@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/shared.h"
 #include "app/document/container.h"
-#include "app/document/shared.h"
 
 #include <cstddef>
 #include <span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/shared.h"
 #include "app/document/path.h"
 #include "app/document/recipe.h"
-#include "app/document/shared.h"
 #include "app/document/style_table.h"
 
 namespace app {

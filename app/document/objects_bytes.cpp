@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/shared_list.h"
 #include "app/document/objects.h"
-#include "app/document/shared_list.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/length.h"
+#include "app/base/length.h"
 #include "app/document/subpath.h"
 
 namespace app {

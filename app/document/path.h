@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/heap_bytes.h"
 #include "app/document/flatten.h"
-#include "app/document/heap_bytes.h"
 #include "app/document/placement.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
+#include "app/base/pace.h"
 #include "app/comparison/variants.h"
-#include "app/experiment/pace.h"
 
 #include <QCoreApplication>
 

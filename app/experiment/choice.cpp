@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 
-#include "app/document/compared_window.h"
-#include "app/experiment/duration.h"
+#include "app/base/duration.h"
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/short_names.h"
-#include "app/view/numbers.h"
+#include "app/scene/compared_window.h"
 
 #include <QCoreApplication>
 

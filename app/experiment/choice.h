@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/result.h"
 #include "app/document/document.h"
-#include "app/document/scene_lines.h"
 #include "app/experiment/study.h"
-#include "app/result.h"
+#include "app/scene/scene_lines.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_profile.h"
 
-#include "app/experiment/legs.h"
+#include "app/base/legs.h"
 #include "app/experiment/one_by_one.h"
 
 #include <QCoreApplication>

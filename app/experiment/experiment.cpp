@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/experiment.h"
 
+#include "app/base/checksum.h"
+#include "app/base/dice.h"
+#include "app/base/pace.h"
+#include "app/base/vector_registers.h"
 #include "app/comparison/line_class.h"
-#include "app/experiment/checksum.h"
-#include "app/experiment/dice.h"
-#include "app/experiment/pace.h"
-#include "app/vector_registers.h"
 
 #include <QCoreApplication>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/clock.h"
+#include "app/base/progress.h"
+#include "app/base/statistics.h"
 #include "app/experiment/block.h"
-#include "app/experiment/clock.h"
 #include "app/experiment/easel.h"
 #include "app/experiment/findings.h"
 #include "app/experiment/order.h"
-#include "app/experiment/progress.h"
-#include "app/experiment/statistics.h"
 
 namespace app {
 

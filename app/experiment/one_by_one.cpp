@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/one_by_one.h"
 
+#include "app/base/latin.h"
+#include "app/base/short_names.h"
 #include "app/experiment/paper_runs.h"
-#include "app/experiment/short_names.h"
-#include "app/latin.h"
 
 #include <QCoreApplication>
 

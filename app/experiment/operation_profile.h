@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/promised_operations.h"
 #include "app/experiment/class_lines.h"
-#include "app/experiment/promised_operations.h"
 #include "app/experiment/record.h"
 
 namespace app {

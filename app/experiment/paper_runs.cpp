@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/paper_runs.h"
 
-#include "app/formats/csv/text.h"
-#include "app/formats/number.h"
+#include "app/base/csv_text.h"
+#include "app/base/number.h"
 
 #include <QFile>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/dice.h"
+#include "app/base/dice.h"
 
 #include <span>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/paper_tables.h"
 
+#include "app/base/numbers.h"
 #include "app/experiment/paper_scene.h"
 #include "app/experiment/ranking_text.h"
 #include "app/formats/rectangle_text.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/checksum.h"
+#include "app/base/checksum.h"
 #include "app/experiment/easel.h"
 
 #include <QImage>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/reasons.h"
 
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/short_names.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

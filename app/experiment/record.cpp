@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/record.h"
 
+#include "app/base/latin.h"
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
 #include "app/formats/rectangle_text.h"
-#include "app/latin.h"
 
 #include <QCoreApplication>
 

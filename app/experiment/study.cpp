@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/study.h"
 
+#include "app/base/legs.h"
 #include "app/experiment/class_lines.h"
-#include "app/experiment/legs.h"
 #include "app/experiment/one_by_one.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/scene_lines.h"
 #include "app/experiment/paper_scene.h"
+#include "app/scene/scene_lines.h"
 
 #include <QString>
 

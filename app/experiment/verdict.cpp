@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/verdict.h"
 
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/short_names.h"
-#include "app/latin.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

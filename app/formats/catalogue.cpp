@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/file_name.h"
+#include "app/base/file_name.h"
+#include "app/base/replace_file.h"
 #include "app/formats/format.h"
 #include "app/formats/read_open_file.h"
-#include "app/formats/replace_file.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/coordinates.h"
 
-#include "app/formats/number.h"
+#include "app/base/number.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/formats/csv/reader.h"
 #include "app/formats/csv/writer.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

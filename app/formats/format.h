@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/result.h"
 #include "app/document/document.h"
-#include "app/result.h"
 
 #include <QIODevice>
 #include <QStringList>

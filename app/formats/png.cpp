@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
+#include "app/base/write_all.h"
 #include "app/formats/format.h"
 #include "app/formats/paper.h"
 #include "app/formats/seen_part.h"
-#include "app/formats/write_all.h"
-#include "app/view/numbers.h"
 #include "app/view/painter_path.h"
 #include "app/view/summed_object.h"
 

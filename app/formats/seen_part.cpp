@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/seen_part.h"
 
-#include "app/document/cut.h"
-#include "app/document/cut_object.h"
+#include "app/cut/cut.h"
+#include "app/cut/cut_object.h"
 #include "app/view/area.h"
 
 #include <algorithm>

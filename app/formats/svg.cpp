@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/reader.h"
 #include "app/formats/svg/writer.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

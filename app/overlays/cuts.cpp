@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "app/overlays/parts.h"
 
 #include <QCoreApplication>

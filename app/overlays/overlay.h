@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/traced_line.h"
 #include "app/document/subpath.h"
-#include "app/teaching/traced_line.h"
 
 #include <QStringList>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/leftover.h"
 
-#include "app/formats/replace_file.h"
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 #include "app/formats/svg/writer.h"
-#include "app/formats/write_all.h"
 
 #include <QCoreApplication>
 #include <QDir>

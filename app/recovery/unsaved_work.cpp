@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/unsaved_work.h"
 
-#include "app/document/samples.h"
+#include "app/session/samples.h"
 
 namespace app {
 

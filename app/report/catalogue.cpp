@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/replace_file.h"
+#include "app/base/replace_file.h"
 #include "app/report/report.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/charts/chart_look.h"
 #include "app/report/report.h"
+#include "app/view/chart_look.h"
 
 #include <memory>
 

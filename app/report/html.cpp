@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/experiment/heading.h"
-#include "app/formats/write_all.h"
 #include "app/report/report.h"
 
 #include <QCoreApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/write_all.h"
+#include "app/base/write_all.h"
 #include "app/report/document.h"
 #include "app/report/keep_together.h"
 

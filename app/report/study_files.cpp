@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/study_files.h"
 
+#include "app/base/latin.h"
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/study_charts.h"
-#include "app/formats/replace_file.h"
-#include "app/formats/write_all.h"
-#include "app/latin.h"
 #include "app/report/study_report.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/result.h"
 #include "app/experiment/study.h"
-#include "app/result.h"
 #include "app/tables/table.h"
 
 #include <functional>

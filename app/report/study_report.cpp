@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/study_report.h"
 
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
 #include "app/charts/study_charts.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/short_names.h"
 #include "app/experiment/verdict.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings/settings_format.h"
 
-#include "app/formats/replace_file.h"
+#include "app/base/replace_file.h"
 #include "app/settings/ini_text.h"
 
 #include <QJsonArray>

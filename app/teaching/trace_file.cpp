@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/trace_file.h"
 
-#include "app/formats/replace_file.h"
-#include "app/formats/write_all.h"
-#include "app/latin.h"
+#include "app/base/latin.h"
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/trace_link.h"
 
-#include "app/formats/number.h"
+#include "app/base/number.h"
 
 #include <QLocale>
 #include <QUrlQuery>

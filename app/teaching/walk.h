@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/traced_line.h"
 #include "app/comparison/outcode_text.h"
 #include "app/comparison/variants.h"
 #include "app/document/subpath.h"
-#include "app/teaching/traced_line.h"
 
 #include <QString>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/variant.h"
+#include "app/base/variant.h"
 
 #include <QColor>
 #include <QPainterPath>

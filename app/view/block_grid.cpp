@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/block_grid.h"
 
-#include "app/document/scene_block.h"
+#include "app/scene/scene_block.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

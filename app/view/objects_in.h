@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_lines.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/scene_frame.h"
+#include "app/scene/scene_frame.h"
 
 #include <vector>
 

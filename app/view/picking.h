@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/scene.h"
+#include "app/scene/scene.h"
 #include "app/view/block_grid.h"
 
 #include <optional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "app/document/scene_frame.h"
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_frame.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/removed_part.h"
 #include "app/view/view.h"
 

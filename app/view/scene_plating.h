@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/painted_part.h"
 #include "app/view/plating.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/thumbnail.h"
 
-#include "app/document/compared_window.h"
-#include "app/document/document_lines.h"
-#include "app/document/scene_clipping.h"
+#include "app/scene/compared_window.h"
+#include "app/scene/document_lines.h"
+#include "app/scene/scene_clipping.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
 

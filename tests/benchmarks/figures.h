@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/clock.h"
+#include "app/base/clock.h"
 
 #include <QTextStream>
 

@@ -2,8 +2,8 @@
 // Measures the canvas at 1280 x 800 on a drawing or on many scattered lines of 3 to 17 pixels:
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
-#include "app/comparison/live_race.h"
 #include "app/document/document_builder.h"
+#include "app/session/live_race.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>

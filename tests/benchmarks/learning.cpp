@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures what the panels of Learn compute: cost maps, coarse as while an end is dragged and fine,
 // and the exactness of 100,000 lines of the paper's scene. Processor time, the median of 5.
+#include "app/base/clock.h"
 #include "app/cost_map/live_cost_map.h"
-#include "app/experiment/clock.h"
+#include "app/exactness/truth.h"
 #include "app/experiment/paper_scene.h"
-#include "app/truth/truth.h"
 
 #include <QTextStream>
 

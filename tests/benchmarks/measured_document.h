@@ -6,8 +6,8 @@
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_style.h"
-#include "app/document/bounds.h"
 #include "app/document/document_builder.h"
+#include "app/scene/bounds.h"
 #include "app/view/picking.h"
 #include "app/view/picture.h"
 

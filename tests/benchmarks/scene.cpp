@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the scene of blocks beside one array of all lines, on the same lines and in turns:
 // scene [loose|polylines] [SEGMENTS]
-#include "app/document/block_scene.h"
+#include "app/scene/block_scene.h"
 #include "clipping/chunks.h"
 #include "clipping/outside.h"
 

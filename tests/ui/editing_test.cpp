@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 #include "ui/editing.h"
 
 #include <QBuffer>

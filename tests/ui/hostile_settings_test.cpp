@@ -2,9 +2,9 @@
 #include "app/settings/seal.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/plug_in/judge_window.h"
+#include "ui/hard_cases/zoo_window.h"
+#include "ui/judge/judge_window.h"
 #include "ui/saved_theme.h"
-#include "ui/zoo/zoo_window.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>

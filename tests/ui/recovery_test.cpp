@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/unfinished.h"
+#include "app/base/unfinished.h"
 #include "app/recovery/leftover.h"
 #include "ui/editor.h"
 #include "ui/main_window.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/comparison/panes.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
 

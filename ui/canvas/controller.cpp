@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
-#include "app/document/bounds.h"
+#include "app/scene/bounds.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/keeping.h"
 #include "ui/tools/shape_drawing.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/ruler.h"
 
-#include "app/latin.h"
-#include "app/view/numbers.h"
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "app/view/ruler.h"
 

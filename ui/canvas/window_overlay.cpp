@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_overlay.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "ui/canvas/window_offer.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/leftovers_dialog.h"
 
-#include "app/document/recent_files.h"
+#include "app/session/recent_files.h"
 #include "ui/look.h"
 #include "ui/widgets/keep_choice.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/questions.h"
 
+#include "app/base/latin.h"
 #include "app/formats/loss_text.h"
-#include "app/latin.h"
 #include "ui/dialogs/leftovers_dialog.h"
 
 #include <QCoreApplication>

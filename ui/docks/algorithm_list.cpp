@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_list.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/algorithm_digit.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/comparison/agreement.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_model.h"
 
-#include "app/comparison/race_text.h"
-#include "app/experiment/short_names.h"
-#include "app/latin.h"
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
+#include "app/race/race_text.h"
 #include "app/view/frame_statistics.h"
-#include "app/view/numbers.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/race.h"
+#include "app/race/race.h"
 
 #include <QAbstractTableModel>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_panel.h"
 
-#include "app/comparison/race_text.h"
 #include "app/experiment/one_by_one.h"
+#include "app/race/race_text.h"
 #include "app/settings/remembered.h"
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"

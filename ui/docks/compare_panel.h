@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/comparison/live_race.h"
+#include "app/session/live_race.h"
 
 #include <QLabel>
 #include <QWidget>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/cost_map_panel.h"
 
+#include "app/base/latin.h"
 #include "app/cost_map/files.h"
 #include "app/cost_map/words.h"
-#include "app/latin.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"

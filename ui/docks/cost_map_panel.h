@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cost_map/live_cost_map.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/cost_map_view.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/difference_model.h"
 
-#include "app/comparison/difference_row.h"
+#include "app/session/difference_row.h"
 
 #include <algorithm>
 

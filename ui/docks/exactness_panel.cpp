@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/exactness_panel.h"
 
+#include "app/base/numbers.h"
 #include "app/comparison/live_differences.h"
-#include "app/view/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/error_histogram.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/samples.h"
+#include "app/session/samples.h"
 
 #include <QFutureWatcher>
 #include <QImage>

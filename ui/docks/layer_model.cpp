@@ -2,8 +2,8 @@
 #include "ui/docks/layer_model.h"
 
 #include "app/commands/set_containers.h"
-#include "app/document/layer_report.h"
-#include "app/document/limited_steps.h"
+#include "app/session/layer_report.h"
+#include "app/session/limited_steps.h"
 
 #include <QColor>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layers_panel.h"
 
+#include "app/base/numbers.h"
 #include "app/view/ink.h"
-#include "app/view/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/inspection.h"
+#include "app/session/inspection.h"
 
 #include <QGridLayout>
 #include <QLabel>

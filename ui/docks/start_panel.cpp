@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/start_panel.h"
 
-#include "app/latin.h"
-#include "app/view/numbers.h"
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
 #include "ui/look.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/recent_files.h"
-#include "app/document/samples.h"
+#include "app/session/recent_files.h"
+#include "app/session/samples.h"
 
 #include <QLabel>
 #include <QListWidget>

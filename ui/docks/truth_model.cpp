@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/truth_model.h"
 
-#include "app/truth/truth_row.h"
+#include "app/exactness/truth_row.h"
 
 #include <algorithm>
 

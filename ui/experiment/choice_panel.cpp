@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/choice_panel.h"
 
+#include "app/base/latin.h"
 #include "app/experiment/ranking.h"
-#include "app/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/segments.h"
 

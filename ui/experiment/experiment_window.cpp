@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/experiment_window.h"
 
-#include "app/experiment/duration.h"
+#include "app/base/duration.h"
 #include "app/settings/remembered.h"
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/session.h"
 #include "app/experiment/choice.h"
+#include "app/session/session.h"
 #include "ui/dialogs/questions.h"
 #include "ui/experiment/measuring.h"
 #include "ui/widgets/message_strip.h"

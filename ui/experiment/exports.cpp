@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/exports.h"
 
+#include "app/base/latin.h"
 #include "app/charts/study_charts.h"
-#include "app/latin.h"
 #include "app/settings/remembered.h"
 #include "ui/dialogs/in_background.h"
 

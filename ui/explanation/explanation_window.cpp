@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/explanation/explanation_window.h"
 
-#include "app/latin.h"
-#include "app/teaching/specimen.h"
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/hard_cases/hard_case.h"
+#include "app/session/specimen.h"
 #include "app/teaching/trace_link.h"
-#include "app/view/numbers.h"
-#include "app/zoo/hard_case.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/page_view.h"
 #include "ui/explanation/title_painter.h"
+#include "ui/hard_cases/zoo_window.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/window_place.h"
-#include "ui/zoo/zoo_window.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>

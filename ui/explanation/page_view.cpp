@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/explanation/page_view.h"
 
-#include "app/formats/replace_file.h"
-#include "app/latin.h"
+#include "app/base/latin.h"
+#include "app/base/replace_file.h"
+#include "app/lessons/reading.h"
 #include "app/teaching/page_figure.h"
-#include "app/teaching/reading.h"
 #include "ui/explanation/page_style.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"

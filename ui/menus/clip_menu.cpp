@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
 #include "app/commands/set_windows.h"
-#include "app/latin.h"
 #include "app/view/picking.h"
 #include "ui/actions.h"
 #include "ui/algorithm_digit.h"

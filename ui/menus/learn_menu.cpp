@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 #include "ui/explanation/explanation_window.h"
+#include "ui/hard_cases/zoo_window.h"
+#include "ui/judge/judge_window.h"
 #include "ui/main_window.h"
 #include "ui/microscope/export_steps.h"
-#include "ui/plug_in/judge_window.h"
-#include "ui/zoo/zoo_window.h"
 
 #include <QCoreApplication>
 

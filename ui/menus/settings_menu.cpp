@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
 #include "ui/widgets/unit_box.h"

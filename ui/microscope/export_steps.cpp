@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/export_steps.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "app/settings/remembered.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/look.h"

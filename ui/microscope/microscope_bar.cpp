@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/microscope_bar.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/look_icon.h"
 #include "ui/microscope/line_field.h"
 #include "ui/widgets/algorithm_marker.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/drawn_line.h"
+#include "app/session/drawn_line.h"
 #include "ui/microscope/steps_panel.h"
 
 #include <QSplitter>

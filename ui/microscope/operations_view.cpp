@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/operations_view.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 #include "ui/look.h"
 
 #include <QPainter>

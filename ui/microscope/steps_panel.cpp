@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/steps_panel.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/microscope/heading.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/timeline.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 #include "ui/look.h"
 #include "ui/microscope/timeline_mark.h"
 #include "ui/microscope/veil.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
-#include "app/teaching/specimen.h"
-#include "app/view/numbers.h"
+#include "app/session/specimen.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/window_gesture.h"
 
-#include "app/document/limited_steps.h"
+#include "app/session/limited_steps.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/error_histogram.h"
 
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/truth/error_class.h"
+#include "app/exactness/error_class.h"
 
 #include <QWidget>
 

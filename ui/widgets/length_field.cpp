@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/length_field.h"
 
-#include "app/document/expression.h"
-#include "app/view/numbers.h"
+#include "app/base/expression.h"
+#include "app/base/numbers.h"
 #include "ui/look.h"
 
 #include <QHelpEvent>

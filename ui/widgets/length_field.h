@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/length.h"
+#include "app/base/result.h"
 #include "app/commands/undo_command.h"
-#include "app/document/length.h"
-#include "app/result.h"
 
 #include <QDoubleSpinBox>
 

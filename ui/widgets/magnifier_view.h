@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/truth/magnifier_paint.h"
+#include "app/exactness/magnifier_paint.h"
 
 #include <QWidget>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/table_model.h"
 
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
 #include "app/experiment/heading.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/record.h"
-#include "app/latin.h"
-#include "app/view/numbers.h"
 
 #include <QStringList>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/unit_box.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/look.h"
 
 namespace ui {

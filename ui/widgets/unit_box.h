@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/session.h"
+#include "app/session/session.h"
 #include "ui/widgets/tool_list.h"
 
 namespace ui {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/variant_name.h"
 
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "ui/look.h"
 #include "ui/widgets/algorithm_marker.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/reader.h"
 
+#include "app/base/csv_text.h"
+#include "app/base/number.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/lines_by_layer.h"
-#include "app/formats/csv/text.h"
-#include "app/formats/number.h"
 
 #include <QCoreApplication>
 

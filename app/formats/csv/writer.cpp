@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/writer.h"
 
+#include "app/base/csv_text.h"
+#include "app/base/number.h"
+#include "app/base/write_all.h"
 #include "app/document/flatten.h"
 #include "app/document/line_ink.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
-#include "app/formats/csv/text.h"
-#include "app/formats/number.h"
-#include "app/formats/write_all.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/pdf/content.h"
 
+#include "app/base/number.h"
 #include "app/formats/coordinates.h"
-#include "app/formats/number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/pdf/writer.h"
 
-#include "app/formats/number.h"
+#include "app/base/number.h"
+#include "app/base/write_all.h"
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
 #include "app/formats/seen_part.h"
-#include "app/formats/write_all.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/runs.h"
+#include "app/cut/runs.h"
 
 namespace app::svg {
 

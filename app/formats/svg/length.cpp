@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/length.h"
 
-#include "app/document/length.h"
+#include "app/base/length.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>

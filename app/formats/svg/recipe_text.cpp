@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/recipe_text.h"
 
-#include "app/formats/number.h"
+#include "app/base/number.h"
 #include "app/formats/svg/scanner.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/window_text.h"
 
-#include "app/formats/number.h"
+#include "app/base/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/writer.h"
 
+#include "app/base/number.h"
+#include "app/base/write_all.h"
 #include "app/document/line_ink.h"
-#include "app/formats/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/svg/window_text.h"
-#include "app/formats/write_all.h"
 
 #include <algorithm>
 #include <array>

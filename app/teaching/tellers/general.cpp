@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "app/teaching/code_line.h"
 #include "app/teaching/page.h"
 #include "app/teaching/tellers/code_values.h"

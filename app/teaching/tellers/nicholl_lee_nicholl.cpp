@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
+#include "app/base/latin.h"
 #include "app/overlays/family.h"
 #include "app/teaching/teaching.h"
 #include "app/teaching/tellers/ends.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/number.h"
 #include "app/command_line/window_options.h"
-#include "app/document/cut.h"
+#include "app/cut/cut.h"
 #include "app/experiment/paper_scene.h"
 #include "app/formats/format.h"
-#include "app/formats/number.h"
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
 

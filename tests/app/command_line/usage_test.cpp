@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/unfinished.h"
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
-#include "app/formats/unfinished.h"
 #include "clipping/algorithm.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
 #include "app/commands/catalogue.h"
-#include "app/latin.h"
 
 #include <QDir>
 #include <QRegularExpression>

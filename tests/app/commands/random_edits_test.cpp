@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of commands of all kinds, done, undone and done again.
 #include "app/commands/history.h"
-#include "app/document/scene.h"
+#include "app/scene/scene.h"
 
 #include <QTest>
 

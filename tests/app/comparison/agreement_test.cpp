@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "tests/app/document/scene_lines_of.h"
+#include "tests/app/scene/scene_lines_of.h"
 
 using namespace clipping;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/at_text.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 
 #include <QTest>
 

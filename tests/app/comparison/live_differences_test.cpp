@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
-#include "app/document/session.h"
+#include "app/session/session.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "tests/app/comparison/random_lines.h"
-#include "tests/app/document/scene_lines_of.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/scene/scene_lines_of.h"
 
 using namespace clipping;
 using app::Comparison;

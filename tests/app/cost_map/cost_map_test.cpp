@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
 #include "app/cost_map/files.h"
 #include "app/cost_map/regions.h"
 #include "app/cost_map/words.h"
-#include "app/latin.h"
 #include "app/view/sequential_scale.h"
 
 #include <QBuffer>

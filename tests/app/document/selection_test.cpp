@@ -4,8 +4,8 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
-#include "app/document/bounds.h"
-#include "app/document/session.h"
+#include "app/scene/bounds.h"
+#include "app/session/session.h"
 
 #include <QTest>
 

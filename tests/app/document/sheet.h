@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/compared_window.h"
 #include "app/document/document_builder.h"
+#include "app/scene/compared_window.h"
 
 // A drawing as a plain list of shapes on plain layers: how tests write down what they draw, and
 // look at what became of it.

@@ -3,7 +3,7 @@
 
 #include "app/commands/add_objects.h"
 #include "app/commands/set_containers.h"
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_lines.h"
 
 #include "tests/app/document/sheet.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/experiment/paper_tables.h"
-#include "app/view/numbers.h"
 
 #include <QTest>
 

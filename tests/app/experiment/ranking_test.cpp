@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/statistics.h"
 #include "app/experiment/ranking.h"
 #include "app/experiment/ranking_text.h"
 #include "app/experiment/signed_rank.h"
-#include "app/experiment/statistics.h"
 
 #include <QTest>
 

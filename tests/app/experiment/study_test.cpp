@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/scene.h"
+#include "app/base/legs.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/heading.h"
-#include "app/experiment/legs.h"
 #include "app/experiment/verdict.h"
+#include "app/scene/scene.h"
 
 #include <QElapsedTimer>
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/dice.h"
 #include "app/comparison/line_class.h"
-#include "app/experiment/dice.h"
 #include "app/experiment/test_scene.h"
 
 #include <QSet>
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/app/document/scene_lines_of.h"
+#include "tests/app/scene/scene_lines_of.h"
 #include "tests/clipping/oracle.h"
 
 using app::LineClass;

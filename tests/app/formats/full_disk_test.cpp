@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
+#include "app/base/replace_file.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/record_chart.h"
 #include "app/command_line/command.h"
 #include "app/cost_map/files.h"
-#include "app/document/session.h"
 #include "app/experiment/paper_tables.h"
 #include "app/formats/format.h"
-#include "app/formats/replace_file.h"
-#include "app/latin.h"
-#include "app/plug_in/example_files.h"
+#include "app/judge/example_files.h"
 #include "app/report/report.h"
 #include "app/report/study_files.h"
+#include "app/session/session.h"
 #include "app/teaching/trace_file.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/recent_files.h"
+#include "app/session/recent_files.h"
 #include "app/settings/remembered.h"
 #include "app/settings/seal.h"
 #include "app/settings/settings_format.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/formats/csv/text.h"
+#include "app/base/csv_text.h"
 #include "app/tables/folded.h"
 #include "app/tables/table.h"
 

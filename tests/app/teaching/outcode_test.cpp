@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/inspection.h"
+#include "app/session/inspection.h"
 #include "app/teaching/overlay_of.h"
 #include "app/teaching/page.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
-#include "app/document/document_lines.h"
-#include "app/document/scene_clipping.h"
+#include "app/scene/document_lines.h"
+#include "app/scene/scene_clipping.h"
 #include "app/view/ink.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"

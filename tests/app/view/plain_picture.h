@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/document.h"
-#include "app/document/scene_lines.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/plating.h"
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"

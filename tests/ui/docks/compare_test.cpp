@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiment/short_names.h"
+#include "app/base/short_names.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/compare_table.h"
 #include "ui/docks/dock.h"

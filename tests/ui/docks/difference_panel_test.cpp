@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/difference_row.h"
-#include "app/view/numbers.h"
+#include "app/base/numbers.h"
+#include "app/session/difference_row.h"
 #include "ui/docks/difference_panel.h"
 
 #include <QComboBox>

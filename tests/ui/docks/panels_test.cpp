@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/usual_algorithm.h"
+#include "app/base/usual_algorithm.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/compare_panel.h"

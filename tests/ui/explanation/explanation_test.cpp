@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/latin.h"
+#include "app/base/latin.h"
+#include "app/hard_cases/case_use.h"
+#include "app/lessons/reading.h"
 #include "app/teaching/page.h"
-#include "app/teaching/reading.h"
 #include "app/teaching/trace_link.h"
-#include "app/zoo/case_use.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/explanation/page_view.h"
-#include "ui/zoo/case_list.h"
-#include "ui/zoo/case_view.h"
-#include "ui/zoo/zoo_window.h"
+#include "ui/hard_cases/case_list.h"
+#include "ui/hard_cases/case_view.h"
+#include "ui/hard_cases/zoo_window.h"
 
 #include <QMenu>
 #include <QScrollBar>

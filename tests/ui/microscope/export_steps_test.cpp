@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/specimen.h"
+#include "app/session/specimen.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/microscope/export_steps_dialog.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/bounds.h"
+#include "app/scene/bounds.h"
 #include "ui/tools/tool.h"
 
 #include <QDir>

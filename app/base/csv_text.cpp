@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/csv_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app::csv {
+namespace {
+
+constexpr qsizetype chunk = 1 << 16;
+constexpr std::size_t longestRecord = 1 << 20; // bytes; what has no ends of line is no CSV
+constexpr int end = -1;
+
+bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
+bool endsField(int c) { return endsLine(c) || c == ','; }
+
+} // namespace
+
+int Text::peek()
+{
+    if (at_ == buffer_.size()) {
+        buffer_ = in_.read(chunk);
+        at_ = 0;
+        if (!started_ && buffer_.startsWith("\xef\xbb\xbf"))
+            at_ = 3;
+        started_ = true;
+    }
+    return at_ < buffer_.size() ? static_cast<unsigned char>(buffer_.at(at_)) : end;
+}
+
+int Text::get()
+{
+    const int c = peek();
+    at_ += c != end;
+    line_ += c == '\n';
+    return c;
+}
+
+void Text::skipLine()
+{
+    while (!endsLine(peek()))
+        get();
+    endRecord();
+}
+
+// CR LF, LF, and a CR alone.
+void Text::endRecord()
+{
+    if (peek() == '\r') {
+        get();
+        line_ += peek() != '\n';
+    }
+    if (peek() == '\n')
+        get();
+}
+
+bool Text::next(Record& record)
+{
+    while (endsLine(peek()) || (comments_ && peek() == '#')) {
+        if (peek() == end)
+            return false;
+        skipLine();
+    }
+    record.line = line_;
+    std::size_t count = 0, size = 0;
+    do {
+        if (++size > longestRecord)
+            throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
+        if (count == record.fields.size())
+            record.fields.emplace_back();
+        readField(record.fields[count++], size);
+    } while (peek() == ',' && get() == ',');
+    record.fields.resize(count);
+    endRecord();
+    return true;
+}
+
+void Text::readField(std::string& field, std::size_t& size)
+{
+    field.clear();
+    if (peek() == '"')
+        readQuoted(field, size);
+    else
+        while (!endsField(peek())) {
+            const char* const begin = buffer_.constData() + at_;
+            const char* const stop = std::find_if(begin, buffer_.constEnd(),
+                                                  [](unsigned char c) { return endsField(c); });
+            size += std::size_t(stop - begin);
+            if (size > longestRecord)
+                throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
+            field.append(begin, stop);
+            at_ += stop - begin;
+        }
+}
+
+void Text::readQuoted(std::string& field, std::size_t& size)
+{
+    const std::size_t begin = line_;
+    get();
+    for (;;) {
+        const int c = get();
+        if (c == end || ++size > longestRecord)
+            throw Refused{begin, QCoreApplication::translate(
+                                     "csv", "opens a quotation mark that is never closed.")};
+        if (c == '"') {
+            if (peek() != '"')
+                break;
+            get();
+        }
+        field += char(c);
+    }
+    if (!endsField(peek()))
+        throw Refused{
+            line_, QCoreApplication::translate("csv", "has text after a closing quotation mark.")};
+}
+
+void appendField(std::string& text, std::string_view field)
+{
+    const bool plain = field.find_first_of(",\"\r\n") == std::string_view::npos
+                       && !field.starts_with(' ') && !field.ends_with(' ')
+                       && !field.starts_with('#');
+    if (plain) {
+        text += field;
+        return;
+    }
+    text += '"';
+    for (const char c : field) {
+        text += c;
+        if (c == '"')
+            text += c;
+    }
+    text += '"';
+}
+
+} // namespace app::csv

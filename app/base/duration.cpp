@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/duration.h"
+
+#include "app/base/numbers.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+struct Experiments {
+    Q_DECLARE_TR_FUNCTIONS(Experiments)
+};
+
+QString count(double number) { return countText(std::size_t(number)); }
+
+} // namespace
+
+QString durationText(double seconds)
+{
+    constexpr double minute = 60, hour = 3600;
+    if (seconds < 2 * minute)
+        return Experiments::tr("%1 s").arg(count(std::ceil(seconds)));
+    if (seconds < 2 * hour)
+        return Experiments::tr("%1 minutes").arg(count(std::round(seconds / minute)));
+    return Experiments::tr("%1 hours").arg(count(std::round(seconds / hour)));
+}
+
+QString progressText(const Progress& progress)
+{
+    const QString share = count(std::floor(100 * progress.share));
+    if (progress.share < 0.02) // nothing can be told of the rest yet
+        return Experiments::tr("%1 %").arg(share);
+    return Experiments::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
+}
+
+} // namespace app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+QString withUnit(const QString& number, Unit unit)
+{
+    const std::string_view suffix = infoOf(unit).suffix;
+    if (suffix.empty())
+        return number;
+    return number + u'\u00a0' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));
+}
+
+} // namespace
+
+QString numberText(double value, int decimals)
+{
+    const QLocale locale;
+    QString text = locale.toString(std::abs(value), 'f', decimals);
+    const bool zero = text == locale.toString(0.0, 'f', decimals);
+    return value < 0 && !zero ? u'\u2212' + text : text;
+}
+
+QString countText(std::size_t count) { return QLocale().toString(qulonglong(count)); }
+
+double inUnit(double userUnits, Unit unit, double millimetresPerUnit)
+{
+    const double size = infoOf(unit).millimetres;
+    return size > 0 ? userUnits * (millimetresPerUnit / size) : userUnits;
+}
+
+double fromUnit(double value, Unit unit, double millimetresPerUnit)
+{
+    const double size = infoOf(unit).millimetres;
+    return size > 0 ? value * (size / millimetresPerUnit) : value;
+}
+
+QString lengthNumber(double userUnits, Unit unit, double millimetresPerUnit, int more)
+{
+    return numberText(inUnit(userUnits, unit, millimetresPerUnit), infoOf(unit).decimals + more);
+}
+
+QString lengthText(double userUnits, Unit unit, double millimetresPerUnit)
+{
+    return withUnit(lengthNumber(userUnits, unit, millimetresPerUnit), unit);
+}
+
+QString sizeText(const glm::dvec2& size, Unit unit, double millimetresPerUnit)
+{
+    return lengthNumber(size.x, unit, millimetresPerUnit) + QStringLiteral(" × ")
+           + lengthText(size.y, unit, millimetresPerUnit);
+}
+
+QString millisecondsText(double milliseconds)
+{
+    if (milliseconds < 0.01)
+        return QCoreApplication::translate("numbers", "< %1 ms").arg(numberText(0.01, 2));
+    const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
+    return QCoreApplication::translate("numbers", "%1 ms").arg(numberText(milliseconds, decimals));
+}
+
+QString percentText(double share)
+{
+    return QCoreApplication::translate("numbers", "%1 %").arg(numberText(share * 100, 1));
+}
+
+} // namespace app

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/replace_file.h"
+
+#include "app/base/file_name.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace app {
+namespace {
+
+// What a writer fills. It takes all of a write or fails, and remembers its first failure: a full
+// disk takes a part of a write without an error, and some writers do not look (QPdfWriter).
+class Sink final : public QIODevice {
+public:
+    explicit Sink(QFileDevice& file) : file_(file) { open(WriteOnly | Unbuffered); }
+
+    bool isSequential() const override { return true; }
+
+    // QFileDevice::flush writes one block of several, and of that perhaps a part.
+    bool flush()
+    {
+        while (!failed_ && file_.bytesToWrite() > 0) {
+            const qint64 before = file_.bytesToWrite();
+            errno = 0;
+            if (!file_.flush() && file_.bytesToWrite() == before)
+                fail();
+        }
+        return !failed_;
+    }
+
+    bool failed() const { return failed_; }
+    bool readerGone() const { return readerGone_; }
+
+protected:
+    qint64 readData(char*, qint64) override { return -1; }
+
+    qint64 writeData(const char* bytes, qint64 size) override
+    {
+        for (qint64 done = 0; !failed_ && done < size;) {
+            errno = 0;
+            const qint64 written = file_.write(bytes + done, size - done);
+            if (written > 0)
+                done += written;
+            else if (file_.bytesToWrite() == 0 || !flush())
+                fail();
+        }
+        return failed_ ? -1 : size;
+    }
+
+private:
+    void fail()
+    {
+        if (std::exchange(failed_, true))
+            return;
+        readerGone_ = errno == EPIPE;
+        setErrorString(file_.errorString());
+    }
+
+    QFileDevice& file_;
+    bool failed_ = false, readerGone_ = false;
+};
+
+QString sentence(int error) { return qt_error_string(error) + u'.'; }
+
+// Some file systems cannot; they do what they can anyway.
+bool reachedDisk(int file)
+{
+    return ::fsync(file) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
+}
+
+// The new name reaches the disk with its folder. Whatever comes of it, the new file is in its
+// place.
+void syncFolderOf(const QString& path)
+{
+    const QByteArray folder = QFile::encodeName(QFileInfo(path).canonicalPath());
+    if (const int open = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        open >= 0) {
+        ::fsync(open);
+        ::close(open);
+    }
+}
+
+bool isLinkToItself(const QString& path)
+{
+    struct stat found {};
+    return ::stat(QFile::encodeName(path).constData(), &found) != 0 && errno == ELOOP;
+}
+
+} // namespace
+
+std::optional<QString> fill(QFileDevice& file, const Filling& write)
+{
+    Sink sink(file);
+    auto error = write(sink);
+    if (sink.readerGone())
+        return std::nullopt;
+    if (error && !sink.failed())
+        return error;
+    if (sink.flush() || sink.readerGone())
+        return std::nullopt;
+    return sink.errorString() + u'.';
+}
+
+std::optional<QString> fillToDisk(QFileDevice& file, const Filling& write)
+{
+    if (auto error = fill(file, write))
+        return error;
+    return reachedDisk(file.handle()) ? std::nullopt : std::optional(sentence(errno));
+}
+
+std::optional<QString> replaceFile(const QString& path, const Filling& write)
+{
+    if (auto fault = faultOfName(path))
+        return fault;
+    if (isLinkToItself(path))
+        return QCoreApplication::translate(
+            "formats", "it is a link that leads to itself. Remove it, or give another name.");
+    const QFileInfo info(path);
+    if (info.exists() && !info.isFile() && !info.isDir()) { // never replace a device by a file
+        QFile device(path);
+        if (!device.open(QIODevice::WriteOnly))
+            return device.errorString() + u'.';
+        return fill(device, write);
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return file.errorString() + u'.';
+    // QSaveFile::commit looks neither at its last flush nor at fsync (Qt 6.4).
+    if (auto error = fillToDisk(file, write))
+        return error;
+    if (!file.commit())
+        return file.errorString() + u'.';
+    syncFolderOf(path);
+    return std::nullopt;
+}
+
+} // namespace app

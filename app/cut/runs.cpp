@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/runs.h"
+
+#include "app/document/bezier.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using clipping::Edge;
+
+/// The parameter and the point where a run begins or ends.
+struct End {
+    double t;
+    Point point;
+};
+
+Point startOf(const Subpath& path, std::size_t segment)
+{
+    return segment == 0 ? path.start : path.segments[segment - 1].to;
+}
+
+Bezier curveOf(const Subpath& path, std::size_t segment)
+{
+    const PathSegment& s = path.segments[segment];
+    return {startOf(path, segment), s.control1, s.control2, s.to};
+}
+
+bool isCurve(const Subpath& path, std::size_t segment)
+{
+    return segment < path.segments.size() && path.segments[segment].curved;
+}
+
+// Also where squares would overflow.
+double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+double levelOf(Edge edge, const clipping::Window& window)
+{
+    return edge == Edge::Left     ? window.min.x
+           : edge == Edge::Right  ? window.max.x
+           : edge == Edge::Bottom ? window.min.y
+                                  : window.max.y;
+}
+
+// A window whose edge the point is on. Of a single one, the published forms may miss the edge.
+const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge edge)
+{
+    const int other = edge == Edge::Left || edge == Edge::Right ? 1 : 0;
+    for (const auto& step : region.steps)
+        if (p[1 - other] == levelOf(edge, step.box) && p[other] >= step.box.min[other]
+            && p[other] <= step.box.max[other])
+            return &step.box;
+    return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
+}
+
+// Where the curve itself crosses the line of the edge within its chord's interval, by bisection;
+// where it does not (the chord cuts a corner that the curve misses), the chord's own cut.
+End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
+            const ClipRegion& region)
+{
+    const Point along = chord.segment.b - chord.segment.a;
+    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
+    const double s =
+        along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
+    const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
+    if (edge == Edge::None)
+        return {guess, cut};
+    const int axis = edge == Edge::Left || edge == Edge::Right ? 0 : 1;
+    const auto beyond = [&](double t) { return curve.at(t)[axis] > cut[axis]; };
+    double low = chord.t0, high = chord.t1;
+    const bool atLow = beyond(low);
+    if (atLow == beyond(high))
+        return {guess, cut};
+    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
+        (beyond(middle) == atLow ? low : high) = middle;
+    Point point = curve.at(low);
+    if (const clipping::Window* window = windowAt(region, cut, edge))
+        point = glm::clamp(point, window->min, window->max);
+    point[axis] = cut[axis];
+    return {low, point};
+}
+
+class Runs {
+public:
+    Runs(const Subpath& path, std::span<const Chord> chords, const ClipRegion& region)
+        : path_(path), chords_(chords), region_(region)
+    {
+    }
+
+    void add(const KeptPart& part)
+    {
+        const Chord& chord = chords_[part.chord];
+        const bool curve = isCurve(path_, chord.pathSegment);
+        End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
+        const bool fresh = part.segment.a != chord.segment.a;
+        const bool over = part.segment.b != chord.segment.b;
+        if (curve && fresh)
+            begin =
+                refined(curveOf(path_, chord.pathSegment), chord, begin.point, part.edgeA, region_);
+        if (curve && over)
+            end = refined(curveOf(path_, chord.pathSegment), chord, end.point, part.edgeB, region_);
+        if (fresh || !open_ || part.chord != next_) {
+            finishCurve();
+            runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});
+        }
+        if (curve)
+            extendCurve(chord.pathSegment, begin, end);
+        else if (finishCurve(); part.segment.a != part.segment.b || !path_.segments.empty())
+            runs_.back().path.segments.push_back({part.segment.b});
+        open_ = !over;
+        next_ = part.chord + 1;
+    }
+
+    std::vector<Run> take(bool join)
+    {
+        finishCurve();
+        if (join && open_ && next_ == chords_.size() && runs_.size() > 1
+            && runs_.front().path.start == chords_.front().segment.a && startsAtChord0_) {
+            auto& first = runs_.front().path.segments;
+            auto& last = runs_.back().path.segments;
+            last.insert(last.end(), first.begin(), first.end());
+            runs_.erase(runs_.begin());
+        }
+        return std::move(runs_);
+    }
+
+    void noteFirst(const KeptPart& part)
+    {
+        startsAtChord0_ = part.chord == 0 && part.segment.a == chords_[0].segment.a;
+    }
+
+private:
+    // Chords of one curve are gathered, so that the curve comes back as one.
+    void extendCurve(std::size_t segment, const End& begin, const End& end)
+    {
+        if (curveSegment_ != segment || begin.t != curveEnd_.t)
+            finishCurve();
+        if (curveSegment_ == path_.segments.size() + 1) {
+            curveSegment_ = segment;
+            curveBegin_ = begin;
+        }
+        curveEnd_ = end;
+    }
+
+    void finishCurve()
+    {
+        const std::size_t none = path_.segments.size() + 1;
+        if (curveSegment_ == none)
+            return;
+        const bool whole = curveBegin_.t == 0 && curveEnd_.t == 1;
+        const Bezier part = curveOf(path_, curveSegment_).part(curveBegin_.t, curveEnd_.t);
+        runs_.back().path.segments.push_back(
+            whole ? path_.segments[curveSegment_]
+                  : PathSegment{curveEnd_.point, part.control1, part.control2, true});
+        curveSegment_ = none;
+    }
+
+    double lengthBefore(const KeptPart& part)
+    {
+        for (; measured_ < part.chord; ++measured_) {
+            const auto& s = chords_[measured_].segment;
+            length_ += distance(s.a, s.b);
+        }
+        return length_ + distance(chords_[part.chord].segment.a, part.segment.a);
+    }
+
+    const Subpath& path_;
+    std::span<const Chord> chords_;
+    const ClipRegion& region_;
+    std::vector<Run> runs_;
+    bool open_ = false; ///< the last part reached its chord's end, `next_` would continue it
+    bool startsAtChord0_ = false;
+    std::size_t next_ = 0;
+    std::size_t curveSegment_ = path_.segments.size() + 1; ///< this value: none is being gathered
+    End curveBegin_{}, curveEnd_{};
+    std::size_t measured_ = 0;
+    double length_ = 0;
+};
+
+bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
+{
+    return std::ranges::equal(chords, parts, [](const Chord& chord, const KeptPart& part) {
+        return chord.segment == part.segment;
+    });
+}
+
+} // namespace
+
+std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
+                          std::span<const KeptPart> parts, const ClipRegion& region,
+                          OverStart overStart)
+{
+    if (parts.empty())
+        return {};
+    if (isWhole(chords, parts))
+        return {{path, 0}};
+    Runs runs(path, chords, region);
+    runs.noteFirst(parts.front());
+    for (const KeptPart& part : parts)
+        runs.add(part);
+    return runs.take(path.closed && overStart == OverStart::Join);
+}
+
+std::vector<Object> objectsOfRuns(Object object, std::vector<Run> runs)
+{
+    object.particulars.recipe = {};
+    object.style.cap = Cap::Butt;
+    std::vector<Subpath> all;
+    std::vector<Object> objects;
+    const double offset = object.style.dashOffset;
+    for (Run& run : runs) {
+        if (object.style.dashes.empty()) {
+            all.push_back(std::move(run.path));
+            continue;
+        }
+        object.path = Path({&run.path, 1});
+        object.style.dashOffset = offset + run.before;
+        objects.push_back(object);
+        object.particulars = {};
+    }
+    if (!all.empty()) {
+        object.path = Path(all);
+        objects.push_back(std::move(object));
+    }
+    return objects;
+}
+
+} // namespace app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exactness/error_class.h"
+
+#include "app/base/numbers.h"
+#include "app/comparison/ulps.h"
+#include "app/view/sequential_scale.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace app {
+
+namespace {
+
+struct Exactness {
+    Q_DECLARE_TR_FUNCTIONS(Exactness)
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two decimals below one, where they tell.
+QString number(double ulps)
+{
+    return ulps > 0 && ulps < 0.005 ? QStringLiteral("< 0.01")
+           : ulps > 0 && ulps < 1   ? numberText(ulps, 2)
+                                    : ulpsText(ulps);
+}
+
+QString rightText(const Variant& variant, const TruthCounts& counts)
+{
+    const std::size_t wrong = counts.classes.back(), all = counts.all();
+    if (wrong == 0)
+        return Exactness::tr("%1 is right about all %2 visible lines")
+            .arg(nameOf(variant), countText(all));
+    return Exactness::tr("%1 is wrong about %2 of %3 visible lines")
+        .arg(nameOf(variant), countText(wrong), countText(all));
+}
+
+QStringList wrongTexts(const TruthCounts& counts)
+{
+    QStringList texts;
+    const auto add = [&](std::size_t count, const QString& text) {
+        if (count > 0)
+            texts << text.arg(countText(count));
+    };
+    add(counts.lost, Exactness::tr("%1 lost"));
+    add(counts.invented, Exactness::tr("%1 shown that are not visible"));
+    add(counts.notFinite, Exactness::tr("%1 with an end that is no number"));
+    add(counts.outside, Exactness::tr("%1 with an end outside the window"));
+    return texts;
+}
+
+} // namespace
+
+std::span<const ErrorClass> errorClasses()
+{
+    using E = Exactness;
+    static const std::array all{
+        ErrorClass{0, E::tr("exact"), false},       ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
+        ErrorClass{1, E::tr("≤ 1 ulp"), false},     ErrorClass{4, E::tr("≤ 4 ulps"), false},
+        ErrorClass{16, E::tr("≤ 16 ulps"), false},  ErrorClass{64, E::tr("≤ 64 ulps"), false},
+        ErrorClass{infinity, E::tr("more"), false}, ErrorClass{infinity, E::tr("wrong"), true}};
+    return all;
+}
+
+std::size_t errorClassOf(const LineTruth& line, Yardstick yardstick)
+{
+    const auto all = errorClasses();
+    if (line.isWrong())
+        return all.size() - 1;
+    const double error = errorOf(line, yardstick);
+    std::size_t row = 0;
+    while (error > all[row].most)
+        ++row;
+    return row;
+}
+
+QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong)
+{
+    const std::size_t last = errorClasses().size() - 1;
+    if (errorClass == last)
+        return wrong;
+    constexpr double palest = 0.3; // thin lines must be seen
+    return sequentialColour(palest + (1 - palest) * double(errorClass) / double(last - 1), ground);
+}
+
+std::size_t TruthCounts::all() const
+{
+    return std::accumulate(classes.begin(), classes.end(), std::size_t(0));
+}
+
+TruthCounts counted(const Truths& truths, Yardstick yardstick)
+{
+    TruthCounts counts;
+    counts.classes.resize(errorClasses().size());
+    for (const LineTruth& line : truths.list) {
+        ++counts.classes[errorClassOf(line, yardstick)];
+        counts.lost += line.fault == Fault::Lost;
+        counts.invented += line.fault == Fault::Invented;
+        counts.notFinite += line.fault == Fault::NotFinite;
+        counts.outside += line.outside();
+        counts.orderMatters += line.orderMatters;
+        if (line.fault == Fault::None)
+            counts.worst = std::max(counts.worst, errorOf(line, yardstick));
+    }
+    return counts;
+}
+
+QString errorText(double ulps)
+{
+    return ulps == 1 ? Exactness::tr("1 ulp") : Exactness::tr("%1 ulps").arg(number(ulps));
+}
+
+QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick)
+{
+    if (counts.all() == 0)
+        return Exactness::tr("Nothing is visible here.");
+    QString text = rightText(variant, counts);
+    if (const QStringList wrong = wrongTexts(counts); !wrong.isEmpty())
+        text += QStringLiteral(": ") + wrong.join(Exactness::tr(", "));
+    text += Exactness::tr(". The worst end is %1 of %2 off")
+                .arg(errorText(counts.worst), yardstick == Yardstick::Largest
+                                                  ? Exactness::tr("the largest coordinate")
+                                                  : Exactness::tr("its own coordinate"));
+    text += counts.orderMatters == 0 ? Exactness::tr("; no line depends on which end comes first.")
+                                     : Exactness::tr("; %1 depend on which end comes first.")
+                                           .arg(countText(counts.orderMatters));
+    return text;
+}
+
+QString verdictText(const LineTruth& line)
+{
+    QStringList texts;
+    switch (line.fault) {
+    case Fault::Lost:
+        texts << (line.lost == 0 ? Exactness::tr("lost: a point")
+                                 : Exactness::tr("lost: %1").arg(errorText(line.lost)));
+        break;
+    case Fault::Invented:
+        texts << (line.lost == 0 ? Exactness::tr("invented: a point")
+                                 : Exactness::tr("invented: %1").arg(errorText(line.lost)));
+        break;
+    case Fault::NotFinite:
+        texts << Exactness::tr("an end is no number");
+        break;
+    case Fault::None:
+        break;
+    }
+    if (line.outside())
+        texts << Exactness::tr("outside the window");
+    if (line.orderMatters)
+        texts << Exactness::tr("depends on the order of the ends");
+    return texts.isEmpty() ? Exactness::tr("right") : texts.join(Exactness::tr(", "));
+}
+
+} // namespace app

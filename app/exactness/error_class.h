@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exactness/truth.h"
+#include "app/view/algorithm_mark.h"
+
+#include <QString>
+
+namespace app {
+
+/// One row of the classes that lines are coloured and counted by.
+struct ErrorClass {
+    double most;  ///< ulps, of either yardstick; of the last two infinite
+    QString name; ///< translated: "up to ½ ulp", "wrong"
+    bool isWrong; ///< of the last one: not only inexact
+};
+/// From the best to the worst; the last one is for lines that are wrong.
+std::span<const ErrorClass> errorClasses();
+std::size_t errorClassOf(const LineTruth& line, Yardstick yardstick);
+/// From pale to strong on that ground; of what is wrong `wrong`.
+QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong);
+
+/// What was found, summed up.
+struct TruthCounts {
+    std::vector<std::size_t> classes{}; ///< lines of each class
+    std::size_t lost = 0, invented = 0, notFinite = 0, outside = 0, orderMatters = 0;
+    double worst = 0; ///< of those that have no fault
+    std::size_t all() const;
+};
+TruthCounts counted(const Truths& truths, Yardstick yardstick);
+
+/// "MD: 21,345 of 21,345 visible lines are right, the worst end is 2.1 ulps off. 12 depend on
+/// which end comes first."
+QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick);
+
+/// What is to be said of one line: "lost: 300 long …", "3.2 ulps off, outside the window". Without
+/// a period.
+QString verdictText(const LineTruth& line);
+
+/// "0", "0.13", "3.5", "1,234 ulps"; with the word.
+QString errorText(double ulps);
+
+} // namespace app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/hard_cases/case_use.h"
+
+#include "app/document/document_builder.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+
+// What a canvas can show and zoom to: the extent of a drawing, in user units.
+constexpr double leastExtent = 1e-6, mostExtent = 1e12;
+
+} // namespace
+
+Specimen specimenOf(const HardCase& hard, const Variant& variant)
+{
+    return {.variant = variant,
+            .line = hard.line,
+            .window = hard.window,
+            .y = YAxis::Up,
+            .origin = hard.title};
+}
+
+Result<Document> documentOf(const HardCase& hard)
+{
+    using R = Result<Document>;
+    const auto& [min, max] = hard.window;
+    const auto& [a, b] = hard.line;
+    for (const double number : {a.x, a.y, b.x, b.y, min.x, min.y, max.x, max.y})
+        if (!std::isfinite(number))
+            return R::failure(tr("A drawing has no place for what is not a number."));
+    if (!(min.x <= max.x && min.y <= max.y))
+        return R::failure(tr("A drawing has no window that is inside out."));
+    const Point low = glm::min(glm::min(a, b), min), high = glm::max(glm::max(a, b), max);
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    if (extent > mostExtent)
+        return R::failure(tr("These numbers are too large for a drawing."));
+    if (extent > 0 && extent < leastExtent)
+        return R::failure(tr("These numbers are too small for a drawing."));
+    const double around = extent > 0 ? extent * 0.1 : 1;
+    Page page{.min = low - around, .size = high - low + 2 * around};
+    const Point millimetres = page.size * (200 / (extent + 2 * around));
+    page.width = {millimetres.x, Unit::Mm};
+    page.height = {millimetres.y, Unit::Mm};
+    DocumentBuilder builder;
+    builder.open({.name = QStringLiteral("Drawing")});
+    builder.addLine(hard.line,
+                    builder.style({.stroke = Colour{}, .width = (extent + 2 * around) / 400}));
+    builder.close();
+    return R::of(builder.take(page, {}, {{{.shape = RectangleShape{hard.window}}}}));
+}
+
+Variant firstToLookAt(const HardCase& hard)
+{
+    const std::vector<CaseAnswer> answers = answersTo(hard);
+    const auto interest = [](const CaseAnswer& answer) {
+        if (answer.good())
+            return -1.0;
+        if (answer.variant.exhibit)
+            return -0.5;
+        return answer.ruling == Ruling::Endless
+                   ? mostExtent
+                   : std::floor(std::min(answer.beyond, mostExtent / 2));
+    };
+    return std::ranges::max_element(answers, {}, interest)->variant;
+}
+
+} // namespace app

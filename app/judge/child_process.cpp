@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/judge/child_process.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+
+#include <csignal>
+#include <ctime>
+
+namespace app::plug_in {
+namespace {
+
+constexpr int glance = 20; // milliseconds between two looks at the clocks
+constexpr qsizetype mostPrinted = 2000;
+constexpr qint64 mostUnread = 1 << 20; // of answers: only a library that never stops has more
+constexpr int wardensTime = 10'000;    // milliseconds, of which it needs some
+
+} // namespace
+
+ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
+{
+    process_.start(program, arguments);
+    group_ = process_.processId();
+}
+
+/// The warden kills what the library left, also where it has ended itself, and ends then.
+ChildProcess::~ChildProcess()
+{
+    process_.terminate();
+    if (process_.waitForFinished(wardensTime))
+        return;
+    if (group_ > 0)
+        ::kill(pid_t(-group_), SIGKILL); // the warden leads it
+    process_.kill();
+    process_.waitForFinished();
+}
+
+ChildProcess::News ChildProcess::waitForStart(const Patience& patience, const std::stop_token& stop)
+{
+    const News news = waitForLine(patience, stop);
+    if (news == News::Came)
+        library_ = readLine().toLongLong();
+    return news;
+}
+
+/// The third field of its line in /proc, after the name, which may hold anything.
+bool ChildProcess::isAsleep() const
+{
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(library_));
+    if (library_ <= 0 || !stat.open(QIODevice::ReadOnly))
+        return true;
+    const QByteArray line = stat.readAll();
+    return line.mid(line.lastIndexOf(')') + 2, 1) != "R";
+}
+
+double ChildProcess::processorSeconds() const
+{
+    clockid_t clock{};
+    timespec time{};
+    const auto id = pid_t(library_ > 0 ? library_ : process_.processId());
+    if (id <= 0 || ::clock_getcpuclockid(id, &clock) != 0 || ::clock_gettime(clock, &time) != 0)
+        return 0;
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+void ChildProcess::keepPrinted()
+{
+    const QByteArray more = process_.readAllStandardError();
+    printed_ += more.left(std::max<qsizetype>(0, mostPrinted - printed_.size()));
+}
+
+template <class Enough>
+ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patience,
+                                           const std::stop_token& stop)
+{
+    QElapsedTimer wall;
+    wall.start();
+    double used = processorSeconds();
+    qint64 had = available();
+    while (!enough()) {
+        if (stop.stop_requested())
+            return News::Stopped;
+        process_.waitForReadyRead(glance);
+        keepPrinted();
+        if (available() > mostUnread)
+            return News::Stuck;
+        if (available() != had) { // it moves
+            had = available();
+            wall.restart();
+            used = processorSeconds();
+        } else if (process_.state() == QProcess::NotRunning) {
+            return News::Ended;
+        } else if (processorSeconds() - used > patience.processorSeconds) {
+            return News::Stuck;
+        } else if (!isAsleep()) { // it works, or waits for a processor
+            wall.restart();
+        } else if (double(wall.elapsed()) > 1000 * patience.wallSeconds) {
+            return News::Asleep;
+        }
+    }
+    return News::Came;
+}
+
+ChildProcess::News ChildProcess::waitFor(qint64 bytes, const Patience& patience,
+                                         const std::stop_token& stop)
+{
+    return waitUntil([&] { return available() >= bytes; }, patience, stop);
+}
+
+ChildProcess::News ChildProcess::waitForLine(const Patience& patience, const std::stop_token& stop)
+{
+    return waitUntil([&] { return process_.canReadLine(); }, patience, stop);
+}
+
+} // namespace app::plug_in

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/judge/child_process.h"
+#include "app/judge/judge.h"
+
+#include <QElapsedTimer>
+
+#include <array>
+#include <map>
+#include <memory>
+
+namespace app::plug_in {
+
+/// The program that runs as the child.
+QString programOf(const Case& which);
+
+/// The questions, while they are asked.
+class Examination {
+public:
+    Examination(const Case& which, const Follower& follower);
+
+    /// False: it was stopped.
+    bool run();
+    /// After that.
+    Verdict take() { return std::move(verdict_); }
+
+private:
+    enum class Went : std::uint8_t { On, Over, Stopped };
+    Went open();
+    double spent() const;
+    double shareOf(std::size_t category) const;
+    void unusable(Unusable why, const QString& more);
+    void prepare();
+    Went ask(std::size_t category);
+    Went askAll(std::size_t category, std::span<const Question> questions, double until);
+    /// How many of them were answered.
+    Went askSome(std::size_t category, std::span<const Question> questions, std::size_t& answered);
+    void hear(std::size_t category, const Question& question, const Answer& answer);
+    void hearAgain(std::size_t category, const Question& question, const Answer& answer);
+    Went mourn(ChildProcess::News news, std::size_t category, const Question& question);
+    void add(std::size_t category, Finding finding);
+    void tell();
+    void leave();
+
+    const Case& case_;
+    const Follower& follower_;
+    Verdict verdict_;
+    std::unique_ptr<ChildProcess> child_;
+    QElapsedTimer taken_;
+    /// The questions, category by category, and the first answers to what will be asked again.
+    std::vector<std::vector<Question>> questions_;
+    std::map<std::array<std::uint64_t, 8>, std::optional<Answer>> first_;
+    std::size_t atOnce_ = 1; ///< questions on their way: about what takes `someTime`
+    int deaths_ = 0;
+    double processorSeconds_ = 0;
+    bool wasLoaded_ = false;
+};
+
+} // namespace app::plug_in

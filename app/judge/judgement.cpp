@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/judge/judgement.h"
+
+#include "app/comparison/ulps.h"
+#include "clipping/algorithm.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace app::plug_in {
+namespace {
+
+using clipping::Segment;
+using clipping::Window;
+
+struct PlugIn {
+    Q_DECLARE_TR_FUNCTIONS(PlugIn)
+};
+
+bool isFinite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+bool makesSense(const Question& q)
+{
+    return isFinite(q.line.a) && isFinite(q.line.b) && isFinite(q.window.min)
+           && isFinite(q.window.max) && q.window.min.x <= q.window.max.x
+           && q.window.min.y <= q.window.max.y;
+}
+
+std::optional<Segment> clipped(const Segment& line, const Window& window)
+{
+    static const auto clip = clipping::exactAlgorithm().corrected.clip;
+    return clip(line, window);
+}
+
+/// Every edge further out; further in if negative. Numbers stay finite.
+Window moved(const Window& window, double by)
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    const auto held = [=](double v) { return std::clamp(v, -most, most); };
+    return {{held(window.min.x - by), held(window.min.y - by)},
+            {held(window.max.x + by), held(window.max.y + by)}};
+}
+
+double beyond(double v, double low, double high) { return std::max({low - v, v - high, 0.0}); }
+double beyond(const glm::dvec2& p, const Window& w)
+{
+    return std::max(beyond(p.x, w.min.x, w.max.x), beyond(p.y, w.min.y, w.max.y));
+}
+
+bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
+{
+    return std::bit_cast<std::array<std::uint64_t, 2>>(p)
+           == std::bit_cast<std::array<std::uint64_t, 2>>(q);
+}
+
+/// Whether an end of the line that is inside is not the end of the piece, bit for bit.
+bool movedInside(const Question& q, const Segment& piece)
+{
+    const auto moves = [&](const glm::dvec2& from, const glm::dvec2& to) {
+        return beyond(from, q.window) == 0 && !sameBits(from, to);
+    };
+    return moves(q.line.a, piece.a) || moves(q.line.b, piece.b);
+}
+
+/// Of a piece where there truly is one.
+std::optional<Fault> misplaced(const Question& q, const Segment& piece, const Segment& truth,
+                               const Contract& contract, double ulp)
+{
+    const double allowed = contract.ulps * ulp;
+    if (endsApart(piece, truth, Ends::InOrder) <= allowed)
+        return contract.strictness == Strictness::Clearcuts && movedInside(q, piece)
+                   ? std::optional(Fault::Off)
+                   : std::nullopt;
+    return endsApart(piece, truth, Ends::EitherWay) <= allowed ? Fault::Turned : Fault::Off;
+}
+
+} // namespace
+
+std::span<const FaultInfo> faults()
+{
+    static const std::vector<FaultInfo> all{
+        {Fault::Crashed, "crashed", PlugIn::tr("Crash"), PlugIn::tr("crashes"), true},
+        {Fault::DidNotEnd, "did-not-end", PlugIn::tr("Does not end"), PlugIn::tr("does not end"),
+         true},
+        {Fault::LeftProgram, "left-program", PlugIn::tr("Ends the program"),
+         PlugIn::tr("ends the whole program instead of returning"), true},
+        {Fault::WroteBeyond, "wrote-beyond", PlugIn::tr("Writes beyond visible"),
+         PlugIn::tr("writes beside visible[0] to visible[3]"), false},
+        {Fault::Nonsense, "nonsense", PlugIn::tr("Keeps nonsense"),
+         PlugIn::tr("keeps lines where a number is infinite or NaN, or the window is inverted"),
+         false},
+        {Fault::NotANumber, "not-a-number", PlugIn::tr("Not a number"),
+         PlugIn::tr("gives an end that is infinite, not a number, or was never written"), false},
+        {Fault::Changed, "changed", PlugIn::tr("Changes its answer"),
+         PlugIn::tr("gives different answers to the same question"), false},
+        {Fault::Lost, "lost", PlugIn::tr("Lost"), PlugIn::tr("loses lines that are visible"),
+         false},
+        {Fault::Invented, "invented", PlugIn::tr("Invented"),
+         PlugIn::tr("keeps lines of which nothing is visible"), false},
+        {Fault::Outside, "outside", PlugIn::tr("End outside"),
+         PlugIn::tr("gives ends outside the window"), false},
+        {Fault::Turned, "turned", PlugIn::tr("Wrong direction"),
+         PlugIn::tr("gives pieces from their second end to their first"), false},
+        {Fault::Off, "off", PlugIn::tr("End elsewhere"),
+         PlugIn::tr("gives ends that are not where the line is cut"), false},
+    };
+    return all;
+}
+
+const FaultInfo& infoOf(Fault fault) { return faults()[std::size_t(fault)]; }
+
+QString wordOf(Strictness strictness)
+{
+    return strictness == Strictness::Clearcuts ? QStringLiteral("strict")
+                                               : QStringLiteral("textbook");
+}
+
+Strictness strictnessOf(const QString& word)
+{
+    return word == wordOf(Strictness::Clearcuts) ? Strictness::Clearcuts : Strictness::Textbook;
+}
+
+std::optional<Segment> expected(const Question& question)
+{
+    return clipped(question.line, question.window);
+}
+
+Judgement judged(const Question& q, const Answer& answer, const Contract& contract,
+                 double visibilityUlps)
+{
+    const auto piece = answer.piece();
+    if (answer.wroteBeyond != 0)
+        return {Fault::WroteBeyond};
+    if (!makesSense(q))
+        return {piece ? std::optional(Fault::Nonsense) : std::nullopt};
+    const auto truth = expected(q);
+    const double ulp = ulpFor(q.line, q.window), margin = visibilityUlps * ulp;
+    if (!piece)
+        return {truth && clipped(q.line, moved(q.window, -margin)) ? std::optional(Fault::Lost)
+                                                                   : std::nullopt};
+    if (!isFinite(piece->a) || !isFinite(piece->b))
+        return {Fault::NotANumber};
+    if (!truth && !clipped(q.line, moved(q.window, margin)))
+        return {Fault::Invented};
+    Judgement result{};
+    result.outside = std::max(beyond(piece->a, q.window), beyond(piece->b, q.window)) / ulp;
+    if (truth)
+        result.off = endsApart(*piece, *truth, Ends::InOrder) / ulp;
+    if (result.outside > (contract.strictness == Strictness::Clearcuts ? 0 : contract.ulps))
+        result.fault = Fault::Outside;
+    else if (truth)
+        result.fault = misplaced(q, *piece, *truth, contract, ulp);
+    return result;
+}
+
+} // namespace app::plug_in

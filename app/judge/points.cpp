@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/judge/points.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app::plug_in {
+namespace {
+
+struct PlugIn {
+    Q_DECLARE_TR_FUNCTIONS(PlugIn)
+};
+
+constexpr int unfinished = -1, untested = -2; ///< instead of points: time was up
+
+/// That is right; of nothing, all.
+double share(std::size_t wrong, std::size_t all)
+{
+    return all == 0 ? 1 : 1 - double(std::min(wrong, all)) / double(all);
+}
+
+} // namespace
+
+int pointsOf(const CategoryCount& count)
+{
+    if (count.wrong == 0 && count.judged >= count.lines)
+        return fullPoints;
+    const double tested = double(count.judged) / double(std::max<std::size_t>(1, count.lines));
+    const double right =
+        std::min(share(count.wrongVisible, count.visible),
+                 share(count.wrong - count.wrongVisible, count.judged - count.visible));
+    return std::min(fullPoints - 1, int(fullPoints * right * tested));
+}
+
+std::span<const Degree> degrees()
+{
+    static const std::vector<Degree> all{
+        {fullPoints, "right", PlugIn::tr("right")},
+        {fullPoints - 1, "nearly", PlugIn::tr("nearly right")},
+        {fullPoints / 2, "mostly", PlugIn::tr("mostly right")},
+        {1, "partly", PlugIn::tr("partly right")},
+        {0, "wrong", PlugIn::tr("wrong")},
+        {unfinished, "unfinished", PlugIn::tr("right so far")},
+        {untested, "untested", PlugIn::tr("not tested")},
+    };
+    return all;
+}
+
+const Degree& degreeOf(const CategoryCount& count)
+{
+    const bool isRightSoFar = count.wrong == 0 && count.judged < count.lines;
+    const int points = !isRightSoFar ? pointsOf(count) : count.judged == 0 ? untested : unfinished;
+    return *std::ranges::find_if(degrees(),
+                                 [=](const Degree& one) { return points >= one.points; });
+}
+
+Score scoreOf(const Verdict& verdict)
+{
+    Score score;
+    for (const CategoryCount& count : verdict.categories) {
+        const int points = pointsOf(count);
+        score.points += points;
+        score.right += points == fullPoints;
+    }
+    score.categories = verdict.categories.size();
+    score.most = fullPoints * int(score.categories);
+    return score;
+}
+
+} // namespace app::plug_in

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/judge/signal_text.h"
+
+#include <QCoreApplication>
+
+#include <csignal>
+#include <cstring>
+#include <map>
+
+namespace app::plug_in {
+namespace {
+
+struct PlugIn {
+    Q_DECLARE_TR_FUNCTIONS(PlugIn)
+};
+
+const std::map<int, QString>& reasons()
+{
+    static const std::map<int, QString> all{
+        {SIGSEGV, PlugIn::tr("it used memory that is not its own, or called itself without end")},
+        {SIGBUS, PlugIn::tr("it used memory that is not there")},
+        {SIGFPE, PlugIn::tr("it divided a whole number by zero")},
+        {SIGABRT, PlugIn::tr("it gave up: abort, a failed assert or an exception")},
+        {SIGILL, PlugIn::tr("it came to an instruction that this processor does not have")},
+        {SIGXCPU, PlugIn::tr("it used up its time")},
+        {SIGXFSZ, PlugIn::tr("it wrote a file of more than 1 MiB")},
+        {SIGTRAP, PlugIn::tr("it stopped at a breakpoint or a sanitizer's trap")},
+        {SIGPIPE, PlugIn::tr("it wrote to a closed pipe")},
+        {SIGSYS, PlugIn::tr("it made a system call that does not exist")},
+        {SIGALRM, PlugIn::tr("a timer that it set ran out")},
+        {SIGKILL, PlugIn::tr("it was killed, perhaps because memory ran out")},
+    };
+    return all;
+}
+
+} // namespace
+
+QString signalName(int signal)
+{
+    if (const char* name = ::sigabbrev_np(signal))
+        return QStringLiteral("SIG") + QLatin1StringView(name);
+    // The C library keeps some real-time signals for itself, below its SIGRTMIN.
+    const int offset = signal - SIGRTMIN;
+    return QStringLiteral("SIGRTMIN%1%2")
+        .arg(offset < 0 ? QStringLiteral("-") : QStringLiteral("+"))
+        .arg(std::abs(offset));
+}
+
+QString signalText(int signal)
+{
+    const auto found = reasons().find(signal);
+    return found != reasons().end() ? PlugIn::tr("%1 (%2)").arg(found->second, signalName(signal))
+                                    : PlugIn::tr("it was ended by %1").arg(signalName(signal));
+}
+
+} // namespace app::plug_in

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/reading.h"
+
+#include "app/base/latin.h"
+#include "app/hard_cases/case_filter.h"
+#include "app/hard_cases/case_use.h"
+#include "app/teaching/page.h"
+#include "app/teaching/trace_link.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t mostCases = 6; // on a page: the zoo has all of them
+const QString ending = QStringLiteral(".md");
+
+QString tr(const char* text) { return QCoreApplication::translate("reading", text); }
+
+/// What goes wrong, and a link to watch it.
+QString itemOf(const HardCase& hard, const Variant& variant)
+{
+    QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
+                       .arg(hard.title, hard.key, words(answerOf(hard, variant)));
+    if (const auto watch = traceLink(specimenOf(hard, variant)))
+        text += QStringLiteral(" ([%1](%2))").arg(tr("watch it through the microscope"), *watch);
+    return text + u'\n';
+}
+
+/// Where its published form fails, a line each.
+QString hardCasesOf(const clipping::Algorithm& algorithm)
+{
+    if (!algorithm.published)
+        return {};
+    const Variant published{&algorithm, clipping::Form::Published};
+    const auto cases = casesFor({.variant = keyOf(published)});
+    if (cases.empty())
+        return {};
+    const bool all = cases.size() <= mostCases;
+    QString text = QStringLiteral("\n\n## %1\n%2\n")
+                       .arg(tr("Hard cases"),
+                            all ? tr("The published form fails at these lines.")
+                                : tr("The published form fails at these lines, among others."));
+    for (std::size_t i = 0; i < std::min(cases.size(), mostCases); ++i)
+        text += itemOf(*cases[i], published);
+    if (!all)
+        text += QStringLiteral("\n[%1](clearcut:fails/%2)\n")
+                    .arg(tr("All %1 in the zoo of hard cases").arg(cases.size()), keyOf(published));
+    return text;
+}
+
+} // namespace
+
+QString readingOf(const clipping::Algorithm& algorithm)
+{
+    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
+                                            QRegularExpression::DotMatchesEverythingOption);
+    return pageOf(algorithm).markdown.remove(comment).trimmed() + hardCasesOf(algorithm);
+}
+
+const clipping::Algorithm* algorithmOfPage(const QString& link)
+{
+    const QString name = link.section(u'/', -1);
+    return name.endsWith(ending)
+               ? clipping::findAlgorithm(name.chopped(ending.size()).toStdString())
+               : nullptr;
+}
+
+QString pageLink(const clipping::Algorithm& algorithm) { return latin(algorithm.key) + ending; }
+
+} // namespace app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/race/race_text.h"
+
+#include "app/base/numbers.h"
+#include "app/base/short_names.h"
+#include "app/experiment/ranking.h"
+#include "app/view/frame_statistics.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+struct Races {
+    Q_DECLARE_TR_FUNCTIONS(Races)
+};
+
+} // namespace
+
+QString groupsText(std::span<const RaceRow> rows)
+{
+    std::vector<std::vector<double>> runs;
+    for (const RaceRow& row : rows)
+        runs.emplace_back(row.times().begin(), row.times().end());
+    const Ranking ranking = rankingOf(runs);
+    if (!ranking.told)
+        return Races::tr("Too few rounds: %3 algorithms need %2 rounds, this race has %1.")
+            .arg(ranking.rounds)
+            .arg(leastRounds(rows.size()))
+            .arg(rows.size());
+    QStringList texts;
+    for (const auto& group : ranking.groups) {
+        QStringList names;
+        for (const std::size_t i : group)
+            names << shortNameOf(rows[i].variant);
+        if (names.size() > 1)
+            texts << listText(names);
+    }
+    return texts.isEmpty() ? QString()
+                           : Races::tr("No significant difference of 1 % or more: %1")
+                                 .arg(texts.join(QStringLiteral("; ")));
+}
+
+QString shortTimeText(double milliseconds)
+{
+    if (milliseconds >= 0.1)
+        return millisecondsText(milliseconds);
+    const double micro = milliseconds * 1e3;
+    return Races::tr("%1 µs").arg(numberText(micro, micro < 10 ? 2 : 1));
+}
+
+QString fieldText(std::size_t lines)
+{
+    const QString count = countText(lines);
+    return lines < leastLinesToTime ? Races::tr("%1 lines: too few to time").arg(count)
+                                    : Races::tr("%1 lines, rotated order, 1 thread").arg(count);
+}
+
+} // namespace app

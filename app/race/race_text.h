@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/race/race.h"
+
+#include <QString>
+
+namespace app {
+
+/// "No significant difference of 1 % or more: MD and LB", by the tests of an experiment; empty if
+/// every row differs from every other; a sentence while there are too few rounds to tell.
+QString groupsText(std::span<const RaceRow> rows);
+
+/// "0.42 ms" as everywhere, but below 0.1 ms "30.1 µs", so that small times tell something.
+QString shortTimeText(double milliseconds);
+
+/// "9,969 lines, rotated order, 1 thread"; "312 lines: too few to time".
+QString fieldText(std::size_t lines);
+
+} // namespace app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/block_scene.h"
+
+#include <cassert>
+
+namespace app {
+
+void BlockScene::update(const Objects& objects, const ObjectRanges& hidden, double tolerance)
+{
+    if (cache_.update(objects, hidden, tolerance))
+        lines_ = SceneLines(cache_.blocks());
+}
+
+SceneFrame BlockScene::clip(const ClipRegion& region, const Variant& variant)
+{
+    assert(!variant.exhibit && clipping::usesOf(*variant.algorithm, variant.form));
+    return clipping_.clip(lines_, region,
+                          clipping::usesOf(*variant.algorithm, variant.form)->clipAll);
+}
+
+} // namespace app

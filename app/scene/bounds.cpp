@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/bounds.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+using clipping::Segment;
+using clipping::Window;
+
+/// The lines of some objects.
+struct LineRange {
+    std::size_t first, end;
+};
+
+// Calls visit(box, segments) for each part of the lines that has a box. Where `looksInto` says so
+// of the box around many chunks, they are visited one by one.
+template <class LooksInto, class Visit>
+void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
+                const LooksInto& looksInto, const Visit& visit)
+{
+    constexpr std::size_t many = SceneBlock::chunksInBox;
+    const std::span segments(block.segments);
+    std::size_t chunk = block.chunkOf(first);
+    while (first < end) {
+        const std::size_t last = block.endOfChunk(chunk);
+        const std::size_t next = std::min(chunk + many, block.chunks.size());
+        const bool begins = first == block.chunks[chunk].first;
+        if (begins && chunk % many == 0 && block.endOfChunk(next - 1) <= end
+            && !looksInto(block.boxes[chunk / many])) {
+            visit(block.boxes[chunk / many], segments.first(0));
+            first = block.endOfChunk(next - 1);
+            chunk = next;
+            continue;
+        }
+        const auto lines = segments.subspan(first, std::min(last, end) - first);
+        const bool all = begins && last <= end;
+        visit(all ? block.chunks[chunk].box : boxAround(lines), lines);
+        first = last;
+        ++chunk;
+    }
+}
+
+bool isNumber(const FloatBox& box) { return !std::isnan(box.minX); }
+
+// A box that does not reach as far as the one around all has no line that does.
+bool reaches(const FloatBox& box, const FloatBox& all)
+{
+    return !isNumber(box) || box.minX == all.minX || box.minY == all.minY || box.maxX == all.maxX
+           || box.maxY == all.maxY;
+}
+
+void cover(std::optional<Window>& all, std::span<const Segment> lines)
+{
+    for (const Segment& s : lines) {
+        const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
+        all = all ? Window{glm::min(all->min, min), glm::max(all->max, max)} : Window{min, max};
+    }
+}
+
+std::optional<Window> boundsOf(const SceneLines& lines, std::span<const LineRange> ranges)
+{
+    const auto forEach = [&](const auto& looksInto, const auto& visit) {
+        for (const LineRange& range : ranges)
+            lines.forEachPart(range.first, range.end, [&](auto run, auto first, auto end) {
+                forEachBox(*lines.blocks()[run], first, end, looksInto, visit);
+            });
+    };
+    std::optional<FloatBox> around; // rounded, as the boxes are
+    forEach(
+        [](const FloatBox&) { return false; },
+        [&](const FloatBox& box, const auto&) { around = around ? united(*around, box) : box; });
+    std::optional<Window> all;
+    if (around && !isNumber(*around)) {
+        for (const LineRange& range : ranges)
+            lines.forEachPart(range.first, range.end, [&](auto run, auto first, auto end) {
+                cover(all, lines.runs()[run].segments.subspan(first, end - first));
+            });
+    } else if (around) {
+        forEach([&](const FloatBox& box) { return reaches(box, *around); },
+                [&](const FloatBox& box, const auto& some) {
+                    if (reaches(box, *around))
+                        cover(all, some);
+                });
+    }
+    return all;
+}
+
+} // namespace
+
+std::optional<Window> boundsOf(const SceneLines& lines, const ObjectRanges& objects)
+{
+    std::vector<LineRange> ranges;
+    for (const auto& [first, end] : objects.ranges())
+        ranges.push_back({lines.firstLineOf(first), lines.firstLineOf(end)});
+    return boundsOf(lines, ranges);
+}
+
+std::optional<Window> boundsOf(const SceneLines& lines)
+{
+    const LineRange all{0, lines.size()};
+    return boundsOf(lines, std::span(&all, 1));
+}
+
+} // namespace app

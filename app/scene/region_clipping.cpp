@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/region_clipping.h"
+
+#include "clipping/outside.h"
+
+namespace app {
+
+using clipping::Clipped;
+using clipping::Segment;
+
+// Lines that are clipped at all windows before they are folded: a few KiB a window.
+constexpr std::size_t foldedAtOnce = 1024;
+
+static std::span<Clipped> roomIn(std::vector<Clipped>& buffer, std::size_t count)
+{
+    if (buffer.size() < count)
+        buffer.resize(count);
+    return std::span(buffer).first(count);
+}
+
+void RegionClipping::start(const ClipRegion& region, ClipAll clipAll)
+{
+    region_ = &region;
+    clipAll_ = clipAll;
+    stopwatch_.reset();
+}
+
+std::size_t RegionClipping::clip(std::span<const Segment> lines, std::size_t first,
+                                 std::span<Clipped> out)
+{
+    std::size_t count = 0;
+    if (region_->keep == Keep::Inside) {
+        count = clipAt(*region_->single(), lines, out);
+    } else {
+        const Pieces inside = roomIn(buffer_, lines.size());
+        count = clipAt(*region_->single(), lines, inside);
+        count = clipping::outsideAll(lines, inside.first(count), out);
+    }
+    for (Clipped& piece : out.first(first == 0 ? 0 : count))
+        piece.source += std::uint32_t(first);
+    return count;
+}
+
+std::size_t RegionClipping::clipAt(const clipping::Window& window, std::span<const Segment> lines,
+                                   const Pieces& out)
+{
+    std::size_t count = 0;
+    stopwatch_.time([&] { count = clipAll_(lines, window, out); });
+    return count;
+}
+
+void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
+                          std::vector<Clipped>& kept)
+{
+    for (; lines.size() > foldedAtOnce; first += foldedAtOnce) {
+        fold(lines.first(foldedAtOnce), first, kept);
+        lines = lines.subspan(foldedAtOnce);
+    }
+    clipAtAll(lines);
+    atStep_.resize(left_.size());
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            atStep_[i].reset();
+            if (!left_[i].empty() && left_[i].front().source == line) {
+                atStep_[i] = left_[i].front();
+                left_[i] = left_[i].subspan(1);
+            }
+        }
+        app::fold(*region_, lines[line], std::uint32_t(first + line), atStep_, kept);
+    }
+}
+
+void RegionClipping::clipAtAll(std::span<const Segment> lines)
+{
+    const auto& steps = region_->steps;
+    const Pieces room = roomIn(buffer_, steps.size() * lines.size());
+    left_.resize(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        left_[i] = room.subspan(i * lines.size(), lines.size());
+        left_[i] = left_[i].first(clipAt(steps[i].box, lines, left_[i]));
+    }
+}
+
+} // namespace app

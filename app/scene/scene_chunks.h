@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene_block.h"
+
+namespace app {
+
+/// Makes the chunks and boxes of a block that has its segments. `styles` has one style for all of
+/// its objects, or one for each.
+void makeChunks(SceneBlock& block, std::span<const StyleIndex> styles);
+
+} // namespace app

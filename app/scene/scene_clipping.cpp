@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/scene_clipping.h"
+
+#include "app/base/vector_registers.h"
+#include "app/scene/box_remains.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace app {
+namespace {
+
+using clipping::Clipped;
+
+bool isExact(ClipAll clipAll)
+{
+    static const ClipAll exact = clipping::exactAlgorithm().corrected.clipAll;
+    return clipAll == exact;
+}
+
+// Calls visit(first, end) for the lines of chunks that follow each other with Remains::Pieces, and
+// gives the number of lines of those with Remains::Whole.
+template <class Visit>
+std::size_t forEachCut(const SceneBlock& block, std::span<const Remains> remains,
+                       const Visit& visit)
+{
+    std::size_t whole = 0;
+    for (std::size_t chunk = 0; chunk < remains.size();) {
+        const Remains here = remains[chunk];
+        const std::size_t first = block.chunks[chunk].first;
+        while (chunk + 1 < remains.size() && remains[chunk + 1] == here)
+            ++chunk;
+        const std::size_t end = block.endOfChunk(chunk++);
+        if (here == Remains::Whole)
+            whole += end - first;
+        else if (here == Remains::Pieces)
+            visit(first, end);
+    }
+    return whole;
+}
+
+// Whether a piece is the line itself. Published forms may say so and not keep to it.
+bool isWhole(const Clipped& piece, const clipping::Segment& line)
+{
+    return piece.cut == 0 && std::memcmp(&piece.segment, &line, sizeof line) == 0;
+}
+
+/// The pieces of one chunk.
+struct InChunk {
+    std::size_t pieces = 0; // how many of those that follow are its own
+    std::size_t visible = 0;
+    bool whole = true; // each of its lines is there, untouched
+};
+
+InChunk inChunk(std::span<const Clipped> pieces, std::span<const clipping::Segment> lines,
+                std::size_t first)
+{
+    InChunk all;
+    for (const Clipped& piece : pieces) {
+        const std::size_t line = piece.source - first;
+        if (line >= lines.size())
+            break;
+        all.whole = all.whole && line == all.pieces && isWhole(piece, lines[line]);
+        all.visible += all.pieces == 0 || piece.source != (&piece)[-1].source;
+        ++all.pieces;
+    }
+    all.whole = all.whole && all.pieces == lines.size();
+    return all;
+}
+
+} // namespace
+
+SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll)
+{
+    region_ = &region;
+    clipAll_ = clipAll;
+    regionClipping_.start(region, clipAll);
+    stopwatch_.reset();
+    pieces_.clear();
+    visible_ = 0;
+    makeBlocks(lines);
+    emptyUpperHalves(); // a picture may have been painted before
+
+    const auto window =
+        isExact(clipAll) && region.keep == Keep::Inside ? region.single() : std::nullopt;
+    std::span<Remains> left = remains_;
+    for (Block& block : blocks_) {
+        const auto remains = left.first(block.remains.size());
+        left = left.subspan(remains.size());
+        if (window)
+            clipNearEdges(block, remains, *window);
+        else
+            clipInRegion(block, remains);
+    }
+    return {blocks_, lines.size(), visible_,
+            stopwatch_.nanoseconds() + regionClipping_.nanoseconds()};
+}
+
+void SceneClipping::makeBlocks(const SceneLines& lines)
+{
+    std::size_t chunks = 0;
+    for (const auto& block : lines.blocks())
+        chunks += block->chunks.size();
+    remains_.resize(chunks);
+    blocks_.clear();
+    std::span<const Remains> left = remains_;
+    for (std::size_t i = 0; i < lines.blocks().size(); ++i) {
+        const SceneBlock& block = *lines.blocks()[i];
+        const auto& [firstLine, firstObject, segments] = lines.runs()[i];
+        blocks_.push_back({&block, firstObject, firstLine, left.first(block.chunks.size()), {}});
+        left = left.subspan(block.chunks.size());
+    }
+}
+
+// For `exact` and what is inside one window.
+void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
+                                  const clipping::Window& window)
+{
+    const std::span lines(frame.block->segments);
+    const std::span room = pieces_.room(lines.size());
+    std::size_t count = 0, whole = 0;
+    stopwatch_.time([&] {
+        findRemains(*frame.block, *region_, remains);
+        whole = forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
+            const auto out = room.subspan(count, end - first);
+            const std::size_t pieces = clipAll_(lines.subspan(first, end - first), window, out);
+            for (Clipped& piece : out.first(first == 0 ? 0 : pieces))
+                piece.source += std::uint32_t(first);
+            count += pieces;
+        });
+    });
+    frame.pieces = pieces_.keep(count);
+    visible_ += whole + count;
+}
+
+void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
+{
+    std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
+    if (isExact(clipAll_) && !region_->everything())
+        stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
+    const std::span lines(frame.block->segments);
+    if (region_->single()) {
+        const std::span room = pieces_.room(2 * lines.size());
+        std::size_t count = 0;
+        forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
+            count +=
+                regionClipping_.clip(lines.subspan(first, end - first), first, room.subspan(count));
+        });
+        settle(frame, remains, room.first(count));
+    } else {
+        folded_.clear();
+        forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
+            regionClipping_.fold(lines.subspan(first, end - first), first, folded_);
+        });
+        const std::span room = pieces_.room(folded_.size());
+        std::ranges::copy(folded_, room.begin());
+        settle(frame, remains, room);
+    }
+}
+
+// Keeps the pieces of those chunks that are neither gone nor whole, as their lines show.
+void SceneClipping::settle(Block& frame, std::span<Remains> remains, std::span<Clipped> room)
+{
+    const std::span lines(frame.block->segments);
+    std::span pieces = room;
+    auto kept = room.begin();
+    for (std::size_t chunk = 0; chunk < remains.size(); ++chunk) {
+        const std::size_t first = frame.block->chunks[chunk].first;
+        const auto linesHere = lines.subspan(first, frame.block->endOfChunk(chunk) - first);
+        if (remains[chunk] == Remains::Whole)
+            visible_ += linesHere.size();
+        if (remains[chunk] != Remains::Pieces)
+            continue;
+        const InChunk here = inChunk(pieces, linesHere, first);
+        visible_ += here.visible;
+        if (here.pieces == 0)
+            remains[chunk] = Remains::Gone;
+        else if (here.whole)
+            remains[chunk] = Remains::Whole;
+        else if (kept == pieces.begin())
+            kept += std::ptrdiff_t(here.pieces);
+        else
+            kept = std::copy_n(pieces.begin(), here.pieces, kept);
+        pieces = pieces.subspan(here.pieces);
+    }
+    frame.pieces = pieces_.keep(std::size_t(kept - room.begin()));
+}
+
+} // namespace app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/clipboard.h"
+
+#include "app/formats/format.h"
+
+#include <QBuffer>
+
+namespace app {
+namespace {
+
+const QString svgType = QStringLiteral("image/svg+xml");
+
+// An object of the drawing it comes from, in the units of another page.
+Object scaled(Object object, double factor)
+{
+    const Placement where{Point(factor)};
+    object.path = object.path.placed(where);
+    object.particulars.recipe = placed(object.particulars.recipe, where);
+    object.style.width *= factor;
+    object.style.dashOffset *= factor;
+    for (double& dash : object.style.dashes)
+        dash *= factor;
+    return object;
+}
+
+// The document with those objects alone, in the containers that they are in.
+Document only(Document document, const ObjectRanges& objects)
+{
+    const ObjectRanges others =
+        without(ObjectRanges(ObjectRange{0, document.objects().size()}), objects);
+    Edit edit;
+    for (const ObjectRange& range : others.ranges())
+        edit.splices.push_back({std::uint32_t(range.first), std::uint32_t(range.size()), 0});
+    edit.containers = document.containers().spliced(edit.splices);
+    document.apply(edit);
+    return document;
+}
+
+} // namespace
+
+std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects)
+{
+    QBuffer svg;
+    svg.open(QIODevice::WriteOnly);
+    auto data = std::make_unique<QMimeData>();
+    if (formats().front().write(only(document, objects), svg, {}))
+        return data;
+    data->setData(svgType, svg.data());
+    data->setText(QString::fromUtf8(svg.data()));
+    return data;
+}
+
+Objects pasted(const QMimeData& data, const Page& page)
+{
+    QByteArray bytes = data.hasFormat(svgType) ? data.data(svgType) : data.text().toUtf8();
+    if (!bytes.contains("<svg"))
+        return {};
+    QBuffer svg(&bytes);
+    svg.open(QIODevice::ReadOnly);
+    const auto read = formats().front().read(svg);
+    if (!read)
+        return {};
+    const Document& document = read.value->document;
+    const double factor = document.page().millimetresPerUnit() / page.millimetresPerUnit();
+    Objects objects;
+    document.objects().forEach(
+        0, document.objects().size(), [&](std::size_t, const ObjectView& object) {
+            Object copy = factor == 1 ? object.copy() : scaled(object.copy(), factor);
+            copy.particulars.id.clear();
+            objects.append(copy);
+        });
+    return objects;
+}
+
+} // namespace app

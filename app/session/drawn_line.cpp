@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/drawn_line.h"
+
+#include "app/session/inspection.h"
+#include "app/session/specimen.h"
+
+#include <QScopedValueRollback>
+
+namespace app {
+
+namespace {
+
+/// Only the line may be another one: the rest is ours.
+bool sameButLine(Specimen one, const Specimen& other)
+{
+    one.line = other.line;
+    return one == other;
+}
+
+} // namespace
+
+DrawnLine::DrawnLine(Session& session, QObject* parent) : QObject(parent), session_(session)
+{
+    connect(&session.microscope, &Microscope::specimenChanged, this, &DrawnLine::notice);
+    connect(&session.microscope, &Microscope::openChanged, this, &DrawnLine::adopt);
+    connect(&session, &Session::displayChanged, this, &DrawnLine::followDisplay);
+    connect(&session, &Session::previewChanged, this, &DrawnLine::followDrawing);
+    connect(&session.scene, &Scene::outdated, this, &DrawnLine::followDrawing);
+    connect(&session, &Session::inspectedChanged, this, &DrawnLine::followInspected);
+}
+
+void DrawnLine::look()
+{
+    if (const auto line = firstLine(session_)) {
+        const bool ownChoice = !session_.inspected();
+        look(*line);
+        if (ownChoice)
+            lent_ = line;
+        return;
+    }
+    line_.reset();
+    own_ = false;
+    display_ = session_.variant();
+    show(firstSpecimen(session_));
+}
+
+void DrawnLine::look(std::size_t segment) { show(segment, explaining(session_, segment)); }
+
+void DrawnLine::show(std::size_t segment, const Variant& variant)
+{
+    lent_.reset();
+    line_ = segment;
+    own_ = false;
+    display_ = session_.variant();
+    Specimen specimen = specimenOf(session_, segment);
+    specimen.variant = variant;
+    show(specimen);
+    session_.inspect(segment);
+}
+
+void DrawnLine::go(std::ptrdiff_t lines)
+{
+    const auto count = std::ptrdiff_t(session_.scene.lines().size());
+    if (count == 0)
+        return;
+    const auto now = line_ ? std::ptrdiff_t(*line_) : lines > 0 ? -1 : count;
+    show(std::size_t(((now + lines) % count + count) % count),
+         session_.microscope.specimen().variant);
+}
+
+void DrawnLine::choose(const Variant& variant)
+{
+    Specimen specimen = session_.microscope.specimen();
+    specimen.variant = variant;
+    if (!attached_ || variant.exhibit)
+        return session_.microscope.setSpecimen(specimen);
+    show(specimen);
+    Display display = session_.display();
+    display.variant = {variant.algorithm, variant.form};
+    session_.setDisplay(display);
+}
+
+void DrawnLine::back()
+{
+    const auto line = drawn();
+    if (!line)
+        return;
+    own_ = false;
+    Specimen specimen = specimenOf(session_, *line_);
+    specimen.variant = session_.microscope.specimen().variant;
+    show(specimen);
+}
+
+bool DrawnLine::changed() const { return attached_ && own_ && line_; }
+
+std::optional<clipping::Segment> DrawnLine::drawn() const
+{
+    const SceneLines& lines = session_.scene.lines();
+    return line_ && *line_ < lines.size() ? std::optional(lines[*line_]) : std::nullopt;
+}
+
+void DrawnLine::show(const Specimen& specimen)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    ours_ = specimen;
+    attached_ = true;
+    if (session_.microscope.isOpen())
+        session_.microscope.setSpecimen(specimen);
+    else
+        session_.microscope.open(specimen);
+    emit refreshed();
+}
+
+void DrawnLine::adopt()
+{
+    if (const auto lent = std::exchange(lent_, std::nullopt);
+        lent && !session_.microscope.isOpen() && session_.inspected() == lent)
+        return session_.inspect(std::nullopt);
+    const auto inspected = session_.inspected();
+    if (showing_ || !session_.microscope.isOpen() || !inspected)
+        return;
+    const Specimen& now = session_.microscope.specimen();
+    Specimen inspectedOne = specimenOf(session_, *inspected);
+    inspectedOne.variant = now.variant;
+    if (now == inspectedOne)
+        show(*inspected, now.variant);
+}
+
+/// The microscope was given another line: the user chose one, or a lesson shows its own.
+void DrawnLine::notice()
+{
+    if (showing_)
+        return;
+    const Specimen& now = session_.microscope.specimen();
+    attached_ = attached_ && sameButLine(now, ours_);
+    own_ = attached_ && now.line != drawn();
+    emit refreshed();
+}
+
+void DrawnLine::followDisplay()
+{
+    const Variant now = session_.variant();
+    if (now == std::exchange(display_, now) || !attached_ || !session_.microscope.isOpen())
+        return;
+    Specimen specimen = session_.microscope.specimen();
+    specimen.variant = now;
+    show(specimen);
+}
+
+void DrawnLine::followDrawing()
+{
+    if (!attached_ || !session_.microscope.isOpen())
+        return;
+    Specimen specimen = session_.microscope.specimen();
+    specimen.window = session_.window();
+    if (const auto line = drawn()) {
+        specimen.origin = specimenOf(session_, *line_).origin;
+        if (!own_)
+            specimen.line = *line;
+    } else {
+        line_.reset();
+    }
+    show(specimen);
+}
+
+void DrawnLine::followInspected()
+{
+    const auto inspected = session_.inspected();
+    if (showing_ || !attached_ || !session_.microscope.isOpen() || !inspected || inspected == line_)
+        return;
+    show(*inspected, session_.microscope.specimen().variant);
+}
+
+} // namespace app

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/inspection.h"
+
+#include "app/base/numbers.h"
+#include "app/comparison/outcode_text.h"
+#include "app/teaching/value_unit.h"
+#include "app/view/place.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+using clipping::What;
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("inspection", text); }
+
+QLatin1StringView latin(std::string_view text)
+{
+    return QLatin1StringView(text.data(), qsizetype(text.size()));
+}
+
+/// The edge as it appears on the screen.
+QString edgeName(Edge edge)
+{
+    switch (edge) {
+    case Edge::Left:
+        return tr("left edge");
+    case Edge::Right:
+        return tr("right edge");
+    case Edge::Bottom:
+        return tr("top edge");
+    case Edge::Top:
+        return tr("bottom edge");
+    default:
+        return {};
+    }
+}
+
+/// How values are said: in which unit, and as the values of whom.
+struct Measure {
+    Variant variant;
+    Unit unit;
+    double millimetresPerUnit;
+    Point origin; ///< from which places are counted
+
+    bool isFromZero() const { return origin == Point(0); }
+    double inUnit(double length) const { return app::inUnit(length, unit, millimetresPerUnit); }
+    QString point(const Point& p) const
+    {
+        const auto number = [&](double v) { return lengthNumber(v, unit, millimetresPerUnit, 1); };
+        return QStringLiteral("(%1; %2)").arg(number(p.x - origin.x), number(p.y - origin.y));
+    }
+};
+
+/// Six digits say enough here; the last of seventeen would hide the first.
+QString shortNumber(double number)
+{
+    QString text = QLocale().toString(number, 'g', 6);
+    return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
+}
+
+/// A number in the unit of the inspection; nothing: it means nothing there.
+std::optional<double> shownNumber(const clipping::NamedValue& value, const Measure& measure)
+{
+    if (value.kind != clipping::ValueKind::Number)
+        return value.value;
+    const double number = value.value;
+    switch (unitOfValue(measure.variant, value.name).value_or(ValueUnit::Bare)) {
+    case ValueUnit::Length:
+        return measure.inUnit(number);
+    case ValueUnit::Area:
+        return measure.inUnit(measure.inUnit(number));
+    case ValueUnit::X:
+        return measure.inUnit(number - measure.origin.x);
+    case ValueUnit::Y:
+        return measure.inUnit(number - measure.origin.y);
+    case ValueUnit::FixedLength:
+        return measure.isFromZero() ? std::optional(measure.inUnit(number)) : std::nullopt;
+    case ValueUnit::FixedArea:
+        return measure.isFromZero() ? std::optional(measure.inUnit(measure.inUnit(number)))
+                                    : std::nullopt;
+    case ValueUnit::Turned:
+        return std::nullopt;
+    default:
+        return number;
+    }
+}
+
+/// "D = 100"; empty: its number means nothing in this unit.
+QString valueText(const clipping::NamedValue& value, const Measure& measure)
+{
+    const auto number = shownNumber(value, measure);
+    if (!number)
+        return {};
+    return latin(value.name) + QStringLiteral(" = ")
+           + (value.kind == clipping::ValueKind::Bits ? outcodeText(unsigned(*number))
+                                                      : shortNumber(*number));
+}
+
+/// A step in one word: the variable that it sets, or else its kind.
+std::string_view wordOf(const clipping::Step& step)
+{
+    static constexpr std::array words{
+        std::pair{What::Test, "test"},     std::pair{What::Let, "set"},
+        std::pair{What::Cut, "cut"},       std::pair{What::Accept, "accept"},
+        std::pair{What::Reject, "reject"}, std::pair{What::GiveUp, "give up"}};
+    if (!step.name.empty())
+        return step.name;
+    return std::ranges::find(words, step.what, &std::pair<What, const char*>::first)->second;
+}
+
+QString stepText(const clipping::Step& step, const Measure& measure)
+{
+    QString text = latin(wordOf(step));
+    if (const QString edge = edgeName(step.edge); !edge.isEmpty())
+        text += QStringLiteral(", ") + edge;
+    QStringList values;
+    for (const auto& value : step.values)
+        if (const QString said = valueText(value, measure); !said.isEmpty())
+            values << said;
+    if (!values.isEmpty())
+        text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
+    if (step.what == What::Reject || step.what == What::GiveUp)
+        return tr("%1\n     leaves nothing").arg(text);
+    return tr("%1\n     leaves %2 to %3")
+        .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
+}
+
+QString endText(const Inspection& line, const Measure& measure)
+{
+    switch (line.trace.outcome) {
+    case clipping::Outcome::DidNotEnd:
+        return tr("It did not end and was stopped: nothing visible");
+    case clipping::Outcome::Invisible:
+        return tr("Nothing is visible");
+    case clipping::Outcome::Visible:
+        break;
+    }
+    return tr("Visible: %1 to %2")
+        .arg(measure.point(line.trace.visible.a), measure.point(line.trace.visible.b));
+}
+
+} // namespace
+
+QString Region::outcode() const
+{
+    using namespace clipping::outcode;
+    return outcodeText((row > 0 ? top : 0) | (row < 0 ? bottom : 0) | (column > 0 ? right : 0)
+                       | (column < 0 ? left : 0));
+}
+
+QString Region::words() const
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{"above left", "above", "above right"},
+         {"left", "inside", "right"},
+         {"below left", "below", "below right"}}};
+    return tr(names[row + 1][column + 1]);
+}
+
+Region regionOf(const Point& point, const clipping::Window& window)
+{
+    const auto side = [](double x, double low, double high) {
+        return x < low ? -1 : x > high ? 1 : 0;
+    };
+    return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
+}
+
+Variant explaining(const Session& session, std::size_t segment)
+{
+    const auto& asked = session.differences.asked();
+    const auto& list = session.differences.found().list;
+    const auto found = std::ranges::lower_bound(list, segment, {}, &Difference::source);
+    if (!asked || found == list.end() || found->source != segment)
+        return session.variant();
+    return asked->a == exactVariant() ? asked->b : asked->a;
+}
+
+Inspection inspect(const Session& session, std::size_t segment)
+{
+    const clipping::Window window = session.window();
+    Inspection line{.variant = explaining(session, segment),
+                    .number = segment,
+                    .object = session.scene.lines().objectOf(segment),
+                    .segment = session.scene.lines()[segment]};
+    line.from = regionOf(line.segment.a, window);
+    line.to = regionOf(line.segment.b, window);
+    line.visible = clipped(line.variant, line.segment, window);
+    line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
+    if (!line.variant.exhibit) {
+        const auto& uses = *clipping::usesOf(*line.variant.algorithm, line.variant.form);
+        line.cost = uses.count({&line.segment, 1}, window);
+        line.trace = uses.trace(line.segment, window);
+    }
+    if (line.visible) {
+        const double whole = glm::distance(line.segment.a, line.segment.b);
+        line.share = whole > 0 ? glm::distance(line.visible->a, line.visible->b) / whole : 1;
+    }
+    return line;
+}
+
+QString verdictText(const Inspection& line)
+{
+    const QString name = nameOf(line.variant);
+    return line.visible ? tr("%1: visible, %2").arg(name, percentText(line.share))
+                        : tr("%1: nothing visible").arg(name);
+}
+
+QString costText(const clipping::OperationCounts& cost)
+{
+    QStringList parts;
+    const auto add = [&](std::uint64_t count, const char* what) {
+        if (count > 0)
+            parts << tr(what).arg(countText(count));
+    };
+    add(cost.comparisons, "%1 compare");
+    add(cost.additions, "%1 add");
+    add(cost.multiplications, "%1 multiply");
+    add(cost.divisions, "%1 divide");
+    add(cost.negations, "%1 negate");
+    return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
+}
+
+QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
+{
+    if (const Exhibit* exhibit = line.variant.exhibit)
+        return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
+    const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
+    QStringList texts;
+    for (const clipping::Step& step : line.trace.steps)
+        if (step.what != What::Test) // the microscope shows tests
+            texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
+    return texts << endText(line, measure);
+}
+
+} // namespace app

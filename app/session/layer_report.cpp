@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/layer_report.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr std::size_t mostStyles = 8192; // looked at: some 30 µs
+
+// One if all objects of the block have the same.
+std::span<const StyleIndex> stylesIn(const ObjectBlock& block, std::size_t first, std::size_t end)
+{
+    const std::span<const StyleIndex> styles(block.styles);
+    return styles.size() == 1 ? styles : styles.subspan(first, end - first);
+}
+
+} // namespace
+
+std::size_t linesOf(const Session& session, ContainerId container)
+{
+    const ObjectRange range = session.now().containers().rangeOf(container);
+    const SceneLines& lines = session.scene.lines();
+    return range.empty() ? 0 : lines.firstLineOf(range.end) - lines.firstLineOf(range.first);
+}
+
+std::optional<Colour> inkOf(const Document& document, ContainerId container)
+{
+    const Objects& objects = document.objects();
+    const ObjectRange range = document.containers().rangeOf(container);
+    std::size_t looked = 0;
+    for (std::size_t i = range.first; i < range.end && looked < mostStyles;) {
+        const std::size_t at = objects.blockOf(i), first = objects.firstOf(at);
+        const ObjectBlock& block = *objects.blocks()[at];
+        const std::size_t end = std::min(range.end - first, block.size());
+        for (const StyleIndex index : stylesIn(block, i - first, end)) {
+            const Style& style = document.styles()[index];
+            if (style.stroke || style.fill)
+                return style.stroke ? style.stroke : style.fill;
+            ++looked;
+        }
+        i = first + end;
+    }
+    return std::nullopt;
+}
+
+} // namespace app

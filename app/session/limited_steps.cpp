@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/limited_steps.h"
+
+#include "app/base/numbers.h"
+#include "app/commands/set_containers.h"
+#include "app/commands/set_window.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+static QString tr(const char* text) { return QCoreApplication::translate("LimitedSteps", text); }
+
+void placeClipWindow(Session& session, const clipping::Window& window)
+{
+    const ClipWindows& windows = session.now().windows();
+    if (windows.list.size() < ClipWindows::most || firstWindow(windows))
+        session.history.push(new SetWindow(session.document, window));
+    else
+        emit session.refused(
+            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
+               "ones included, and cannot take more. Copy its objects to a new "
+               "drawing and draw the window there.")
+                .arg(countText(ClipWindows::most)));
+}
+
+/// More layers than a file keeps apart would be one layer when it is opened again.
+static bool hasRoomForALayer(const Containers& containers)
+{
+    const auto isLayer = [&](ContainerId id) {
+        return containers[id].kind == Container::Kind::Layer;
+    };
+    return std::size_t(std::ranges::count_if(containers.inOrder(), isLayer))
+           < Containers::mostLayers;
+}
+
+bool addLayer(Session& session, const QString& name)
+{
+    const Containers& containers = session.now().containers();
+    if (!hasRoomForALayer(containers)) {
+        emit session.refused(tr("No layer was added. This drawing has %1 layers, and a file cannot "
+                                "keep more apart. Delete a layer first.")
+                                 .arg(countText(Containers::mostLayers)));
+        return false;
+    }
+    const std::size_t top = containers.objects();
+    auto more = containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top});
+    if (more)
+        session.history.push(
+            new SetContainers(session.document, std::move(*more), tr("Add layer")));
+    else
+        emit session.refused(tr("No layer was added. This drawing has %1 layers and groups, and "
+                                "cannot take more. Delete a layer first.")
+                                 .arg(countText(Containers::mostContainers)));
+    return more.has_value();
+}
+
+} // namespace app

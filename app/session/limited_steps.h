@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/session.h"
+
+// Steps to undo for which a document may have no room. Then nothing changes, and the session says
+// why (`Session::refused`).
+
+namespace app {
+
+/// Moves or resizes the clip window that tools move; draws one if there is none.
+void placeClipWindow(Session& session, const clipping::Window& window);
+
+/// Adds an empty layer above all others; whether there was room.
+bool addLayer(Session& session, const QString& name);
+
+} // namespace app

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/live_race.h"
+
+#include "app/experiment/ranking.h"
+#include "app/view/frame_statistics.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr int tenthOfASecond = 100;
+constexpr double sliceMilliseconds = 5;
+constexpr qint64 longEnough = 10'000; // milliseconds, of a big drawing, whose rounds take long
+
+} // namespace
+
+LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), session_(session)
+{
+    for (QTimer* timer : {&next_, &show_}) {
+        timer->setSingleShot(true);
+        timer->setInterval(tenthOfASecond);
+    }
+    connect(&work_, &QTimer::timeout, this, &LiveRace::work); // whenever nothing else is to be done
+    connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
+    connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
+    connect(&session, &Session::previewChanged, this, &LiveRace::followWindow);
+    connect(&session.document, &EditedDocument::changed, this, &LiveRace::follow);
+}
+
+void LiveRace::setVariants(std::vector<Variant> variants)
+{
+    variants_ = std::move(variants);
+    if (running()) {
+        stop();
+        start();
+    }
+}
+
+void LiveRace::start()
+{
+    if (running())
+        return;
+    race_.emplace(variants_);
+    sinceFindings_.invalidate();
+    begin();
+}
+
+void LiveRace::stop()
+{
+    race_.reset();
+    for (QTimer* timer : {&work_, &next_, &show_})
+        timer->stop();
+}
+
+// Requests to paint are posted, and a timer waits for all that is posted: the frame comes first.
+void LiveRace::followWindow()
+{
+    if (running() && !race_->running() && !isOnWhatIsShown())
+        next_.start(0);
+}
+
+std::span<const RaceRow> LiveRace::rows() const
+{
+    if (!running() || race_->rows().empty() || race_->rows().front().milliseconds.empty())
+        return {};
+    return race_->rows();
+}
+
+std::size_t LiveRace::lines() const { return running() ? race_->frame().lines.size() : 0; }
+
+bool LiveRace::upToDate() const
+{
+    return running() && !race_->running() && race_->rounds() > 0 && isOnWhatIsShown();
+}
+
+// The scene hears of it first: its lines are the new ones already.
+void LiveRace::follow(const DocumentChange& change)
+{
+    if (!change.drawing() || !running() || isOnWhatIsShown())
+        return;
+    race_->drop();
+    work_.stop();
+    next_.start(tenthOfASecond);
+}
+
+bool LiveRace::isOnWhatIsShown() const
+{
+    return race_->frame().is(session_.scene.lines(), session_.window());
+}
+
+void LiveRace::begin()
+{
+    next_.stop();
+    sinceBegin_.start();
+    const bool same = isOnWhatIsShown() && race_->rounds() > 0;
+    if (!same)
+        sinceNew_.start();
+    const bool quick =
+        !same && sinceFindings_.isValid() && sinceFindings_.elapsed() < tenthOfASecond;
+    if (!quick)
+        sinceFindings_.start();
+    race_->begin({session_.scene.lines(), session_.window()},
+                 quick ? Race::Purpose::Times : Race::Purpose::Findings);
+    settled_ = false;
+    work_.start(0);
+}
+
+void LiveRace::work()
+{
+    QElapsedTimer clock;
+    clock.start();
+    do
+        if (race_->step())
+            return roundOver();
+    while (double(clock.nsecsElapsed()) * 1e-6 < sliceMilliseconds);
+}
+
+void LiveRace::roundOver()
+{
+    work_.stop();
+    if (!show_.isActive())
+        show_.start();
+    if (!isOnWhatIsShown())
+        return begin();
+    settled_ = enough();
+    if (!settled_)
+        next_.start(int(std::max<qint64>(0, tenthOfASecond - sinceBegin_.elapsed())));
+}
+
+bool LiveRace::enough() const
+{
+    const std::size_t rounds = race_->rounds();
+    return rounds >= Race::length
+           || (rounds >= leastRounds(variants_.size()) && sinceNew_.elapsed() >= longEnough)
+           || (rounds >= 2 && lines() < leastLinesToTime);
+}
+
+} // namespace app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/recent_files.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr qsizetype longestPath = 4096; // characters
+const QString key = QStringLiteral("recent");
+
+/// One text a file, so that the settings stay a file that people can read.
+QString written(const RecentFile& file)
+{
+    return QStringLiteral("%1 %2 %3")
+        .arg(file.when.toUTC().toString(Qt::ISODate))
+        .arg(file.lines)
+        .arg(file.path);
+}
+
+std::optional<RecentFile> read(const QString& text)
+{
+    const QString path = text.section(u' ', 2);
+    // The settings are a file that anything may have written.
+    const bool garbled =
+        std::ranges::any_of(path, [](QChar c) { return c.category() == QChar::Other_Control; });
+    if (path.size() > longestPath || garbled || !QFileInfo(path).isAbsolute())
+        return std::nullopt;
+    return RecentFile{path, std::size_t(text.section(u' ', 1, 1).toULongLong()),
+                      QDateTime::fromString(text.section(u' ', 0, 0), Qt::ISODate)};
+}
+
+} // namespace
+
+bool RecentFile::missing() const { return !QFileInfo::exists(path); }
+
+std::vector<RecentFile> recentFiles(const QSettings& settings)
+{
+    std::vector<RecentFile> files;
+    for (const QString& text : settings.value(key).toStringList())
+        if (auto file = read(text); file && files.size() < mostRecentFiles)
+            files.push_back(*file);
+    return files;
+}
+
+void remember(QSettings& settings, const RecentFile& file)
+{
+    auto files = recentFiles(settings);
+    std::erase_if(files, [&](const RecentFile& other) { return other.path == file.path; });
+    files.insert(files.begin(), file);
+    files.resize(std::min(files.size(), mostRecentFiles));
+    QStringList texts;
+    for (const RecentFile& each : files)
+        texts << written(each);
+    settings.setValue(key, texts);
+}
+
+void forgetRecentFiles(QSettings& settings) { settings.remove(key); }
+
+QString dayText(const QDate& day, const QDate& today)
+{
+    if (day == today)
+        return QCoreApplication::translate("recent", "today");
+    if (day.addDays(1) == today)
+        return QCoreApplication::translate("recent", "yesterday");
+    const bool thisYear = day.year() == today.year();
+    return QLocale().toString(day,
+                              thisYear ? QStringLiteral("d MMM") : QStringLiteral("d MMM yyyy"));
+}
+
+} // namespace app

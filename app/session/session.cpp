@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/session.h"
+
+#include "app/base/unfinished.h"
+#include "app/base/usual_algorithm.h"
+#include "app/document/followed_ranges.h"
+#include "app/scene/bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+Session::Session(QObject* parent) : QObject(parent)
+{
+    display_.variant.algorithm = &usualAlgorithm();
+    pen.layer = now().containers().childrenOf(0).back();
+    connect(&document, &EditedDocument::changed, this, &Session::say);
+    connect(&scene, &Scene::outdated, this, [this] {
+        if (inspected_ && *inspected_ >= scene.lines().size())
+            inspect(std::nullopt);
+    });
+    connect(this, &Session::previewChanged, this, [this] {
+        differences.setWindow(window());
+        truth.setWindow(window());
+    });
+}
+
+void Session::updateWindows()
+{
+    windows_ = preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
+    region_ = regionOf(windows_);
+}
+
+ComparedWindow Session::compared() const
+{
+    const auto window = clipWindow();
+    return {window.value_or(now().page().rectangle()), !window};
+}
+
+void Session::setDisplay(const Display& display)
+{
+    if (display == display_)
+        return;
+    display_ = display;
+    emit displayChanged();
+}
+
+const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
+{
+    const Variant used = variant();
+    return *clipping::usesOf(*used.algorithm, used.form);
+}
+
+void Session::select(ObjectRanges objects)
+{
+    if (objects == selection_)
+        return;
+    selection_ = std::move(objects);
+    selectionBounds_.reset();
+    emit selectionChanged();
+}
+
+const std::optional<clipping::Window>& Session::selectionBounds() const
+{
+    if (!selectionBounds_)
+        selectionBounds_.emplace(boundsOf(scene.lines(), selection_));
+    return *selectionBounds_;
+}
+
+void Session::inspect(std::optional<std::size_t> segment)
+{
+    if (segment == inspected_)
+        return;
+    inspected_ = segment;
+    emit inspectedChanged();
+}
+
+void Session::setPreview(const Preview& preview)
+{
+    if (preview == preview_)
+        return;
+    const bool sameWindow = preview.window == preview_.window;
+    preview_ = preview;
+    if (!sameWindow)
+        updateWindows();
+    emit previewChanged();
+}
+
+void Session::load(Imported imported, const QString& path)
+{
+    losses_ = std::move(imported.report);
+    path_ = path;
+    history.clear();
+    document.load(std::move(imported.document));
+    Display display = display_;
+    display.unit = now().page().usualUnit();
+    setDisplay(display);
+    emit fileChanged();
+    emit loaded();
+}
+
+bool Session::mustSaveAs() const
+{
+    return path_.isEmpty()
+           || std::ranges::any_of(losses_, [](const Loss& loss) { return !loss.remark; });
+}
+
+std::optional<QString> Session::save(const QString& path)
+{
+    {
+        const Unfinished guard(path);
+        if (auto error = writeFile(now(), path))
+            return error;
+    }
+    path_ = path;
+    losses_.clear();
+    history.setClean();
+    emit fileChanged();
+    return std::nullopt;
+}
+
+// What is not emitted here is said after the scene has followed.
+void Session::follow(const DocumentChange& change)
+{
+    const Containers& containers = now().containers();
+    if (change.everything || !containers.contains(pen.layer))
+        pen.layer = containers.childrenOf(0).back();
+    if (change.everything)
+        preview_ = {};
+    if (change.windows)
+        updateWindows();
+    ObjectRanges selected =
+        change.everything ? ObjectRanges() : followed(selection_, change.splices);
+    if (change.containers) // by undo, too: what is hidden or locked now cannot be edited
+        selected = without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
+    selectionFollowed_ = selectionFollowed_ || selected != selection_;
+    selection_ = std::move(selected);
+    if (change.drawing())
+        selectionBounds_.reset();
+}
+
+void Session::say(const DocumentChange& change)
+{
+    if (std::exchange(selectionFollowed_, false))
+        emit selectionChanged();
+    if (change.drawing())
+        inspect(std::nullopt);
+    if (change.windows || change.page) // without a clip window the page is compared
+        emit previewChanged();
+}
+
+} // namespace app

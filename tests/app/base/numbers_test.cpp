@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
+
+#include <QLocale>
+#include <QTest>
+
+class NumbersTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
+
+    void groupsAndMinus()
+    {
+        QCOMPARE(app::numberText(1234567.891, 2), "1,234,567.89");
+        QCOMPARE(app::numberText(-3, 2), QStringLiteral("−3.00"));
+        QCOMPARE(app::numberText(-0.001, 2), "0.00");
+        QCOMPARE(app::countText(49696), "49,696");
+    }
+    void followsTheLocale()
+    {
+        QLocale::setDefault(QLocale(QLocale::German));
+        QCOMPARE(app::numberText(1234.5, 2), "1.234,50");
+        QLocale::setDefault(QLocale(QLocale::English));
+    }
+    void lengths()
+    {
+        QCOMPARE(app::lengthText(210, app::Unit::Mm, 1), QStringLiteral("210.00\u00a0mm"));
+        QCOMPARE(app::lengthText(96, app::Unit::Inch, 25.4 / 96), QStringLiteral("1.000\u00a0in"));
+        QCOMPARE(app::lengthNumber(1, app::Unit::Mm, 1, 1), "1.000");
+        QCOMPARE(app::sizeText({210, 168}, app::Unit::Mm, 1),
+                 QStringLiteral("210.00 × 168.00\u00a0mm"));
+    }
+    void thereAndBack()
+    {
+        for (const auto& unit : app::units())
+            if (unit.unit != app::Unit::Percent)
+                QCOMPARE(app::fromUnit(app::inUnit(12.5, unit.unit, 0.3), unit.unit, 0.3), 12.5);
+    }
+    void pixelsAreExactWhereAUnitIsOne()
+    {
+        for (int size = 1; size <= 5000; ++size) {
+            QCOMPARE(app::fromUnit(size, app::Unit::Px, 25.4 / 96), double(size));
+            QCOMPARE(app::inUnit(size, app::Unit::Px, 25.4 / 96), double(size));
+        }
+    }
+    void times()
+    {
+        QCOMPARE(app::millisecondsText(0.004), "< 0.01 ms");
+        QCOMPARE(app::millisecondsText(0.417), "0.42 ms");
+        QCOMPARE(app::millisecondsText(12.34), "12.3 ms");
+        QCOMPARE(app::millisecondsText(1234.4), "1,234 ms");
+    }
+};
+
+QTEST_APPLESS_MAIN(NumbersTest)
+#include "numbers_test.moc"

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/usual_algorithm.h"
+#include "app/commands/move_objects.h"
+#include "app/commands/remove_objects.h"
+#include "app/commands/set_window.h"
+#include "app/formats/format.h"
+#include "app/session/drawn_line.h"
+
+#include <QTest>
+
+#include "tests/app/document/sheet.h"
+
+namespace {
+
+constexpr clipping::Window window{{0, 0}, {10, 10}};
+
+app::Sheet sheetOf(const std::vector<clipping::Segment>& lines)
+{
+    app::Sheet sheet;
+    sheet.window = window;
+    for (const auto& line : lines) {
+        app::Shape shape;
+        shape.paths.push_back({line.a, {{line.b}}});
+        sheet.shapes.push_back(shape);
+    }
+    return sheet;
+}
+
+const clipping::Segment inside{{1, 1}, {2, 2}}, across{{-5, 5}, {15, 6}}, half{{5, 5}, {15, 5}};
+
+} // namespace
+
+class DrawnLineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itLooksAtALineThatIsCut()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({inside, half, across})), {}});
+        drawn.look();
+        QVERIFY(session.microscope.isOpen());
+        QCOMPARE(drawn.line(), std::size_t(2));
+        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.inspected(), std::size_t(2));
+        session.microscope.close();
+        session.inspect(0);
+        drawn.look();
+        QCOMPARE(session.microscope.specimen().line, inside);
+    }
+    void itPassesOverLockedLayers()
+    {
+        app::Sheet sheet = sheetOf({across, inside, half});
+        sheet.layers = {{QStringLiteral("Grid"), true, true}, {QStringLiteral("Lines")}};
+        for (const std::size_t shape : {1, 2})
+            sheet.shapes[shape].layer = 1;
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheet), {}});
+        drawn.look();
+        QCOMPARE(session.microscope.specimen().line, half);
+        session.microscope.close();
+        sheet.layers[1].locked = true; // all are
+        session.load({app::documentOf(sheet), {}});
+        drawn.look();
+        QCOMPARE(session.microscope.specimen().line, across);
+    }
+    void ofTheNineRegionsItIsNoLineOfTheGrid()
+    {
+        const auto read =
+            app::readFile(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
+        QVERIFY2(read.value.has_value(), qPrintable(read.error));
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load(*read.value);
+        drawn.look();
+        const auto& [a, b] = session.microscope.specimen().line;
+        QVERIFY(a.x != b.x && a.y != b.y);
+        const auto piece = session.microscope.walk().visible;
+        QVERIFY(piece && piece->a != a && piece->b != b); // cut at both ends
+    }
+    void anEmptyDrawingHasALineToo()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({})), {}});
+        drawn.look();
+        QVERIFY(session.microscope.isOpen());
+        QVERIFY(!drawn.line());
+        QVERIFY(session.microscope.walk().visible);
+        drawn.go(1); // nowhere to go
+        QVERIFY(!drawn.line());
+    }
+    void itFollowsTheDrawing()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across, half})), {}});
+        drawn.look(0);
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
+        QCOMPARE(session.microscope.specimen().window, (clipping::Window{{0, 0}, {8, 8}}));
+        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
+        QCOMPARE(session.microscope.specimen().line, (clipping::Segment{{-4, 5}, {16, 6}}));
+        session.history.undo();
+        QCOMPARE(session.microscope.specimen().line, across);
+        app::Display display = session.display();
+        display.variant.algorithm = clipping::findAlgorithm("skala");
+        session.setDisplay(display);
+        QCOMPARE(session.microscope.specimen().variant.algorithm, display.variant.algorithm);
+        session.inspect(1);
+        QCOMPARE(session.microscope.specimen().line, half);
+    }
+    void whatIsChangedByHandStays()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across, half})), {}});
+        const app::Document before = session.now();
+        drawn.look(0);
+        app::Specimen specimen = session.microscope.specimen();
+        specimen.line.a = {-7, 3};
+        session.microscope.setSpecimen(specimen);
+        QVERIFY(drawn.changed());
+        QVERIFY(session.now() == before);
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
+        QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
+        QCOMPARE(session.microscope.specimen().window.max, app::Point(8, 8));
+        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
+        QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
+        drawn.back();
+        QVERIFY(!drawn.changed());
+        QCOMPARE(session.microscope.specimen().line, (clipping::Segment{{-4, 5}, {16, 6}}));
+    }
+    void aLineThatGoesStaysUnderTheMicroscope()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across})), {}});
+        drawn.look(0);
+        session.history.push(new app::RemoveObjects(session.document, {0}));
+        QCOMPARE(session.microscope.specimen().line, across);
+        QVERIFY(!drawn.line());
+        drawn.back(); // nowhere
+        QCOMPARE(session.microscope.specimen().line, across);
+    }
+    void aLessonsSpecimenIsLeftAlone()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across, half})), {}});
+        drawn.look(0);
+        const app::Specimen lesson{.variant = {clipping::findAlgorithm("cs")},
+                                   .line = {{0, 0}, {3, 3}},
+                                   .window = {{1, 1}, {2, 2}},
+                                   .y = app::YAxis::Up};
+        session.microscope.setSpecimen(lesson);
+        QVERIFY(!drawn.line());
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
+        session.inspect(1);
+        app::Display display = session.display();
+        display.variant.algorithm = clipping::findAlgorithm("skala");
+        session.setDisplay(display);
+        QCOMPARE(session.microscope.specimen(), lesson);
+        drawn.choose({clipping::findAlgorithm("lb")});
+        QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("skala"));
+        QCOMPARE(session.microscope.specimen().variant.algorithm, clipping::findAlgorithm("lb"));
+    }
+    void choosingClipsTheDrawingToo()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across})), {}});
+        drawn.look(0);
+        drawn.choose({clipping::findAlgorithm("cs"), clipping::Form::Published});
+        QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("cs"));
+        QCOMPARE(session.display().variant.form, clipping::Form::Published);
+        QCOMPARE(session.microscope.specimen().variant.form, clipping::Form::Published);
+    }
+    void linesGoRoundAndRound()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({inside, across, half})), {}});
+        drawn.look(0);
+        drawn.go(-1);
+        QCOMPARE(drawn.line(), std::size_t(2));
+        drawn.go(1);
+        QCOMPARE(drawn.line(), std::size_t(0));
+    }
+    void whoOpensItAtTheInspectedLineIsFollowed()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across, half})), {}});
+        drawn.look(1);
+        const app::Specimen specimen = session.microscope.specimen();
+        session.microscope.close();
+        session.microscope.open(specimen);
+        QCOMPARE(drawn.line(), std::size_t(1));
+    }
+};
+
+QTEST_GUILESS_MAIN(DrawnLineTest)
+#include "drawn_line_test.moc"

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "app/session/session.h"
+
+#include <QTest>
+
+#include "tests/app/document/first_window.h"
+#include "tests/app/document/sheet_edits.h"
+
+using app::ClipWindows;
+
+namespace {
+
+ClipWindows list(std::initializer_list<clipping::Window> boxes)
+{
+    ClipWindows windows;
+    for (const clipping::Window& box : boxes)
+        windows.list.push_back({.shape = app::RectangleShape{box}});
+    return windows;
+}
+
+void setWindows(app::Session& session, const ClipWindows& windows)
+{
+    app::Edit edit;
+    edit.windows = windows;
+    session.document.apply(edit);
+}
+
+/// Whether a session's windows and region are those of its document and its preview.
+bool isUpToDate(const app::Session& session)
+{
+    ClipWindows windows = session.now().windows();
+    if (const auto& window = session.preview().window)
+        windows = withWindow(windows, *window);
+    return session.windows() == windows && session.region() == regionOf(windows);
+}
+
+/// A session whose windows are looked at whenever it says that something has changed.
+struct Watched : app::Session {
+    Watched()
+    {
+        const auto look = [this] {
+            ++looks;
+            outdated += !isUpToDate(*this);
+        };
+        connect(this, &Session::previewChanged, this, look);
+        connect(this, &Session::selectionChanged, this, look);
+        connect(&document, &app::EditedDocument::changed, this, look);
+        connect(&scene, &app::Scene::outdated, this, look); // as soon as the document has changed
+        connect(&history, &app::History::indexChanged, this, look);
+    }
+    int looks = 0, outdated = 0;
+};
+
+} // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void windowsAreAlwaysThoseOfNow()
+    {
+        const clipping::Window a{{0, 0}, {5, 5}}, b{{2, 2}, {9, 9}}, c{{1, 1}, {3, 3}};
+        const std::vector<std::function<void(app::Session&)>> steps{
+            [&](app::Session& s) { s.setPreview({.window = a}); },
+            [&](app::Session& s) { s.history.push(new app::SetWindow(s.document, a)); },
+            [&](app::Session& s) { s.setPreview({}); },
+            [&](app::Session& s) {
+                setWindows(s, list({a, b}));
+            },
+            [&](app::Session& s) { s.setPreview({.window = c}); },
+            [&](app::Session& s) { s.setPreview({.window = b, .line = clipping::Segment{}}); },
+            [&](app::Session& s) {
+                setWindows(s, list({b, a}));
+            }, // in the middle of a gesture
+            [&](app::Session& s) { s.setPreview({.line = clipping::Segment{}}); },
+            [&](app::Session& s) { setVisible(s, false); },
+            [&](app::Session& s) { ::setPage(s.document, {}); },
+            [&](app::Session& s) { s.history.undo(); },
+            [&](app::Session& s) { s.history.redo(); },
+            [&](app::Session& s) { s.setPreview({.window = c}); },
+            [&](app::Session& s) {
+                s.load({app::documentOf(sheetAt(b)), {}});
+            },
+            [&](app::Session& s) { s.setPreview({.window = a}); },
+            [&](app::Session& s) { s.load({}); },
+        };
+        Watched session;
+        QVERIFY(isUpToDate(session));
+        for (const auto& step : steps) {
+            const int before = session.looks;
+            step(session);
+            QVERIFY(session.looks > before);
+            QVERIFY(isUpToDate(session));
+        }
+        QCOMPARE(session.outdated, 0);
+    }
+
+    /// Frames ask several times each.
+    void askingCopiesNothing()
+    {
+        app::Session session;
+        setWindows(session, list({{{0, 0}, {5, 5}}, {{2, 2}, {9, 9}}}));
+        session.setPreview({.window = clipping::Window{{1, 1}, {3, 3}}});
+        QVERIFY(session.windows().list.data() == session.windows().list.data());
+        QVERIFY(session.region().steps.data() == session.region().steps.data());
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/hard_cases/case_view.h"
+
+#include "app/hard_cases/case_use.h"
+#include "ui/hard_cases/answer_table.h"
+#include "ui/hard_cases/portrait_view.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr double titleSize = 1.3;
+
+QLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
+{
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(flags);
+    return label;
+}
+
+} // namespace
+
+CaseView::CaseView(QWidget* parent)
+    : QScrollArea(parent), title_(text()), origin_(text(Qt::TextBrowserInteraction)), why_(text()),
+      numbers_(text()), expected_(text()), note_(text()), portrait_(new PortraitView),
+      microscope_(new QPushButton(tr("Look through the &microscope"))),
+      draw_(new QPushButton(tr("Put on the &canvas"))), table_(new AnswerTable)
+{
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    setFocusPolicy(Qt::NoFocus);
+    QFont large = semiBold(font());
+    large.setPointSizeF(large.pointSizeF() * titleSize);
+    title_->setFont(large);
+    origin_->setOpenExternalLinks(true);
+    origin_->setObjectName(QStringLiteral("origin"));
+    numbers_->setFont(captionFont(font()));
+    expected_->setFont(semiBold(font()));
+    expected_->setObjectName(QStringLiteral("expected"));
+    note_->setFont(captionFont(font()));
+    note_->setForegroundRole(QPalette::PlaceholderText);
+    note_->setText(tr("Not to scale: distances are drawn so that all of them can be seen."));
+    microscope_->setIcon(icon("microscope"));
+    microscope_->setAutoDefault(false);
+    draw_->setIcon(icon("pencil"));
+    draw_->setAutoDefault(false);
+    layOut();
+    connect(table_, &AnswerTable::answerChosen, this, &CaseView::showAnswer);
+    connect(microscope_, &QPushButton::clicked, this, [this] {
+        if (hard_ && table_->chosen())
+            emit microscopeWanted(*hard_, table_->chosen()->variant);
+    });
+    connect(draw_, &QPushButton::clicked, this, [this] {
+        if (hard_ && table_->chosen())
+            emit drawingWanted(*hard_, table_->chosen()->variant);
+    });
+}
+
+void CaseView::layOut()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(space::betweenGroups, space::dockMargin, space::betweenGroups,
+                               space::dockMargin);
+    column->setSpacing(space::labelToField);
+    column->addWidget(title_);
+    column->addWidget(portrait_);
+    column->addWidget(note_);
+    column->addWidget(facts());
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(space::labelToField);
+    buttons->addWidget(microscope_);
+    buttons->addWidget(draw_);
+    buttons->addStretch();
+    column->addLayout(buttons);
+    column->addSpacing(space::labelToField);
+    column->addWidget(table_);
+    column->addStretch();
+    setWidget(page);
+}
+
+QWidget* CaseView::facts()
+{
+    auto* all = new QWidget;
+    auto* column = new QVBoxLayout(all);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    for (QLabel* label : {why_, numbers_, expected_, origin_})
+        column->addWidget(label);
+    return all;
+}
+
+void CaseView::show(const app::HardCase& hard)
+{
+    hard_ = &hard;
+    title_->setText(hard.title);
+    why_->setText(hard.why);
+    numbers_->setText(tr("Line from %1. Window from %2.")
+                          .arg(app::pieceText(hard.line), app::pieceText(clipping::Segment{
+                                                              hard.window.min, hard.window.max})));
+    expected_->setText(tr("Truly visible: %1").arg(app::pieceText(hard.visible)));
+    showOrigin();
+    const auto document = app::documentOf(hard);
+    draw_->setEnabled(document.value.has_value());
+    draw_->setToolTip(document
+                          ? tr("As a new drawing with the very same numbers. In drawings y points "
+                               "down, so that it is seen upside down.")
+                          : document.error);
+    table_->show(hard, app::firstToLookAt(hard));
+    ensureVisible(0, 0);
+}
+
+/// The colour of a link is that of the palette when the text is set.
+void CaseView::showOrigin()
+{
+    if (!hard_)
+        return;
+    origin_->setText(hard_->isOurs()
+                         ? tr("A case of our own.")
+                         : tr("From <a href=\"%1\">%2</a>")
+                               .arg(hard_->link.toHtmlEscaped(), hard_->origin.toHtmlEscaped()));
+    origin_->setToolTip(hard_->link);
+}
+
+void CaseView::showAnswer()
+{
+    const app::CaseAnswer* answer = table_->chosen();
+    if (!hard_ || !answer)
+        return;
+    portrait_->show(*hard_, *answer);
+    note_->setVisible(!app::isToScale(*hard_, answer));
+    portrait_->setAccessibleName(
+        tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
+    microscope_->setEnabled(!answer->variant.exhibit);
+    microscope_->setToolTip(
+        answer->variant.exhibit
+            ? tr("An exhibit: its steps are not recorded.")
+            : tr("With %1, the row that is chosen below").arg(app::nameOf(answer->variant)));
+}
+
+void CaseView::changeEvent(QEvent* event)
+{
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showOrigin();
+}
+
+} // namespace ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/hard_cases/hard_case.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+
+namespace ui {
+
+class AnswerTable;
+class PortraitView;
+
+/// One hard case: its picture, where it is from, why it is hard, what is right, and what everybody
+/// makes of it. A wrong answer that is chosen is painted into the picture.
+class CaseView : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit CaseView(QWidget* parent = nullptr);
+
+    void show(const app::HardCase& hard);
+    const app::HardCase* hardCase() const { return hard_; }
+    AnswerTable& table() { return *table_; }
+
+signals:
+    void microscopeWanted(const app::HardCase& hard, const app::Variant& variant);
+    void drawingWanted(const app::HardCase& hard, const app::Variant& variant);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void layOut();
+    QWidget* facts();
+    void showAnswer();
+    void showOrigin();
+
+    const app::HardCase* hard_ = nullptr;
+    QLabel *title_, *origin_, *why_, *numbers_, *expected_, *note_;
+    PortraitView* portrait_;
+    QPushButton *microscope_, *draw_;
+    AnswerTable* table_;
+};
+
+} // namespace ui

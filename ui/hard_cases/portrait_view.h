@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/hard_cases/portrait.h"
+
+#include <QPalette>
+#include <QWidget>
+
+#include <optional>
+
+namespace ui {
+
+/// The colours of hard cases on what a palette is for.
+app::PortraitColours portraitColours(const QPalette& palette);
+
+/// One hard case, large, with a variant's answer where that is wrong.
+class PortraitView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PortraitView(QWidget* parent = nullptr);
+
+    void show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer);
+    const std::optional<app::CaseAnswer>& answer() const { return answer_; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    const app::HardCase* hard_ = nullptr;
+    std::optional<app::CaseAnswer> answer_;
+};
+
+} // namespace ui

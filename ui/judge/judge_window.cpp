@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/judge/judge_window.h"
+
+#include "app/base/duration.h"
+#include "app/judge/example_files.h"
+#include "ui/judge/verdict_view.h"
+#include "ui/look.h"
+#include "ui/look_icon.h"
+#include "ui/main_window.h"
+#include "ui/window_place.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize usual(1080, 760), smallest(640, 400);
+constexpr int barWidth = 180, settling = 500, textWidth = 520;
+
+QPushButton* button(const QString& text, std::string_view iconKey = {})
+{
+    auto* one = new QPushButton(text);
+    one->setAutoDefault(false);
+    if (!iconKey.empty())
+        one->setIcon(icon(iconKey));
+    return one;
+}
+
+QFrame* rule()
+{
+    auto* line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Plain);
+    line->setForegroundRole(QPalette::Mid);
+    line->setLineWidth(1);
+    return line;
+}
+
+QHBoxLayout* row(QWidget* of, int above)
+{
+    auto* layout = new QHBoxLayout(of);
+    layout->setContentsMargins(space::betweenGroups, above, space::betweenGroups, above);
+    layout->setSpacing(space::dockMargin);
+    return layout;
+}
+
+QString folderOf(const QString& path)
+{
+    return path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                          : QFileInfo(path).path();
+}
+
+} // namespace
+
+JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
+    : QDialog(parent, Qt::Window), session_(session),
+      questions_(std::make_unique<Questions>(*this)),
+      choose_(button(tr("Choose &library…"), "folder")), again_(button(tr("&Judge again"), "play")),
+      example_(button(tr("&Save header and examples…"), "export")), cancel_(button(tr("&Cancel"))),
+      copy_(button(tr("Co&py table"))),
+      follow_(new QCheckBox(tr("Judge again after each re&build"))),
+      strict_(new QCheckBox(tr("S&trict: no end outside"))), file_(new QLabel), state_(new QLabel),
+      bar_(new QProgressBar), strip_(new MessageStrip), stack_(new QStackedWidget),
+      view_(new VerdictView)
+{
+    layOut();
+    settled_.setSingleShot(true);
+    settled_.setInterval(settling);
+    connect(choose_, &QPushButton::clicked, this, &JudgeWindow::choose);
+    connect(again_, &QPushButton::clicked, this, &JudgeWindow::run);
+    connect(example_, &QPushButton::clicked, this, &JudgeWindow::saveExample);
+    connect(cancel_, &QPushButton::clicked, this, &JudgeWindow::cancel);
+    connect(copy_, &QPushButton::clicked, view_, &VerdictView::copy);
+    connect(strict_, &QCheckBox::toggled, this, &JudgeWindow::run);
+    connect(view_, &VerdictView::wanted, this, &JudgeWindow::lookAt);
+    connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &JudgeWindow::followFile);
+    connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &JudgeWindow::followFile);
+    connect(&settled_, &QTimer::timeout, this, &JudgeWindow::run);
+    connect(&judging_, &Judging::finished, this, &JudgeWindow::finish);
+    connect(&judging_, &Judging::progressed, this, [this](const app::Progress& progress) {
+        bar_->setValue(int(1000 * progress.share));
+        state_->setText(app::progressText(progress));
+    });
+    showState();
+}
+
+JudgeWindow::~JudgeWindow() = default;
+
+const app::plug_in::Verdict* JudgeWindow::verdict() const { return view_->verdict(); }
+
+void JudgeWindow::layOut()
+{
+    setObjectName(QStringLiteral("judge"));
+    setWindowTitle(tr("Judge your own algorithm"));
+    restorePlace(*this, QStringLiteral("judgeGeometry"), usual, smallest);
+    stack_->addWidget(invitation());
+    stack_->addWidget(view_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(top());
+    column->addWidget(rule());
+    column->addWidget(stack_, 1);
+    column->addWidget(strip_);
+    column->addWidget(rule());
+    column->addWidget(below());
+}
+
+QWidget* JudgeWindow::top()
+{
+    file_->setObjectName(QStringLiteral("file"));
+    file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut
+    follow_->setChecked(true);
+    strict_->setToolTip(tr("Holds it to the contract of Clearcut's own algorithms: no end outside "
+                           "the window, not even by rounding. Textbooks do not speak of "
+                           "rounding."));
+    auto* whole = new QWidget;
+    auto* layout = row(whole, space::labelToField);
+    layout->addWidget(choose_);
+    layout->addWidget(file_, 1);
+    layout->addWidget(strict_);
+    layout->addWidget(follow_);
+    layout->addWidget(again_);
+    return whole;
+}
+
+/// What stands where the verdict will be.
+QWidget* JudgeWindow::invitation()
+{
+    auto* text = new QLabel(tr(
+        "<p><b>Is your own line clipping right, and how fast is it?</b></p>"
+        "<p>1. <b>Save header and examples</b>: among them skeleton.c, one function in C to fill "
+        "in, with its contract and the command that compiles it.<br>"
+        "2. Write your algorithm into it, and compile it to a shared library (.so).<br>"
+        "3. <b>Choose library</b>: it is tested on more than 100,000 lines, from corners and "
+        "edges to infinities and random lines. Every result is compared with exact arithmetic; "
+        "each category of lines gives points. Then it is timed beside the other algorithms.</p>"
+        "<p>A crash or an endless loop harms nothing: the library runs in a process of its own. "
+        "But it is a program with your rights, so choose only what you or people you trust have "
+        "written.</p>"));
+    text->setWordWrap(true);
+    text->setMaximumWidth(textWidth);
+    auto* page = new QWidget;
+    auto* middle = new QHBoxLayout; // no alignment: the text's height follows from its width
+    middle->addStretch(1);
+    middle->addWidget(text, 1000);
+    middle->addStretch(1);
+    auto* column = new QVBoxLayout(page);
+    column->addStretch(2);
+    column->addLayout(middle);
+    column->addSpacing(space::dockMargin);
+    column->addWidget(example_, 0, Qt::AlignHCenter);
+    column->addStretch(3);
+    return page;
+}
+
+QWidget* JudgeWindow::below()
+{
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setFixedSize(barWidth, 8);
+    bar_->setAccessibleName(tr("Progress"));
+    for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
+    state_->setFont(captionFont(state_->font()));
+    state_->setObjectName(QStringLiteral("state"));
+    auto* whole = new QWidget;
+    auto* layout = row(whole, 6);
+    layout->addWidget(state_, 1);
+    layout->addWidget(bar_);
+    layout->addWidget(cancel_);
+    layout->addWidget(copy_);
+    return whole;
+}
+
+void JudgeWindow::choose()
+{
+    const QString last = QSettings().value("plugInLibrary").toString();
+    const QString path = questions_->libraryToOpen(folderOf(path_.isEmpty() ? last : path_));
+    if (!path.isEmpty())
+        take(path);
+}
+
+/// The question is asked once for each library.
+void JudgeWindow::take(const QString& path)
+{
+    QStringList trusted = QSettings().value("plugInsTrusted").toStringList();
+    if (!trusted.contains(path) && !questions_->trustLibrary(path))
+        return;
+    if (!trusted.contains(path))
+        QSettings().setValue("plugInsTrusted", trusted << path);
+    QSettings().setValue("plugInLibrary", path);
+    path_ = path;
+    if (const QStringList old = watcher_.files() + watcher_.directories(); !old.isEmpty())
+        watcher_.removePaths(old);
+    watcher_.addPaths({path_, QFileInfo(path_).path()});
+    run();
+}
+
+void JudgeWindow::run()
+{
+    if (path_.isEmpty())
+        return;
+    judging_.cancel();
+    settled_.stop();
+    written_ = QFileInfo(path_).lastModified();
+    bar_->setValue(0);
+    state_->setText(tr("Begins…"));
+    app::plug_in::Case which{.library = path_, .program = program_};
+    if (strict_->isChecked())
+        which.contract.strictness = app::plug_in::Strictness::Clearcuts;
+    judging_.start(std::move(which));
+    showState();
+}
+
+void JudgeWindow::cancel()
+{
+    judging_.cancel();
+    showState();
+    state_->setText(tr("Cancelled."));
+}
+
+void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& verdict)
+{
+    view_->show(verdict);
+    stack_->setCurrentWidget(view_);
+    state_->setText(
+        tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
+    showState();
+}
+
+/// A file that was replaced is no longer watched; its folder changes with other files, too.
+void JudgeWindow::followFile()
+{
+    const QFileInfo file(path_);
+    if (path_.isEmpty() || !file.exists() || !isVisible())
+        return;
+    if (!watcher_.files().contains(path_))
+        watcher_.addPath(path_);
+    if (follow_->isChecked() && file.lastModified() != written_)
+        settled_.start();
+}
+
+void JudgeWindow::saveExample()
+{
+    const QString folder =
+        questions_->folderToWrite(tr("Save header and examples in"), folderOf(path_));
+    if (folder.isEmpty())
+        return;
+    QStringList existing;
+    const QStringList names = app::plug_in::exampleNames();
+    for (const QString& name : names)
+        if (const QString path = QDir(folder).filePath(name); QFileInfo::exists(path))
+            existing << path;
+    if (!existing.isEmpty() && !questions_->overwriteFiles(existing, int(names.size())))
+        return;
+    const auto result = app::plug_in::writeExample(folder, app::plug_in::Existing::Replace);
+    const QString skeleton = QDir(folder).filePath(QStringLiteral("skeleton.c"));
+    strip_->tell(result ? Message{Message::Kind::Done,
+                                  tr("Wrote %1 to fill in, and example.c, which is finished. Their "
+                                     "first lines say how to compile them.")
+                                      .arg(QDir::toNativeSeparators(skeleton))}
+                        : Message{Message::Kind::Warning, result.error});
+}
+
+/// The reference, step by step, in the editor's microscope.
+void JudgeWindow::lookAt(const app::plug_in::Finding& finding)
+{
+    session_.microscope.open({app::exactVariant(), finding.question.line, finding.question.window,
+                              app::YAxis::Up,
+                              tr("%1, where your algorithm is wrong")
+                                  .arg(app::plug_in::categories()[finding.category].name)});
+}
+
+void JudgeWindow::showState()
+{
+    const bool active = judging_.active();
+    again_->setEnabled(!path_.isEmpty() && !active);
+    bar_->setVisible(active);
+    cancel_->setVisible(active);
+    copy_->setVisible(view_->verdict() && !view_->verdict()->unusable);
+    view_->setEnabled(!active);
+    file_->setText(path_.isEmpty() ? tr("No library yet") : QFileInfo(path_).fileName());
+    file_->setToolTip(QDir::toNativeSeparators(path_));
+}
+
+/// What was compiled while it was closed is judged now.
+void JudgeWindow::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    followFile();
+}
+
+void JudgeWindow::hideEvent(QHideEvent* event)
+{
+    settled_.stop();
+    rememberPlace(*this, QStringLiteral("judgeGeometry"));
+    if (judging_.active() && !event->spontaneous())
+        cancel();
+    QDialog::hideEvent(event);
+}
+
+/// Esc stops what goes on first.
+void JudgeWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && judging_.active())
+        return cancel();
+    QDialog::keyPressEvent(event);
+}
+
+void showJudge(MainWindow& window)
+{
+    auto* judge = window.findChild<JudgeWindow*>();
+    if (!judge)
+        judge = new JudgeWindow(window.session(), &window);
+    judge->show();
+    judge->raise();
+    judge->activateWindow();
+}
+
+} // namespace ui

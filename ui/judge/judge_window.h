@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/session.h"
+#include "ui/dialogs/questions.h"
+#include "ui/judge/judging.h"
+#include "ui/widgets/message_strip.h"
+
+#include <QCheckBox>
+#include <QDateTime>
+#include <QDialog>
+#include <QFileSystemWatcher>
+#include <QProgressBar>
+#include <QStackedWidget>
+#include <QTimer>
+
+namespace ui {
+
+class MainWindow;
+class VerdictView;
+
+/// Judges the user's own algorithm: the library at the top, the verdict below, progress at the
+/// bottom. The editor stays usable meanwhile. A rebuilt library is judged again.
+class JudgeWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit JudgeWindow(app::Session& session, QWidget* parent = nullptr);
+    ~JudgeWindow() override;
+
+    /// What answers instead of dialogs, and what runs as the child (tests).
+    void setQuestions(std::unique_ptr<Questions> questions) { questions_ = std::move(questions); }
+    void setProgram(const QString& program) { program_ = program; }
+
+    const app::plug_in::Verdict* verdict() const;
+    bool judging() const { return judging_.active(); }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void layOut();
+    QWidget* top();
+    QWidget* invitation();
+    QWidget* below();
+    void choose();
+    void saveExample();
+    void take(const QString& path);
+    void run();
+    void cancel();
+    void finish(const std::shared_ptr<const app::plug_in::Verdict>& verdict);
+    void followFile();
+    void lookAt(const app::plug_in::Finding& finding);
+    void showState();
+
+    app::Session& session_;
+    std::unique_ptr<Questions> questions_;
+    QString program_, path_;
+    QDateTime written_; ///< when the library was, that was judged last
+    QPushButton *choose_, *again_, *example_, *cancel_, *copy_;
+    QCheckBox *follow_, *strict_;
+    QLabel *file_, *state_;
+    QProgressBar* bar_;
+    MessageStrip* strip_;
+    QStackedWidget* stack_;
+    VerdictView* view_;
+    QFileSystemWatcher watcher_;
+    QTimer settled_; ///< a compiler writes a file bit by bit
+    Judging judging_;
+};
+
+/// Shows the window that belongs to that one; there is one at most.
+void showJudge(MainWindow& window);
+
+} // namespace ui
