@@ -117,7 +117,7 @@ private slots:
         };
         row("no line", {}, "Give the line with --line X1,Y1,X2,Y2.");
         row("nan", {"--line", "nan,0,1,1"}, "--line nan,0,1,1: give four numbers");
-        row("infinite", {"--line", "0,0,1e999,1"}, "give four numbers");
+        row("infinite", {"--line", "0,0,1e999,1"}, "“1e999” is too large");
         row("three", {"--line", "0,0,1"}, "give four numbers");
         row("window", {"--line", "0,0,1,1", "-w", "0,0,1,nan"}, "--window 0,0,1,nan: give four");
         row("min > max", {"--line", "0,0,1,1", "-w", "5,0,1,1"}, "minimum lies beyond its maximum");
