@@ -3,7 +3,6 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
-#include "app/settings/remembered.h"
 #include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/dock.h"
@@ -13,6 +12,7 @@
 #include "ui/saved_theme.h"
 #include "ui/status_bar.h"
 #include "ui/tools/tool.h"
+#include "ui/undo_memory.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/option_bar.h"
 #include "ui/widgets/tool_list.h"
@@ -89,16 +89,12 @@ void MainWindow::rememberPanes()
 // Said once a drawing. It comes after what the command itself says, which would replace it.
 void MainWindow::limitHistory()
 {
-    constexpr int least = 1, most = 1'000'000, megabyte = 1'000'000;
-    const int usual = int(app::History::usualLimit / megabyte);
-    const int megabytes =
-        app::rememberedNumber(QStringLiteral("undoMegabytes"), least, most, usual);
-    session_.history.setLimit(std::size_t(megabytes) * megabyte);
-    const auto sayWhy = [this, megabytes] {
+    session_.history.setLimit(bytesOf(undoMegabytes()));
+    const auto sayWhy = [this] {
         tell({Message::Kind::Warning,
-              tr("The oldest steps can no longer be undone: Undo may use at most %1 MB of memory. "
-                 "Save a copy if you may need this state again.")
-                  .arg(app::countText(std::size_t(megabytes)))});
+              tr("The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
+                 "(menu Settings). Save a copy if you may need this state again.")
+                  .arg(app::countText(session_.history.limit() / bytesOf(1)))});
     };
     connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {
         if (steps == session_.history.forgotten())

@@ -2,11 +2,14 @@
 #include "app/base/latin.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
+#include "ui/undo_memory.h"
 #include "ui/widgets/unit_box.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
+
+#include <array>
 
 namespace ui {
 
@@ -33,12 +36,37 @@ void addUnits(MainWindow& window, QMenu& menu)
     }
 }
 
+struct UndoMemory {
+    const char* text;
+    int megabytes;
+};
+constexpr std::array undoMemories{UndoMemory{"&250 MB", 250}, UndoMemory{"&1 GB", 1000},
+                                  UndoMemory{"&4 GB", 4000}, UndoMemory{"1&6 GB", 16000}};
+
+/// When the steps to undo need more, the oldest ones go.
+void addUndoMemories(MainWindow& window, QMenu& menu)
+{
+    auto* group = new QActionGroup(&menu);
+    for (const UndoMemory& memory : undoMemories) {
+        auto* action =
+            menu.addAction(tr(memory.text), &window, [&window, megabytes = memory.megabytes] {
+                setUndoMegabytes(megabytes);
+                window.session().history.setLimit(bytesOf(megabytes));
+            });
+        action->setObjectName(QStringLiteral("undo-memory"));
+        action->setCheckable(true);
+        action->setChecked(undoMegabytes() == memory.megabytes);
+        group->addAction(action);
+    }
+}
+
 } // namespace
 
 MenuInfo settingsMenu()
 {
     return {tr("&Settings"), {}, [](MainWindow& window, QMenu& menu) {
                 addUnits(window, *menu.addMenu(tr("&Units")));
+                addUndoMemories(window, *menu.addMenu(tr("&Memory for undo")));
             }};
 }
 
