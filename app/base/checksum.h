@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// The mixing of splitmix64: each bit of the result hangs on each bit of the number.
+/// /// The splitmix64 mixing function: each bit of the result depends on each bit of `x`.
 constexpr std::uint64_t mixed(std::uint64_t x)
 {
     x += 0x9e3779b97f4a7c15;
@@ -17,7 +17,7 @@ constexpr std::uint64_t mixed(std::uint64_t x)
 }
 inline std::uint64_t mixed(double x) { return mixed(std::bit_cast<std::uint64_t>(x)); }
 
-/// Of pixels, by FNV: quick, and the place counts.
+/// A fast checksum of pixels (FNV). It depends on their order.
 constexpr std::uint64_t checksumOf(std::span<const std::uint32_t> pixels)
 {
     std::uint64_t sum = 0;

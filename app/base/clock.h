@@ -7,14 +7,14 @@
 
 namespace app {
 
-/// What times are taken with.
+/// A source of times for measurements.
 struct Clock {
-    QString name;                        ///< for the record
-    std::function<double()> nanoseconds; ///< since some moment; never goes back
+    QString name;                        ///< written into reports
+    std::function<double()> nanoseconds; ///< since a fixed moment; never decreases
 };
 Clock wallClock();
-/// The processor time of the thread that asks: what other programs take does not count, so it is
-/// the fairer one, but what threads and graphics cards do for the thread does not count either.
+/// The processor time of the calling thread. Other programs do not disturb it, so it is the fairer
+/// clock; but it does not count work that other threads or the graphics card do for the thread.
 Clock processorClock();
 
 } // namespace app

@@ -9,7 +9,7 @@ namespace app::csv {
 namespace {
 
 constexpr qsizetype chunk = 1 << 16;
-constexpr std::size_t longestRecord = 1 << 20; // bytes; what has no ends of line is no CSV
+constexpr std::size_t longestRecord = 1 << 20; // bytes; longer text without a line break is not CSV
 constexpr int end = -1;
 
 bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
@@ -44,7 +44,7 @@ void Text::skipLine()
     endRecord();
 }
 
-// CR LF, LF, and a CR alone.
+// Accepts CR LF, LF and a lone CR.
 void Text::endRecord()
 {
     if (peek() == '\r') {

@@ -10,8 +10,8 @@
 
 namespace app::csv {
 
-/// Thrown where the text is not CSV, and caught at the reader's border. `why` ends with a full stop
-/// and goes on from "line 12 ".
+/// Thrown if the text is not CSV, and caught inside the reader. `why` continues a sentence that
+/// begins with "line 12 ", and ends with a full stop.
 struct Refused {
     std::size_t line;
     QString why;
@@ -19,25 +19,25 @@ struct Refused {
 
 /// One record of RFC 4180: fields without their quotation marks.
 struct Record {
-    std::size_t line = 0; ///< 1-based, where it begins in the file
+    std::size_t line = 0; ///< 1-based line of the file on which the record begins
     std::vector<std::string> fields;
 };
 
-/// Comma-separated text as records, one after the other: quoted fields, LF or CR LF, a byte order
-/// mark; blank lines and lines that begin with # are passed over. Memory is bounded by one record.
+/// Reads comma-separated text record by record: quoted fields, LF or CR LF, a byte order mark.
+/// Blank lines and lines that begin with # are skipped. The memory used is bounded by one record.
 class Text {
 public:
     explicit Text(QIODevice& in) : in_(in) {}
 
-    /// Reads the next record; false at the end. `record` is reused, so that nothing is allocated.
+    /// Reads the next record; false at the end. Reuses the memory of `record`.
     bool next(Record& record);
 
-    /// From now on a line that begins with # is a record like others (a colour may come first).
+    /// Treats later lines that begin with # as records (a first field may be a colour).
     void endComments() { comments_ = false; }
 
 private:
     int get();  ///< the next byte, or -1
-    int peek(); ///< the byte that `get` will give
+    int peek(); ///< the byte that `get` will return, or -1
     void skipLine();
     void readField(std::string& field, std::size_t& size);
     void readQuoted(std::string& field, std::size_t& size);
@@ -51,7 +51,7 @@ private:
     bool comments_ = true;
 };
 
-/// Appends a field, in quotation marks where it needs them.
+/// Appends a field, in quotation marks where CSV requires them.
 void appendField(std::string& text, std::string_view field);
 
 } // namespace app::csv

@@ -7,19 +7,20 @@
 
 namespace app {
 
-/// Random numbers that are the same on every machine (std::uniform_real_distribution is not).
+/// A random number generator with the same results on every machine (std::uniform_real_distribution
+/// gives no such guarantee).
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : random_(seed) {}
 
-    /// Evenly spread: low <= the number < high.
+    /// Uniformly distributed: low <= result < high.
     double between(double low, double high)
     {
         return low + (high - low) * (double(random_() >> 11) * 0x1p-53); // 53 random bits
     }
     bool heads() { return (random_() & 1) != 0; }
 
-    /// A point anywhere in a rectangle.
+    /// A point uniformly distributed in a rectangle.
     glm::dvec2 in(const clipping::Window& area)
     {
         const double x = between(area.min.x, area.max.x);

@@ -31,7 +31,7 @@ QString durationText(double seconds)
 QString progressText(const Progress& progress)
 {
     const QString share = count(std::floor(100 * progress.share));
-    if (progress.share < 0.02) // nothing can be told of the rest yet
+    if (progress.share < 0.02) // too early for an estimate
         return Experiments::tr("%1 %").arg(share);
     return Experiments::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
 }

@@ -10,7 +10,7 @@ namespace app {
 /// "12 s", "3 minutes", "2 hours": rounded up below two minutes, else to the nearest.
 QString durationText(double seconds);
 
-/// "42 %, 12 s left"; in the beginning the share alone.
+/// "42 %, 12 s left"; only the share while the remaining time is unknown.
 QString progressText(const Progress& progress);
 
 } // namespace app

@@ -7,11 +7,11 @@
 
 namespace app {
 
-/// Where y grows to as it is seen: down in drawings, up in lessons and figures. The library's Top
-/// is the edge at ymax in either case.
+/// The direction in which y grows on screen: down in drawings, up in lessons and figures. The
+/// library's Top is the edge at ymax in either case.
 enum class YAxis : std::uint8_t { Down, Up };
 
-/// "the top edge", as it is seen; empty for no edge.
+/// "the top edge", as seen on screen; empty for Edge::None.
 QString edgeWords(clipping::Edge edge, YAxis y);
 
 } // namespace app

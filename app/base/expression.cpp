@@ -10,14 +10,14 @@
 namespace app {
 namespace {
 
-constexpr std::size_t longest = 200; // characters; it also bounds how deep brackets nest
+constexpr std::size_t longest = 200; // characters; also limits the nesting of brackets
 
 QString tr(const char* text) { return QCoreApplication::translate("expression", text); }
 
-/// A number, or so many of a unit.
+/// A plain number, or a number of units.
 struct Quantity {
     double number = 0;
-    std::optional<double> unit{}; ///< its size in the result's unit; nothing: a plain number
+    std::optional<double> unit{}; ///< the unit's size in the result's unit; empty: a plain number
 
     double length() const { return number * unit.value_or(1); }
 };
@@ -28,7 +28,7 @@ class Reader {
 public:
     Reader(std::string_view text, const Scale& scale) : text_(text), scale_(scale) {}
 
-    /// The whole text; what is wrong is in error().
+    /// Reads the whole text; error() says what is wrong.
     Quantity read()
     {
         const Quantity value = sum();
@@ -51,11 +51,11 @@ private:
         text_.remove_prefix(1);
         return true;
     }
-    /// The word or sign that comes next.
+    /// The next word or character.
     QString next()
     {
         const std::string_view rest = skipBlank();
-        const auto letter = [](char c) { // or a byte of one in UTF-8
+        const auto letter = [](char c) { // a letter, or a byte of a UTF-8 character
             return c < 0 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         };
         const auto end = std::ranges::find_if_not(rest, letter);
@@ -64,7 +64,7 @@ private:
     }
     void refuse(const QString& why)
     {
-        if (error_.isEmpty()) // what follows from it is not said
+        if (error_.isEmpty()) // keep only the first error
             error_ = why;
         text_ = {};
     }
@@ -106,7 +106,7 @@ private:
             refuse(tr("division by zero"));
         if (a.unit && b.unit)
             return {a.length() / b.length()};
-        return {a.number / b.number, a.unit ? a.unit : b.unit}; // 1/2in: so many of that unit
+        return {a.number / b.number, a.unit ? a.unit : b.unit}; // 1/2in: half a unit
     }
     Quantity factor()
     {

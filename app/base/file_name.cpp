@@ -8,7 +8,8 @@ namespace app {
 
 std::optional<QString> faultOfName(const QString& path)
 {
-    // Qt puts U+FFFD for each byte that is not UTF-8; a file may really have that name.
+    // Qt replaces each byte that is not UTF-8 by U+FFFD; but a file may really have that in its
+    // name.
     if (!path.contains(QChar::ReplacementCharacter) || QFileInfo::exists(path))
         return std::nullopt;
     return QCoreApplication::translate("formats", "its name is not UTF-8. Give it another name.");

@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// Nothing if a file can be named so, else what is wrong and what to do, to stand after "Cannot
-/// open NAME: ". File names are UTF-8 here; of others the bytes are lost where Qt made them text,
-/// so a file that is written would get another name than was asked for.
+/// Checks that a file can have this name. Empty if so; otherwise a text that says what is wrong and
+/// what to do, to follow "Cannot open NAME: ". File names must be UTF-8: Qt has lost the bytes of
+/// any other name, so a file written under it would get a different name.
 std::optional<QString> faultOfName(const QString& path);
 
 } // namespace app

@@ -7,25 +7,25 @@
 #include <cstddef>
 #include <vector>
 
-// How much heap memory values use. The history needs it to keep to its limit.
+// The heap memory that values use. The history needs these numbers to keep within its limit.
 
 namespace app {
 
-/// The heap memory of one allocation of so many bytes. glibc on 64 bits adds 8 bytes, rounds up to
-/// a multiple of 16, and gives at least 32.
+/// The heap memory that one allocation of `bytes` bytes takes. glibc on 64 bits adds 8 bytes,
+/// rounds up to a multiple of 16, and uses at least 32.
 constexpr std::size_t heapBlock(std::size_t bytes)
 {
     return bytes == 0 ? 0 : std::max<std::size_t>(32, (bytes + 8 + 15) / 16 * 16);
 }
 
-/// As if it shared nothing with other texts. A text of the program's own code uses none; others
-/// have a header of 16 bytes and a final 0.
+/// The memory of the text as if no other text shared it. A text literal uses none; any other text
+/// has a header of 16 bytes and a terminating 0.
 inline std::size_t heapBytes(const QString& text)
 {
     return text.capacity() == 0 ? 0 : heapBlock(16 + (std::size_t(text.capacity()) + 1) * 2);
 }
 
-/// Without what its elements use.
+/// The memory of the list itself, without the memory that its elements use.
 template <class T>
 std::size_t heapBytes(const std::vector<T>& list)
 {
@@ -34,7 +34,7 @@ std::size_t heapBytes(const std::vector<T>& list)
 
 /// An allocation that several values may share.
 struct HeapPart {
-    const void* address = nullptr; ///< null: there is none
+    const void* address = nullptr; ///< null: no allocation
     std::size_t bytes = 0;
     bool shared = false;
 };

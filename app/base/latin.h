@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A key or a name of a catalogue as Qt's text.
+/// A key or a name from a catalogue, as a QString.
 inline QString latin(std::string_view text)
 {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));

@@ -25,7 +25,8 @@ Follower Legs::next()
             }};
 }
 
-/// What is left of this leg it knows itself; the legs after it go as everything went so far.
+/// The current phase reports its own remaining time; the later phases are estimated from the
+/// average speed so far.
 Progress Legs::overall(double before, double weight, const Progress& now) const
 {
     const double done = before + weight * now.share;

@@ -6,13 +6,14 @@
 
 namespace app {
 
-/// A way of several legs, one after another, which a follower sees as one from 0 to 1.
+/// Combines the progress of several consecutive phases into one progress from 0 to 1.
 class Legs {
 public:
-    /// One weight a leg: what it takes, roughly, in any unit.
+    /// One weight for each phase: its approximate duration, in any unit.
     Legs(const Follower& follower, std::vector<double> weights);
 
-    /// Who follows the next leg, for as long as the legs live; the one before is over.
+    /// Starts the next phase and ends the previous one. Returns the follower to pass to the phase;
+    /// it is valid as long as this object.
     Follower next();
 
 private:

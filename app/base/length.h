@@ -7,32 +7,32 @@
 
 namespace app {
 
-/// Units of length. User: the drawing's own unit, whose size in millimetres the page gives.
+/// Units of length. User is the drawing's own unit; the page gives its size in millimetres.
 enum class Unit { User, Px, Mm, Cm, Inch, Pt, Pc, Percent };
 
-/// One unit of the catalogue: its suffix in files and fields, its size and its usual decimals.
+/// One row of the catalogue of units.
 struct UnitInfo {
     Unit unit;
-    std::string_view suffix; ///< "" for User
+    std::string_view suffix; ///< in files and fields; "" for User
     double millimetres;      ///< 0 for User and Percent
-    int decimals;            ///< shown in the window (look.md section 6)
+    int decimals;            ///< shown in the window
 };
 std::span<const UnitInfo> units();
 const UnitInfo& infoOf(Unit unit);
 
-/// A number with its unit, as a file or a person wrote it.
+/// A number with its unit, as written in a file or typed by a person.
 struct Length {
     double value = 0;
     Unit unit = Unit::User;
     friend bool operator==(const Length&, const Length&) = default;
 };
 
-/// "10mm", "-3.5", "2 in", "50%": the C locale's numbers; nothing for anything else, NaN or
-/// infinity.
+/// Parses "10mm", "-3.5", "2 in" or "50%" in the C locale. Empty for any other text, for NaN and
+/// for infinity.
 std::optional<Length> parseLength(std::string_view text);
 
-/// In user units. `millimetresPerUnit` is the drawing's; `whole` is what 100 % means. Exact where
-/// the unit is as large as the drawing's.
+/// Converts to user units. `millimetresPerUnit` is the size of a user unit, `whole` the length that
+/// 100 % means. Exact if the length's unit has the size of a user unit.
 double toUserUnits(Length length, double millimetresPerUnit, double whole = 0);
 
 } // namespace app

@@ -48,7 +48,7 @@ void appendNumber(std::string& text, double number, int precision, double low, d
     const auto value = [](std::string_view s) { return parseNumber(s).value_or(0); };
     const auto first = value(rounded(number));
     if (first < low || first > high) {
-        // The last decimal inside a bound is the bound's own rounding, or the one before it.
+        // The last decimal inside a bound is the rounded bound or the decimal before that.
         const double bound = first > high ? high : low;
         const double inward = std::pow(10.0, -precision) * (first > high ? -1 : 1);
         for (const double candidate : {bound, bound + inward / 2, bound + inward}) {
@@ -59,7 +59,8 @@ void appendNumber(std::string& text, double number, int precision, double low, d
             return;
         }
     }
-    appendTrimmed(text, rounded(number)); // it is inside, or the window is thinner than a decimal
+    appendTrimmed(text, rounded(number)); // already within the bounds, or no decimal lies between
+                                          // them
 }
 
 std::optional<double> parseNumber(std::string_view text)

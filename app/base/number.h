@@ -8,14 +8,15 @@
 namespace app {
 
 /// Appends the shortest decimal text that reads back bit for bit, without an exponent; -0 is "0".
-/// The one way that numbers reach a file. The number is finite, here and below.
+/// All numbers in files are written by these two functions. `number` must be finite.
 void appendNumber(std::string& text, double number);
 
-/// With `precision` decimals (trailing zeros left out), rounded to nearest, then moved by whole
-/// units of the last decimal until low <= the decimals' value <= high, if any such decimal exists.
+/// Appends with at most `precision` decimals (no trailing zeros): rounds to nearest, then moves by
+/// whole units of the last decimal until low <= written value <= high, if any such decimal exists.
 void appendNumber(std::string& text, double number, int precision, double low, double high);
 
-/// A C-locale number (exponents allowed) that is finite; nothing otherwise. Takes the whole text.
+/// Parses a finite number in the C locale, exponents allowed. Empty unless the whole text is such a
+/// number.
 std::optional<double> parseNumber(std::string_view text);
 
 } // namespace app

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Tells a follower how far something is that takes many turns of about the same length.
+/// Reports progress of a task that consists of many turns of about the same length.
 class Pace {
 public:
     Pace(const Follower& follower, double turns);

@@ -6,14 +6,14 @@
 
 namespace app {
 
-/// How far some work has come.
+/// How far a task has advanced.
 struct Progress {
     double share;       ///< 0 to 1
-    double secondsLeft; ///< as things went so far
+    double secondsLeft; ///< estimated from the time used so far
 };
 
-/// Who follows some work from the outside; both may be left out. The thread that works calls
-/// `progress` after each step (some hundredths of a second).
+/// Observes a task from outside; both members are optional. The working thread calls `progress`
+/// after each step (some hundredths of a second).
 struct Follower {
     std::stop_token stop{};
     std::function<void(const Progress&)> progress{};

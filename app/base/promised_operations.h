@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What the paper's abstract promises: additions (with subtractions), multiplications, divisions
-/// and comparisons. Negations are not among them.
+/// The operations that the paper's abstract counts: additions (with subtractions), multiplications,
+/// divisions and comparisons. Negations are not counted.
 inline std::uint64_t promisedOf(const clipping::OperationCounts& counts)
 {
     return counts.additions + counts.multiplications + counts.divisions + counts.comparisons;

@@ -17,15 +17,16 @@
 namespace app {
 namespace {
 
-// What a writer fills. It takes all of a write or fails, and remembers its first failure: a full
-// disk takes a part of a write without an error, and some writers do not look (QPdfWriter).
+// The device that `write` fills. It takes each write as a whole or fails, and remembers its first
+// failure: a full disk accepts a part of a write without an error, and some writers ignore errors
+// (QPdfWriter).
 class Sink final : public QIODevice {
 public:
     explicit Sink(QFileDevice& file) : file_(file) { open(WriteOnly | Unbuffered); }
 
     bool isSequential() const override { return true; }
 
-    // QFileDevice::flush writes one block of several, and of that perhaps a part.
+    // QFileDevice::flush writes only one of several blocks, and perhaps only a part of it.
     bool flush()
     {
         while (!failed_ && file_.bytesToWrite() > 0) {
@@ -71,14 +72,14 @@ private:
 
 QString sentence(int error) { return qt_error_string(error) + u'.'; }
 
-// Some file systems cannot; they do what they can anyway.
+// Some file systems do not support fsync; their files count as written.
 bool reachedDisk(int file)
 {
     return ::fsync(file) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
 
-// The new name reaches the disk with its folder. Whatever comes of it, the new file is in its
-// place.
+// Writes the new name to the disk by syncing its folder. Errors are ignored: the new file is in
+// place in any case.
 void syncFolderOf(const QString& path)
 {
     const QByteArray folder = QFile::encodeName(QFileInfo(path).canonicalPath());
@@ -134,7 +135,7 @@ std::optional<QString> replaceFile(const QString& path, const Filling& write)
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return file.errorString() + u'.';
-    // QSaveFile::commit looks neither at its last flush nor at fsync (Qt 6.4).
+    // QSaveFile::commit ignores errors of its last flush and of fsync (Qt 6.4).
     if (auto error = fillToDisk(file, write))
         return error;
     if (!file.commit())

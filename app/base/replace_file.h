@@ -6,25 +6,25 @@
 #include <functional>
 #include <optional>
 
-// The one place where bytes reach a file, a device or standard output.
+// All output to files, devices and standard output goes through these functions.
 
 namespace app {
 
-/// Fills `out`; nothing, or the sentence that says what went wrong. It need not look at every
-/// write: what `out` refused is known without.
+/// Writes the content to `out`. Returns nothing, or a sentence that says what went wrong. It need
+/// not check each write: the caller detects errors of `out` itself.
 using Filling = std::function<std::optional<QString>(QIODevice& out)>;
 
-/// Has `write` fill the open `file`, and hands all of it to the system; nothing, or why it could
-/// not be done. A pipe whose reader has gone (`| head`) is no error: the rest is dropped.
+/// Calls `write` with the open `file` and flushes it to the system. Returns nothing, or why this
+/// failed. A closed pipe (`| head`) is no error: the remaining output is dropped.
 std::optional<QString> fill(QFileDevice& file, const Filling& write);
 
-/// The same for a file on a disk, which has reached it then.
+/// Like fill(), for a file on a disk; returns once the data are on the disk.
 std::optional<QString> fillToDisk(QFileDevice& file, const Filling& write);
 
-/// Opens the file at `path` and has `write` fill it; nothing, or why it could not be done. An
-/// existing file is replaced only by a whole new one that has reached the disk, and not at all if
-/// `write` says that something went wrong; a device or a pipe is written to. A link to a file is
-/// followed, and refused if it leads nowhere but to itself.
+/// Opens the file at `path` and calls `write` to fill it. Returns nothing, or why this failed. An
+/// existing file is replaced only by a complete new file that is already on the disk, and not at
+/// all if `write` reports an error. Devices and pipes are written to directly. Symbolic links are
+/// followed; a link that leads only to itself is refused.
 std::optional<QString> replaceFile(const QString& path, const Filling& write);
 
 } // namespace app

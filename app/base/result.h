@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// A value, or one clear sentence for the person: what, where, what to do.
+/// A value, or one sentence for the person: what happened, where, and what to do.
 template <class T>
 struct Result {
     std::optional<T> value;

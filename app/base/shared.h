@@ -8,9 +8,10 @@
 
 namespace app {
 
-/// A value with several owners, on any threads. What is shared is never written: `own` copies it
-/// first. Unlike `std::shared_ptr::use_count`, `isShared` acquires: what an owner that has gone
-/// read of the value happened before. One that was moved from may only be assigned to or destroyed.
+/// A copy-on-write value with several owners, on any threads. A shared value is never written:
+/// `own` copies it first. Unlike `std::shared_ptr::use_count`, `isShared` acquires: reads by a
+/// former owner happen before it returns false. A moved-from object may only be assigned to or
+/// destroyed.
 template <class T>
 class Shared {
 public:
@@ -32,14 +33,14 @@ public:
             delete at_;
     }
 
-    /// The size of the allocation that owners share.
+    /// The size in bytes of the allocation that owners share.
     static constexpr std::size_t allocated() { return sizeof(Counted); }
 
     const T& operator*() const { return at_->value; }
     const T* operator->() const { return &at_->value; }
     bool isShared() const { return at_->owners.load(std::memory_order_acquire) != 1; }
-    /// The value, to write to: a copy of its own if it had other owners. The reference is valid
-    /// until this owner is copied.
+    /// The value for writing; copied first if it has other owners. The reference is valid until
+    /// this owner is copied.
     T& own()
     {
         if (isShared())
@@ -48,7 +49,7 @@ public:
     }
 
     friend bool sameAddress(const Shared& a, const Shared& b) { return a.at_ == b.at_; }
-    /// Equal values; the same address is equal at once.
+    /// Compares values; owners of the same address are equal without a comparison.
     friend bool operator==(const Shared& a, const Shared& b) { return a.at_ == b.at_ || *a == *b; }
 
 private:

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// Calls visit(i) for each place i of `mine` whose value `theirs` does not share. What both have in
-/// front and at the end costs little.
+/// Calls visit(i) for each index i of `mine` whose value `theirs` does not share. Elements that
+/// both lists share at the beginning and at the end cost little.
 template <class T, class Visit>
 void forEachNotIn(const std::vector<Shared<T>>& theirs, const std::vector<Shared<T>>& mine,
                   const Visit& visit)

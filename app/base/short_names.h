@@ -9,19 +9,20 @@
 
 namespace app {
 
-/// "KWC as published"; of a corrected form "KWC".
+/// "KWC as published"; "KWC" for a corrected form.
 QString shortNameOf(const Variant& variant);
 
-/// The name among others: without its form if all have the same.
+/// The name of all[i] within a list: without its form if all have the same form.
 QString nameAmong(std::span<const Variant> all, std::size_t i);
 
-/// "Cohen-Sutherland (CS)"; "Skala", whose name is as short as it gets.
+/// "Cohen-Sutherland (CS)"; only "Skala" where there is no shorter name.
 QString introducedName(const clipping::Algorithm& algorithm);
 
 /// "CS, LB and MD".
 QString listText(const QStringList& names);
 
-/// The same, but of more than seven only the first three: "Skala, NLN, CS and 17 others".
+/// Like listText(), but a list of more than seven names shows only the first three: "Skala, NLN, CS
+/// and 17 others".
 QString briefListText(const QStringList& names);
 
 /// "22.30 ns a line".

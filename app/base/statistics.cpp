@@ -16,7 +16,7 @@ double meanOf(std::span<const double> numbers)
     return std::accumulate(numbers.begin(), numbers.end(), 0.0) / double(numbers.size());
 }
 
-/// Of logarithms: a time is as likely to be twice as long as half as long, and none is below 0.
+/// Uses logarithms: a time is as likely to be doubled as to be halved, and never below 0.
 Interval studentsInterval(std::span<const double> times)
 {
     // The 97.5 % points of t with 2, 3 and 4 degrees of freedom.

@@ -6,17 +6,17 @@
 
 namespace app {
 
-/// What is looked at through the microscope.
+/// What the microscope shows: one variant clipping one line.
 struct Specimen {
     Variant variant{};
     clipping::Segment line{};
     clipping::Window window{};
     YAxis y = YAxis::Down;
-    QString origin{}; ///< where the line is from: "Line 217 of 420"
+    QString origin{}; ///< where the line comes from: "Line 217 of 420"
     friend bool operator==(const Specimen&, const Specimen&) = default;
 };
 
-/// Why there is nothing to trace, and what to do; empty: there is.
+/// Why the specimen cannot be traced, and what to do; empty if it can.
 QString refusalOf(const Specimen& specimen);
 
 } // namespace app

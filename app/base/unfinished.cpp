@@ -14,16 +14,15 @@
 namespace app {
 namespace {
 
-// The handler of a signal reads these, so they are plain memory.
-std::array<char, 4096> unfinished;     // how the path of the half file begins
-std::atomic<int> unfinishedLength = 0; // 0: there is none
-constexpr int mostFiles = 100;         // that are open; we open three
+// A signal handler reads these, so they are plain memory.
+std::array<char, 4096> unfinished;     // the beginning of the temporary file's path
+std::atomic<int> unfinishedLength = 0; // 0: no such file
+constexpr int mostFiles = 100;         // an upper bound of open files; the program opens three
 static_assert(decltype(unfinishedLength)::is_always_lock_free);
 
 } // namespace
 
-// Only with functions that a signal may interrupt and call. Where there is no /proc it does
-// nothing.
+// Calls only async-signal-safe functions. Without /proc it does nothing.
 void removeUnfinished()
 {
     char link[] = "/proc/self/fd/00";
@@ -42,8 +41,8 @@ void removeUnfinished()
     }
 }
 
-// Where the file system has no unnamed files, QSaveFile writes PATH.XXXXXX and renames it at the
-// end; a link to a file is followed.
+// Where the file system does not support unnamed files, QSaveFile writes PATH.XXXXXX and renames it
+// at the end. Symbolic links are followed.
 Unfinished::Unfinished(const QString& path)
 {
     const QFileInfo info(path), target(info.isSymLink() ? info.symLinkTarget() : path);

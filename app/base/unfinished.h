@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// While it lives, removeUnfinished() removes the half of a file that lies beside `path` to replace
-/// it. There may be one at a time.
+/// While this object lives, removeUnfinished() removes the incomplete temporary file beside `path`.
+/// At most one such object may exist at a time.
 class Unfinished {
 public:
     explicit Unfinished(const QString& path);
@@ -14,7 +14,7 @@ public:
     Q_DISABLE_COPY_MOVE(Unfinished)
 };
 
-/// For the end of the process by a signal; a handler or any thread may call it.
+/// Called when a signal ends the process. Safe in a signal handler and on any thread.
 void removeUnfinished();
 
 } // namespace app

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// The algorithm that clips unless another is chosen: the row that is never wrong.
+/// The default algorithm: the one whose results are always exact.
 inline const clipping::Algorithm& usualAlgorithm() { return clipping::exactAlgorithm(); }
 
 } // namespace app

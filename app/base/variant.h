@@ -7,16 +7,17 @@ namespace app {
 
 struct Exhibit;
 
-/// What clips, or competes: one form of an algorithm, which it has, or an exhibit.
+/// What clips or competes: one form of an algorithm, or a known misprint.
 struct Variant {
-    const clipping::Algorithm* algorithm = nullptr;  ///< of an exhibit: what it was meant to be
-    clipping::Form form = clipping::Form::Corrected; ///< of an exhibit: published
-    const Exhibit* exhibit = nullptr;                ///< nothing: the form of the algorithm
+    const clipping::Algorithm* algorithm = nullptr;  ///< for a misprint: the algorithm it was meant
+                                                     ///< to be
+    clipping::Form form = clipping::Form::Corrected; ///< for a misprint: Published
+    const Exhibit* exhibit = nullptr;                ///< null: not a misprint
 
     friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// The form of the wish's algorithm that can clip: corrected where that has no published one.
+/// The wish, in the corrected form if its algorithm has no published form that can clip.
 inline Variant usable(const Variant& wish)
 {
     const bool has = clipping::usesOf(*wish.algorithm, wish.form);

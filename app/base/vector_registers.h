@@ -3,9 +3,9 @@
 
 namespace app {
 
-/// Empties the upper halves of this processor's vector registers, if it has such. Qt's painting
-/// leaves something in them (AVX code without vzeroupper), and whatever was compiled for SSE is
-/// slowed down from then on: Cyrus-Beck took 1.5 times as long in the turns after drawing.
+/// Clears the upper halves of the processor's vector registers, if it has any. Qt's painting leaves
+/// them in use (AVX code without vzeroupper), which slows down all later SSE code: Cyrus-Beck took
+/// 1.5 times as long in the turns after drawing.
 void emptyUpperHalves();
 
 } // namespace app

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// Writes all of it. A full disk takes a part at first, and only what comes next has an error: so
-/// where this fails, `out.errorString()` says why.
+/// Writes all bytes; false on failure. A full disk first accepts a part, and only the next write
+/// fails: then `out.errorString()` gives the reason.
 inline bool writeAll(QIODevice& out, std::string_view bytes)
 {
     while (!bytes.empty()) {

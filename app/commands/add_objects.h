@@ -5,12 +5,12 @@
 
 namespace app {
 
-/// Adds objects to containers, above all that is in these.
+/// Adds objects to containers, on top of each container's content.
 class AddObjects : public EditCommand {
 public:
     static constexpr CommandKind row{"add-objects", "Adds objects on top of a layer"};
 
-    /// `text` names the step: "Draw line", "Paste". Not empty; `objects` neither.
+    /// `text` names the step: "Draw line", "Paste". Neither `text` nor `objects` may be empty.
     AddObjects(EditedDocument& document, const Objects& objects, ContainerId into,
                const QString& text);
     AddObjects(EditedDocument& document, Edit adding, const QString& text); ///< see app::adding

@@ -15,7 +15,7 @@
 
 namespace app {
 
-// THE CATALOGUE. To add a command: write its file, here in app/commands/, and name its row here.
+// THE CATALOGUE. To add a command, write its file in app/commands/ and name its row here.
 std::span<const CommandKind> commandKinds()
 {
     static constexpr std::array all{AddObjects::row,    RemoveObjects::row, MoveObjects::row,

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// Every kind of command that there is. A test draws commands from this list by key, and fails
-/// where it cannot make one, so a new command is tested together with all others.
+/// All kinds of commands. A test creates a command for each key and fails for an unknown one, so
+/// every new command is tested together with all others.
 std::span<const CommandKind> commandKinds();
 
 } // namespace app

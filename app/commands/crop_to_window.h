@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Really cuts the document at its clip windows.
+/// Cuts the document permanently at its clip windows.
 class CropToWindow : public EditCommand {
 public:
     static constexpr CommandKind row{"crop-to-window", "Cuts the drawing at its clip window"};
@@ -14,7 +14,11 @@ public:
     CropToWindow(EditedDocument& document, const CutOptions& options);
 
     const CutCounts& counts() const { return counts_; }
-    bool changes() const { return counts_.cut + counts_.gone > 0; } ///< anything at all
+    bool changes() const
+    {
+        return counts_.cut + counts_.gone > 0;
+    } ///< whether the cut changes any
+      ///< object
 
 private:
     CropToWindow(EditedDocument& document, Cut cut);

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-// Doing one of them after the other leaves to undo what undoing the first alone does.
+// If true, undoing `first` alone has the same result as undoing `second` and then `first`.
 bool samePlaces(const Edit& first, const Edit& second)
 {
     const auto exchanges = [](const Splice& s) { return s.removed == s.added; };

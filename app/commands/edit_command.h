@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// A step that is one edit of the document. It keeps the edit that it does next: after redo() the
-/// one that undoes it.
+/// A command that consists of one edit of the document. It stores the next edit to apply: after
+/// redo(), the edit that undoes it.
 class EditCommand : public UndoCommand {
 public:
     EditCommand(const CommandKind& kind, EditedDocument& document, Edit edit, const QString& text,
@@ -21,8 +21,8 @@ public:
 
     void redo() final { exchange(); }
     void undo() final { exchange(); }
-    /// If both exchange objects in the same places, or both the clip windows alone, undoing this
-    /// one undoes both.
+    /// Merges if both commands replace objects at the same places, or if both change only the clip
+    /// windows. Undoing this command then undoes both.
     bool mergeWith(const UndoCommand& next) final;
     std::size_t bytes() const final { return heapBlock(sizeof *this) + editBytes_; }
 
@@ -34,8 +34,8 @@ private:
     std::size_t editBytes_ = 0;
 };
 
-/// The edit that calls `change` for each of the objects. Their number and their containers stay as
-/// they are. `change` may add styles to the table.
+/// The edit that calls `change` for each of the objects. Their number and containers stay the same.
+/// `change` may add styles to the table.
 using ChangeRow = std::function<void(ObjectRow& row, StyleTable& styles)>;
 Edit changed(const Document& document, const ObjectRanges& objects, const ChangeRow& change);
 

@@ -27,7 +27,7 @@ void History::push(UndoCommand* command)
     lastPush_ = now;
 }
 
-// lastPush_ says that the last command pushed is the last of all steps, and in force.
+// Requires lastPush_ to be set: then the last command pushed is the last of all steps, and done.
 bool History::joinsLast(const UndoCommand& command) const
 {
     UndoCommand& last = *steps_.back().commands.back();
@@ -43,14 +43,15 @@ void History::append(Step step)
         steps_.pop_back();
     }
     if (clean_ > index_)
-        clean_.reset(); // that state was undone, and can no longer be redone
+        clean_.reset(); // that state was undone and can no longer be redone
     steps_.push_back(std::move(step));
     ++index_;
     measure(steps_.back());
     notify(wasClean, forgetOldest());
 }
 
-// Commands keep other things in force than undone, so this follows every change.
+// A command may use different amounts of memory when done and when undone, so each undo and redo
+// calls this.
 void History::measure(Step& step)
 {
     bytes_ -= step.bytes;
@@ -143,7 +144,7 @@ void History::setClean()
     assert(macros_ == 0);
     const bool wasClean = isClean();
     clean_ = index_;
-    lastPush_.reset(); // a step that joins the last one would take the saved state away
+    lastPush_.reset(); // a command that merged with the last step would lose the saved state
     if (!wasClean)
         emit cleanChanged(true);
 }

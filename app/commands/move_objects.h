@@ -14,7 +14,7 @@ public:
                 Merging merging = Merging::Never);
 };
 
-/// The object at another place.
+/// Moves the object by the placement.
 void place(ObjectRow& object, const Placement& where);
 
 } // namespace app

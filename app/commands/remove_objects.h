@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Removes objects. Undone, they are where they were.
+/// Removes objects. Undo puts them back in their places.
 class RemoveObjects : public EditCommand {
 public:
     static constexpr CommandKind row{"remove-objects", "Removes objects"};

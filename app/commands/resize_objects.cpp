@@ -17,7 +17,8 @@ Placement fitting(const clipping::Window& from, const clipping::Window& to)
 
 namespace {
 
-// Point by point, so that the corner stays where it is held whatever the numbers.
+// Maps each point separately, so that `from.min` maps to `to.min` without rounding, whatever the
+// numbers.
 Path fitted(const Path& path, const clipping::Window& from, const clipping::Window& to)
 {
     const Point scale = fitting(from, to).scale;
@@ -31,7 +32,7 @@ Edit resized(const Document& document, const ObjectRanges& objects, const clippi
              const clipping::Window& to)
 {
     const Placement where = fitting(from, to);
-    const bool keepsCorner = where(from.min) == to.min; // else it moves by a rounding
+    const bool keepsCorner = where(from.min) == to.min; // otherwise rounding moves the corner
     return changed(document, objects, [&](ObjectRow& object, StyleTable&) {
         Path path = keepsCorner ? Path() : fitted(object.path, from, to);
         place(object, where);

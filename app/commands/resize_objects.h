@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Moves and scales objects so that what was in the rectangle `from` is in `to`. Stroke widths
-/// stay. Along an axis where `from` has no extent, objects are only moved.
+/// Moves and scales objects so that the content of the rectangle `from` fills `to`. Stroke widths
+/// stay. Along an axis on which `from` has no extent, objects are only moved.
 class ResizeObjects : public EditCommand {
 public:
     static constexpr CommandKind row{"resize-objects", "Moves and scales objects"};

@@ -5,16 +5,17 @@
 
 namespace app {
 
-/// Shows, hides, locks, renames or adds layers and groups: objects stay in the order they are in.
+/// Shows, hides, locks, renames or adds layers and groups. The painting order of objects does not
+/// change.
 class SetContainers : public EditCommand {
 public:
     static constexpr CommandKind row{"set-containers", "Changes or adds layers and groups"};
 
-    /// `containers` span as many objects as there are.
+    /// `containers` must span exactly the document's objects.
     SetContainers(EditedDocument& document, Containers containers, const QString& text);
 };
 
-/// Removes a layer with what is in it. It must not be the last one of the first level.
+/// Removes a layer with its content. It must not be the last layer of the first level.
 class RemoveLayer : public EditCommand {
 public:
     static constexpr CommandKind row{"remove-layer", "Removes a layer with its objects"};

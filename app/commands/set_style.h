@@ -10,7 +10,7 @@ class SetStyle : public EditCommand {
 public:
     static constexpr CommandKind row{"set-style", "Changes how objects are painted"};
 
-    /// `change` is called at least once for each style that the objects have.
+    /// Calls `change` at least once for each style of the objects.
     SetStyle(EditedDocument& document, const ObjectRanges& objects,
              const std::function<void(Style&)>& change, const QString& text,
              Merging merging = Merging::Never);

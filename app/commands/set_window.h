@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Draws, moves or resizes the clip window that tools move (`withWindow`).
+/// Draws, moves or resizes the clip window that tools act on (see `withWindow`).
 class SetWindow : public EditCommand {
 public:
     static constexpr CommandKind row{"set-window", "Draws, moves or resizes the clip window"};

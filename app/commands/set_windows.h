@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Adds, removes or changes clip windows, or chooses which side of them is kept.
+/// Adds, removes or changes clip windows, or sets which side of them is kept.
 class SetWindows : public EditCommand {
 public:
     static constexpr CommandKind row{"set-windows", "Changes the list of clip windows"};

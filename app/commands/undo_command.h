@@ -11,15 +11,15 @@ namespace app {
 /// A kind of undoable change: a row of the catalogue (app/commands/catalogue.h).
 struct CommandKind {
     std::string_view key;     ///< for programs: "move-objects"
-    std::string_view summary; ///< what it does, for those who read a log: "Moves objects"
+    std::string_view summary; ///< what it does, for readers of a log: "Moves objects"
 };
 
-/// Whether a command may join the step before it: repeated keys, and steps of a spin box, that
-/// follow each other quickly are one step to undo.
+/// Whether a command may merge with the step before it: quickly repeated keys, or clicks of a spin
+/// box, form one step to undo.
 enum class Merging : std::uint8_t { Never, WithLast };
 
-/// One change of the document that can be undone. It is made in the state that it changes, and done
-/// and undone in turn, starting with redo(); History owns it.
+/// One undoable change of the document. It is created in the state that it changes, and then done
+/// and undone in turn, starting with redo(). History owns it.
 class UndoCommand {
 public:
     /// `text` names the step in menus: "Move selection". Not empty.
@@ -37,13 +37,13 @@ public:
     const CommandKind& kind() const { return *kind_; }
     const QString& text() const { return text_; }
 
-    /// Commands with the same key may join; one without a key joins none.
+    /// Commands with the same key may merge; a command with an empty key merges with none.
     QString mergeKey() const;
-    /// Takes over `next`, which was done after this command and has its key: undoing this one then
-    /// undoes both. False if it changes other objects; nothing has happened then.
+    /// Absorbs `next`, which was done after this command and has its key: undoing this command then
+    /// undoes both. Returns false, without any change, if `next` changes other objects.
     virtual bool mergeWith(const UndoCommand& /*next*/) { return false; }
 
-    /// The memory that it keeps at present, itself included.
+    /// The memory that this command uses at present, itself included.
     virtual std::size_t bytes() const = 0;
 
 private:

@@ -13,20 +13,22 @@ namespace {
 
 using clipping::Clipped;
 
-constexpr std::size_t chordsAtOnce = 65'536; // of whole objects; one may have more
+constexpr std::size_t chordsAtOnce = 65'536; // chords of whole objects in a batch; a single object
+                                             // may have more
 
 bool notFinite(const Clipped& piece)
 {
     const auto& [a, b] = piece.segment;
-    return !std::isfinite(a.x + a.y + b.x + b.y); // what was read is far below overflow
+    return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates read from files are far below
+                                                  // overflow
 }
 
-// Objects of a document as chords in one array, so that one call of the algorithm clips many.
+// The chords of many objects in one array, so that one call of the algorithm clips them all.
 class Batch {
 public:
     struct Member {
         std::size_t object;
-        std::size_t first, end; ///< chords
+        std::size_t first, end; ///< its chords in the array
     };
 
     void add(std::size_t number, const ObjectView& object, double tolerance)
@@ -56,7 +58,7 @@ private:
     std::vector<Member> members_;
 };
 
-// What is kept of chords.
+// The parts of chords that are kept.
 class Clipping {
 public:
     explicit Clipping(const CutOptions& options) : options_(options)
@@ -94,7 +96,7 @@ private:
     {
         kept_.resize(lines_.size());
         kept_.resize(options_.clipAll(lines_, window, kept_));
-        std::erase_if(kept_, notFinite); // a published form may give anything
+        std::erase_if(kept_, notFinite); // a published form may return anything
         if (options_.region.keep == Keep::Inside)
             return;
         outside_.resize(lines_.size() + kept_.size());

@@ -12,7 +12,8 @@ namespace {
 
 using clipping::Clipped;
 
-// Takes the pieces of the first chords; their parts count from the first of these.
+// Takes the pieces of the first `chords` chords from `pieces`. The chord numbers of the parts count
+// from `first`.
 std::vector<KeptPart> partsOf(std::size_t chords, std::span<const Clipped>& pieces,
                               std::size_t first)
 {

@@ -6,16 +6,16 @@
 
 namespace app {
 
-/// What a cut leaves of an object.
+/// What remains of an object after a cut.
 struct CutObject {
-    bool whole = false;         ///< all of it, unchanged
-    std::vector<Object> left{}; ///< else what is left, bottom to top
-    std::size_t opened = 0;     ///< closed subpaths that are open now
+    bool whole = false;         ///< the whole object, unchanged
+    std::vector<Object> left{}; ///< otherwise the remaining parts, bottom to top
+    std::size_t opened = 0;     ///< closed subpaths that became open
 };
 
-/// Cuts an object by what is kept of its lines. `chords` are those of
-/// `flatten(object.path, tolerance)`; `pieces` come in their order, and their sources count from
-/// `first`. A cut object has no inside to fill any more: one that was only filled is outlined.
+/// Cuts an object, given the kept pieces of its lines. `chords` are those of `flatten(object.path,
+/// tolerance)`. `pieces` are in the order of the chords, and their sources count from `first`. A
+/// cut object has no interior left to fill: an object with only a fill becomes outlined.
 CutObject cutObject(const Object& object, double tolerance, std::span<const Chord> chords,
                     std::span<const clipping::Clipped> pieces, std::size_t first,
                     const ClipRegion& region);

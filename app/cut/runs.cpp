@@ -35,7 +35,7 @@ bool isCurve(const Subpath& path, std::size_t segment)
     return segment < path.segments.size() && path.segments[segment].curved;
 }
 
-// Also where squares would overflow.
+// std::hypot: squares could overflow.
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 double levelOf(Edge edge, const clipping::Window& window)
@@ -46,7 +46,8 @@ double levelOf(Edge edge, const clipping::Window& window)
                                   : window.max.y;
 }
 
-// A window whose edge the point is on. Of a single one, the published forms may miss the edge.
+// A window on whose edge the point lies. A single window is returned in any case, as the published
+// forms may miss the edge.
 const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge edge)
 {
     const int other = edge == Edge::Left || edge == Edge::Right ? 1 : 0;
@@ -57,13 +58,15 @@ const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge 
     return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
 }
 
-// Where the curve itself crosses the line of the edge within its chord's interval, by bisection;
-// where it does not (the chord cuts a corner that the curve misses), the chord's own cut.
+// The point at which the curve itself crosses the edge's line, by bisection within the chord's
+// interval. If the curve does not cross it (the chord cuts a corner that the curve misses), the
+// chord's own cut.
 End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
             const ClipRegion& region)
 {
     const Point along = chord.segment.b - chord.segment.a;
-    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
+    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares, which could
+                                                                      // overflow
     const double s =
         along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
     const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
@@ -134,7 +137,7 @@ public:
     }
 
 private:
-    // Chords of one curve are gathered, so that the curve comes back as one.
+    // Collects the chords of one curve, so that they become one curve again.
     void extendCurve(std::size_t segment, const End& begin, const End& end)
     {
         if (curveSegment_ != segment || begin.t != curveEnd_.t)
@@ -172,10 +175,12 @@ private:
     std::span<const Chord> chords_;
     const ClipRegion& region_;
     std::vector<Run> runs_;
-    bool open_ = false; ///< the last part reached its chord's end, `next_` would continue it
+    bool open_ = false; ///< the last part reached the end of its chord, so a part of chord `next_`
+                        ///< continues it
     bool startsAtChord0_ = false;
     std::size_t next_ = 0;
-    std::size_t curveSegment_ = path_.segments.size() + 1; ///< this value: none is being gathered
+    std::size_t curveSegment_ = path_.segments.size() + 1; ///< this initial value: no curve is
+                                                           ///< being collected
     End curveBegin_{}, curveEnd_{};
     std::size_t measured_ = 0;
     double length_ = 0;

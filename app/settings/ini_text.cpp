@@ -8,7 +8,8 @@
 namespace app {
 namespace {
 
-constexpr qsizetype longestEscape = 6; // "x00e9", and whether a digit follows
+constexpr qsizetype longestEscape = 6; // "x00e9" and the character behind it, which must not be a
+                                       // digit
 
 /// The character of the escape sequence whose backslash ends before `at`; moves `at` behind it.
 std::optional<QChar> unescaped(QStringView text, qsizetype& at)
@@ -30,12 +31,12 @@ std::optional<QChar> unescaped(QStringView text, qsizetype& at)
                                       : found.capturedView(1).toUShort(nullptr, 16));
 }
 
-/// The items between the commas; none if QSettings does not write such a text.
+/// The items between the commas; empty if QSettings does not write such a text.
 std::optional<QStringList> itemsOf(QStringView text)
 {
     QStringList items{QString()};
     bool quoted = false;
-    qsizetype solid = 0; // so long is the last item without the blanks at its end
+    qsizetype solid = 0; // the length of the last item without trailing blanks
     for (qsizetype at = 0; at < text.size();) {
         QChar c = text[at++];
         const bool blank = !quoted && c.isSpace();
@@ -66,10 +67,10 @@ std::optional<QStringList> itemsOf(QStringView text)
     return quoted ? std::nullopt : std::optional(items);
 }
 
-/// "@" begins the name of a type; "@@" is a text that begins with one.
+/// "@" begins a type name; "@@" begins a text that starts with "@".
 bool namesType(const QString& item) { return item.startsWith(u'@') && !item.startsWith(u"@@"); }
 
-/// Invalid: of a type that is not read.
+/// Invalid if the value has a type that is not read.
 QVariant valueOf(QStringList items)
 {
     static const QString bytes = QStringLiteral("@ByteArray(");

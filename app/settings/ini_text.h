@@ -6,9 +6,9 @@
 
 namespace app {
 
-/// The settings in an INI text that QSettings of an earlier version wrote: texts (numbers and truth
-/// values are texts there), lists of texts, and bytes. Any other line or value is left out: Qt's
-/// own parser builds any type that a text names, and some texts then crash it.
+/// Reads the INI text that QSettings of an earlier version wrote: texts (numbers and truth values
+/// are texts there), lists of texts, and bytes. Other lines and values are skipped: Qt's own parser
+/// constructs any type that the text names, and crashes on some texts.
 QSettings::SettingsMap settingsOfIni(const QByteArray& text);
 
 } // namespace app

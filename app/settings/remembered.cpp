@@ -15,7 +15,7 @@ constexpr int longestPath = 4096; // characters
 
 int rememberedNumber(const QString& key, int least, int most, int usual)
 {
-    // QVariant makes the whole number 0 of 1e300, and calls it converted.
+    // QVariant converts 1e300 to the whole number 0 and reports success.
     const double number = rememberedNumber(key, double(least), double(most), double(usual));
     return number == std::floor(number) ? int(number) : usual;
 }

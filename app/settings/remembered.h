@@ -3,17 +3,17 @@
 
 #include <QString>
 
-// What the settings file says, read as if a stranger had written it.
+// Values from the settings file, treated as untrusted input.
 
 namespace app {
 
-/// A whole number from `least` to `most`; `usual` if there is none.
+/// A whole number from `least` to `most`; `usual` if the file has no such number.
 int rememberedNumber(const QString& key, int least, int most, int usual);
 
-/// A finite number from `least` to `most`; `usual` if there is none.
+/// A finite number from `least` to `most`; `usual` if the file has no such number.
 double rememberedNumber(const QString& key, double least, double most, double usual);
 
-/// A folder that exists, by its absolute path; `usual` if there is none.
+/// The absolute path of a folder that exists; `usual` if the file has no such path.
 QString rememberedFolder(const QString& key, const QString& usual);
 
 } // namespace app

@@ -7,11 +7,11 @@
 
 namespace app {
 
-/// `bytes` with a check sum before them, for what is read by code that trusts it
-/// (QMainWindow::restoreState crashes on one damaged byte).
+/// Prepends a checksum to `bytes`, for readers that trust their input (QMainWindow::restoreState
+/// crashes on a single damaged byte).
 QByteArray sealed(const QByteArray& bytes);
 
-/// What was sealed; nothing if a bit of it has changed, or if it never was.
+/// The bytes that sealed() was given; empty if a bit has changed or if they were never sealed.
 std::optional<QByteArray> unsealed(const QByteArray& bytes);
 
 } // namespace app

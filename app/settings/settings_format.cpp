@@ -24,7 +24,7 @@ QJsonValue jsonOf(const QVariant& value)
     return QJsonValue::fromVariant(value);
 }
 
-/// Invalid: nothing that a program of ours wrote.
+/// Invalid if this program never writes such a value.
 QVariant valueOf(const QJsonValue& json)
 {
     if (json.isObject())

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr QSize frame(8, 40); // of a usual desktop
+constexpr QSize frame(8, 40); // of a common desktop
 constexpr int most = 100'000; // pixels
 
 } // namespace

@@ -7,14 +7,15 @@
 
 namespace app {
 
-// Each is defined in the file of its format.
+// Each function is defined in the file of its format.
 QString plainText(std::span<const Table> tables);
 QString csvText(std::span<const Table> tables);
 QString jsonText(std::span<const Table> tables);
 QString markdownText(std::span<const Table> tables);
 QString latexText(std::span<const Table> tables);
 
-// THE CATALOGUE. To add a format: write its file in app/tables/, and name it above and below.
+// THE CATALOGUE. To add a format, write its file in app/tables/, declare its function above, and
+// add its row here.
 std::vector<TableFormat> tableFormats()
 {
     struct Tables {

@@ -18,9 +18,9 @@ QString csvLine(const QStringList& fields)
 
 } // namespace
 
-/// Each table with its names as the first line; what is true of all rows are further columns, the
-/// same in each row, and columns that came late follow them. An empty line between tables. Title
-/// and notes are for people and left out.
+/// Each table starts with a line of its names. Facts become further columns with the same value in
+/// each row; the late columns follow. An empty line separates tables. Title and notes are for
+/// people and left out.
 QString csvText(std::span<const Table> tables)
 {
     QString text;

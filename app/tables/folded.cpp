@@ -8,8 +8,9 @@ namespace app {
 namespace {
 
 constexpr qsizetype gap = 2;          // between columns
-constexpr qsizetype narrowText = 24;  // how narrow a column of text may become
-constexpr qsizetype mostLeading = 40; // of a line, for what every block begins with
+constexpr qsizetype narrowText = 24;  // the minimal width of a text column
+constexpr qsizetype mostLeading = 40; // the largest part of a line for the columns that start every
+                                      // block
 constexpr qsizetype unbroken = 1 << 20;
 constexpr QStringView between = u",/"; // coordinates, and the folders of a path
 
@@ -36,7 +37,7 @@ qsizetype widthOf(const Columns& columns)
                            [](qsizetype sum, const Column& c) { return sum + gap + c.width; });
 }
 
-/// As wide as its heading and its longest cell, whose lines are at most `most` long.
+/// The width of the heading or the longest cell, with cell lines of at most `most` characters.
 qsizetype widthOf(const Table& table, const Column& column, qsizetype most)
 {
     qsizetype width = longest(column.heading);
@@ -65,7 +66,7 @@ void breakHeadings(const Table& table, Columns& columns)
     }
 }
 
-/// Breaks texts, the last one no more than needed.
+/// Breaks texts; the last column no more than necessary.
 void breakTexts(const Table& table, Columns& columns)
 {
     for (Column& column : columns)
@@ -117,7 +118,7 @@ QString blockOf(const Table& table, const Columns& columns)
     return text;
 }
 
-/// How many columns at the left tell the rows apart: the texts there, at least one column.
+/// The number of columns at the left that identify the rows: the text columns there, at least one.
 std::size_t leadingOf(const Columns& columns)
 {
     std::size_t count = 1;
@@ -150,7 +151,7 @@ QStringList brokenLines(const QString& text, qsizetype width, QStringView after)
     QStringList lines;
     qsizetype begin = 0;
     while (text.size() - begin > width) {
-        qsizetype end = begin, next = begin; // of the line; where the one after it begins
+        qsizetype end = begin, next = begin; // `end` of this line, beginning of the `next`
         for (qsizetype i = begin; i < text.size() && (i <= begin + width || end == begin); ++i) {
             const bool space = text[i] == u' ';
             const bool fits = space || i < begin + width || end == begin;

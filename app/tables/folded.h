@@ -5,16 +5,17 @@
 
 namespace app {
 
-/// Columns of a terminal, into which tables for people fit.
+/// The terminal width, in columns, that tables for people are fitted to.
 inline constexpr qsizetype terminalWidth = 80;
 
-/// The text in lines of at most `width` characters, broken at spaces and after the characters
-/// `after`. What has none of these stays whole and may be longer.
+/// Breaks the text into lines of at most `width` characters, at spaces and after the characters
+/// `after`. A part without either stays whole and may be longer.
 QStringList brokenLines(const QString& text, qsizetype width, QStringView after = {});
 
-/// The table's names and rows, numbers to the right. One that is too wide for a terminal gets
-/// headings of several lines; if need be its texts are broken, and its columns go below each other
-/// in blocks that all begin with the columns that tell the rows apart. Empty without columns.
+/// Formats the table's names and rows as text, numbers right-aligned. If the table is too wide for
+/// a terminal, its headings are broken into several lines, then its texts; at last its columns are
+/// stacked in blocks, each of which starts with the columns that identify the rows. Empty if the
+/// table has no columns.
 QString folded(const Table& table);
 
 } // namespace app

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-/// Whole numbers that a double cannot hold stay text, so that none is changed.
+/// Whole numbers that a double cannot represent stay text, so that no digit is lost.
 QJsonValue valueOf(const QString& field, bool numeric)
 {
     constexpr double largest = 9007199254740992; // 2^53
@@ -46,8 +46,8 @@ QJsonObject objectOf(const Table& table)
 
 } // namespace
 
-/// An array of tables; rows are objects by the columns' names, numbers are numbers, and what is
-/// empty is null.
+/// An array of tables. Rows are objects keyed by the column names, numbers are JSON numbers, and
+/// empty fields are null.
 QString jsonText(std::span<const Table> tables)
 {
     QJsonArray all;

@@ -7,8 +7,8 @@
 namespace app {
 namespace {
 
-/// What means something to TeX, as itself. A row that begins with [ or * would be taken for what
-/// may follow the end of the one before.
+/// Replacements for the characters that are special in TeX. [ and * are included because at the
+/// start of a row TeX would read them as arguments of the preceding \\.
 const std::map<char16_t, const char*>& signs()
 {
     static const std::map<char16_t, const char*> all{
@@ -37,7 +37,8 @@ const std::map<char16_t, const char*>& signs()
     return all;
 }
 
-/// What every TeX knows, with the packages below: Latin letters, and quotation marks and dashes.
+/// Characters that every TeX typesets with the packages below: Latin letters, quotation marks and
+/// dashes.
 bool isKnown(QChar c) { return c < u'\u0180' || (c >= u'\u2013' && c <= u'\u2026'); }
 
 QString escaped(const QString& text)
@@ -104,7 +105,7 @@ QString captionOf(const Table& table)
     return text;
 }
 
-/// Shrinks to the line.
+/// A floating table, shrunk to the line width.
 QString floatOf(const Table& table)
 {
     const QString caption = captionOf(table);
@@ -119,11 +120,12 @@ QString floatOf(const Table& table)
            + QStringLiteral("\\end{table}\n");
 }
 
-/// How a table is set whose pages are not made yet, so that it cannot be scaled to them.
+/// How to typeset a table that is longer than a page and therefore cannot be scaled.
 struct Setting {
-    const char* size;     ///< of type
-    qsizetype letters;    ///< that fit a line of an article, measured with digits, and as many gaps
-    const char* turned{}; ///< the environment that turns the page, if it does
+    const char* size;     ///< type size
+    qsizetype letters;    ///< letters that fit into a line of an article, measured with digits and
+                          ///< as many gaps
+    const char* turned{}; ///< the environment that rotates the page, if any
 };
 
 const Setting& settingFor(const Table& table)
@@ -132,7 +134,7 @@ const Setting& settingFor(const Table& table)
                                    {"\\footnotesize", 74},
                                    {"\\footnotesize", 116, "landscape"},
                                    {"\\scriptsize", 130, "landscape"},
-                                   {"\\tiny", 145, "landscape"}}; // and wider ones
+                                   {"\\tiny", 145, "landscape"}}; // also for wider tables
     qsizetype letters = 0;
     for (qsizetype c = 0; c < table.names.size(); ++c) {
         qsizetype widest = table.names[c].size();
@@ -145,7 +147,7 @@ const Setting& settingFor(const Table& table)
     return found == std::end(all) ? *std::rbegin(all) : *found;
 }
 
-/// Goes on from page to page, with its headings on each.
+/// A table that continues from page to page and repeats its headings on each.
 QString longTableOf(const Table& table)
 {
     const Setting& setting = settingFor(table);
@@ -164,7 +166,7 @@ QString longTableOf(const Table& table)
                           : text;
 }
 
-/// So many rows fit a page, with title and notes; longer tables would run off it.
+/// The rows that fit on a page, with title and notes; a longer table would run off the page.
 constexpr std::size_t mostOnAPage = 30;
 
 QString textOf(const Table& table)
@@ -174,10 +176,10 @@ QString textOf(const Table& table)
 
 } // namespace
 
-/// A whole document of tables with booktabs' rules, so that it compiles as it is; to have them in
-/// another one, take what is between its begin and end. Tables of a page float, and wide ones
-/// shrink to the line; longer ones go on from page to page (longtable), wide ones in smaller type
-/// or turned.
+/// A complete document of tables with booktabs rules, which compiles as it is. To use the tables in
+/// another document, copy what is between its \begin and \end. Tables of at most a page float, and
+/// wide ones shrink to the line width. Longer tables continue from page to page (longtable), wide
+/// ones in smaller type or rotated.
 QString latexText(std::span<const Table> tables)
 {
     QString text =

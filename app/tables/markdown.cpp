@@ -4,7 +4,7 @@
 namespace app {
 namespace {
 
-/// What would be markup in a cell or a line.
+/// Escapes the characters that are markup in a cell or a line.
 QString escaped(const QString& text)
 {
     QString result;
@@ -26,7 +26,7 @@ QString lineOf(const QStringList& fields)
 
 } // namespace
 
-/// Pipe tables, with facts and notes as a list below.
+/// Pipe tables, each followed by a list of its facts and notes.
 QString markdownText(std::span<const Table> tables)
 {
     QString text;

@@ -10,36 +10,37 @@
 
 namespace app {
 
-/// A table as data: a row of names and rows of fields, as many as there are names. What may be
-/// empty is left out where it is.
+/// A table as data: a row of names and rows of fields, as many fields as names. Outputs omit
+/// optional members that are empty.
 struct Table {
     QStringList names;
     std::vector<QStringList> rows{};
     QString title{};
     QString key{}; ///< in files: a word
-    /// What is true of all rows: names (words) and what they stand for.
+    /// Names (single words) and values that hold for all rows.
     std::vector<std::pair<QString, QString>> facts{};
     QStringList notes{}; ///< sentences
-    /// Names of columns that came after others already read these tables: in CSV they stand behind
-    /// the facts, so that every other column stays where it was.
+    /// Names of columns added after other programs already read these tables. In CSV they come
+    /// after the facts, so that all other columns keep their positions.
     QStringList late{};
 };
 
-/// One row of the catalogue of what tables can be printed as.
+/// One row of the catalogue of output formats for tables.
 struct TableFormat {
     QString key;    ///< "markdown": for --format
-    QString ending; ///< "md": of a file's name
+    QString ending; ///< "md": the file name extension
     QString name;   ///< translated
     QString (*text)(std::span<const Table> tables);
 };
 
-/// Every format; the first one is for people.
+/// All formats; the first one is for people.
 std::vector<TableFormat> tableFormats();
 
-/// On one line: line breaks and other control characters are spaces. For formats of lines.
+/// The text on one line: line breaks and other control characters become spaces. For formats with
+/// one record a line.
 QString oneLine(const QString& text);
 
-/// Whether a field is a number; a column of numbers (some may be empty) stands to the right.
+/// Whether a field is a number. Columns of numbers (some may be empty) are right-aligned.
 bool isNumber(const QString& field);
 std::vector<bool> numericColumns(const Table& table);
 

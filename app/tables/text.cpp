@@ -13,8 +13,8 @@ QString paragraph(const QString& text, qsizetype indent = 0)
 
 } // namespace
 
-/// Columns for people, numbers to the right, and the notes below. What is true of all rows is said
-/// once after the last of some tables of which the same is true.
+/// Columns for people, numbers right-aligned, followed by the notes. Facts that several consecutive
+/// tables share are printed once, after the last of these tables.
 QString plainText(std::span<const Table> tables)
 {
     constexpr qsizetype factIndent = 12;
