@@ -14,11 +14,7 @@ public:
     CropToWindow(EditedDocument& document, const CutOptions& options);
 
     const CutCounts& counts() const { return counts_; }
-    bool changes() const
-    {
-        return counts_.cut + counts_.gone > 0;
-    } ///< whether the cut changes any
-      ///< object
+    bool changes() const { return counts_.cut + counts_.gone > 0; } ///< whether an object changes
 
 private:
     CropToWindow(EditedDocument& document, Cut cut);

@@ -13,10 +13,8 @@ enum class Reach : std::uint8_t { Everything, Editable };
 struct CutOptions {
     ClipAll clipAll = nullptr; ///< from the algorithm; not null
     ClipRegion region{};       ///< without a window nothing is cut
-    double tolerance = 0;      ///< flattening tolerance of curves in user units; 0: 0.05 mm on
-                               ///< paper
-    bool keepContacts = false; ///< keep single points where a longer line only touches the region
-                               ///< (as in CSV)
+    double tolerance = 0;      ///< for curves, in user units; 0: 0.05 mm on paper
+    bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
     Reach reach = Reach::Everything;
 };
 
@@ -29,8 +27,7 @@ struct CutCounts {
     std::size_t unfilled = 0; ///< objects that lost their fill (now outlined in its colour if they
                               ///< had no stroke)
     std::size_t hidden = 0;   ///< hidden objects that were cut like visible ones, and stay hidden
-    std::size_t leftHidden = 0, leftLocked = 0;        ///< objects that Reach::Editable did not
-                                                       ///< touch
+    std::size_t leftHidden = 0, leftLocked = 0;        ///< not cut by Reach::Editable
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 
