@@ -5,14 +5,14 @@
 
 namespace app {
 
-/// What a file says about itself: title, author, licence … It is kept as the file has it: XML in
-/// which every prefix is declared; "" where the file says nothing.
+/// What a file says about itself: title, author, licence and so on. XML as in the file, with every
+/// prefix declared; empty where the file says nothing.
 struct About {
-    QString id;          ///< plain text: the root's
-    QString comments;    ///< <!-- … --> before and after the root, where licences often stand
-    QString title;       ///< the root's <title> elements
-    QString description; ///< its <desc> elements
-    QString metadata;    ///< its <metadata> elements, apart from Clearcut's own
+    QString id;          ///< plain text: the id of the root element
+    QString comments;    ///< <!-- … --> before and after the root element, often the licence
+    QString title;       ///< the <title> elements of the root
+    QString description; ///< the <desc> elements of the root
+    QString metadata;    ///< the <metadata> elements of the root, except Clearcut's own
     friend bool operator==(const About&, const About&) = default;
 };
 

@@ -5,14 +5,15 @@
 
 namespace app {
 
-/// A cubic Bézier curve with its first point, which a PathSegment leaves to its predecessor.
+/// A cubic Bézier curve with its start point, which a PathSegment takes from its predecessor.
 struct Bezier {
     Point from, control1, control2, to;
 
-    /// The point at t, by repeated interpolation: exact at 0 and 1, and inside the convex hull.
+    /// The point at t, by de Casteljau's algorithm: exact at 0 and 1, and inside the convex hull of
+    /// the control points.
     Point at(double t) const;
 
-    /// The part from t0 to t1 (0 <= t0 <= t1 <= 1), as a curve of its own.
+    /// The part from t0 to t1 (0 <= t0 <= t1 <= 1) as a separate curve.
     Bezier part(double t0, double t1) const;
 };
 

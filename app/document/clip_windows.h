@@ -12,10 +12,10 @@
 
 namespace app {
 
-// The shapes that a clip window can have, in user units. Each is closed: its border belongs to it.
+// The shapes of clip windows, in user units. Each shape is closed: it includes its border.
 
-/// A rectangle, turned by `angle` (radians) about its centre. One with `min > max` on an axis or
-/// with a number that is not finite contains nothing.
+/// A rectangle, rotated by `angle` (radians) about its centre. It contains nothing if `min > max`
+/// on an axis or a number is not finite.
 struct RectangleShape {
     clipping::Window box;
     double angle = 0;
@@ -27,7 +27,7 @@ struct PolygonShape {
 };
 using WindowShape = std::variant<RectangleShape, PolygonShape>;
 
-/// What a clip window does with what the windows before it leave.
+/// How a clip window combines with the result of the windows before it.
 enum class WindowOperation : std::uint8_t { Add, CutOut, Intersect };
 /// Which side of the clip windows is kept.
 enum class Keep : std::uint8_t { Inside, Outside };
@@ -37,22 +37,22 @@ struct ClipWindow {
     QString name{};
     WindowShape shape{};
     WindowOperation operation = WindowOperation::Add;
-    bool visible = true; ///< a hidden one does nothing
+    bool visible = true; ///< hidden windows have no effect
     friend bool operator==(const ClipWindow&, const ClipWindow&) = default;
 };
 
-/// All clip windows of a document. The visible ones are applied from the first to the last: to
-/// nothing if the first of them adds, else to everything. `keep` comes last. Without a visible
-/// window nothing is cut, whatever `keep` says.
+/// All clip windows of a document. The visible windows are applied from first to last, starting
+/// with nothing if the first one adds, else with everything. `keep` is applied last. Without a
+/// visible window nothing is cut, whatever `keep` is.
 struct ClipWindows {
-    static constexpr std::size_t most = 1000; ///< what makes lists keeps to it
+    static constexpr std::size_t most = 1000; ///< the code that adds windows enforces it
 
     std::vector<ClipWindow> list{};
     Keep keep = Keep::Inside;
     friend bool operator==(const ClipWindows&, const ClipWindows&) = default;
 };
 
-/// The box of a rectangle that is not turned; nothing for any other shape.
+/// The box of a rectangle that is not rotated; empty for any other shape.
 inline std::optional<clipping::Window> axisAlignedBox(const WindowShape& shape)
 {
     const auto* rectangle = std::get_if<RectangleShape>(&shape);

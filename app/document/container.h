@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// Names a container as long as its document lives; 0: the document itself.
+/// Identifies a container during the life of its document; 0 is the document itself.
 using ContainerId = std::uint32_t;
 
 /// A layer or a group.
@@ -15,9 +15,9 @@ struct Container {
     enum class Kind : std::uint8_t { Layer, Group };
     ContainerId id = 0;
     Kind kind = Kind::Layer;
-    QString name{};                 ///< what people read
-    QString svgId{};                ///< the SVG's; unique in a document, may be empty
-    QString title{}, description{}; ///< as XML, as About keeps them
+    QString name{};                 ///< shown to people
+    QString svgId{};                ///< the SVG id; unique in a document, may be empty
+    QString title{}, description{}; ///< XML, in the form that About describes
     bool visible = true;
     bool locked = false;
     friend bool operator==(const Container&, const Container&) = default;

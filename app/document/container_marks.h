@@ -10,8 +10,9 @@
 
 namespace app {
 
-/// Where a container opens or closes in painting order, and how many objects follow before the
-/// next mark. They belong to the container that opens, or to the one around that which closes.
+/// The opening or closing of a container in painting order, followed by `objects` objects before
+/// the next mark. After an opening mark these objects belong to the container; after a closing mark
+/// they belong to its parent.
 struct ContainerMark {
     std::uint32_t id : 31;
     std::uint32_t closes : 1;
@@ -19,12 +20,12 @@ struct ContainerMark {
     friend bool operator==(const ContainerMark&, const ContainerMark&) = default;
 };
 
-/// Marks in painting order: the tree, written down with brackets. They are kept in blocks that
-/// copies share.
+/// Marks in painting order: the container tree written as brackets. Copies share the blocks of
+/// marks.
 class ContainerMarks {
 public:
     static constexpr std::size_t mostInBlock = 256;
-    /// A place in the sequence, until the next change.
+    /// A position in the sequence, valid until the next change.
     struct At {
         std::size_t block = 0, index = 0;
         friend bool operator==(const At&, const At&) = default;
@@ -41,21 +42,20 @@ public:
     const ContainerMark& operator[](const At& at) const;
 
     std::size_t objectsBefore(const At& at) const; ///< O(mostInBlock)
-    /// The mark that the object follows without another in between; the object must be there.
+    /// The last mark before the object; the object must exist.
     At before(std::size_t object) const;
-    /// The last mark for which `holds` is true. It must be true for the first, and false for all
-    /// after one for which it is false. O(log marks).
+    /// The last mark for which `holds` is true. `holds` must be true for the first mark, and once
+    /// false stay false. O(log marks).
     template <class Holds>
     At lastWhere(const Holds& holds) const;
 
-    /// Puts `marks` in the place of [from, to). O(their number + blocks).
+    /// Replaces the marks [from, to) by `marks`. O(marks replaced and added + blocks).
     void replace(const At& from, const At& to, std::span<const ContainerMark> marks);
 
-    /// Bytes of the heap that they keep alive and `other` does not.
+    /// The heap bytes that this object keeps alive and `other` does not.
     std::size_t bytesNotIn(const ContainerMarks& other) const;
 
-    /// How many marks, and blocks as such, this thread has looked at: for tests of how many steps
-    /// something takes.
+    /// The number of marks and blocks that this thread has visited. Tests use it to count steps.
     inline static thread_local std::size_t steps = 0;
 
 private:

@@ -9,27 +9,27 @@
 
 namespace app {
 
-/// Marks of a tree that follow each other, while objects leave and come among them. The places are
-/// visited from the last one to the first, so that the numbers of the objects below stay. However
-/// many they are, each mark is passed a few times at most.
+/// Inserts and removes objects in a run of consecutive marks of a container tree. The places must
+/// be visited from last to first, so that the numbers of the objects below do not change. Each mark
+/// is passed a bounded number of times, whatever the number of places.
 class ContainerSplicing {
 public:
-    /// The last of the marks keeps the first object above all places, or is the last of the tree.
-    /// `end`: how many objects there are up to the end of the last mark.
+    /// The last of `marks` must keep the first object above all places, or be the last mark of the
+    /// tree. `end`: the number of objects up to the end of the last mark.
     ContainerSplicing(const ContainerTable& table, std::vector<ContainerMark> marks,
                       std::size_t end);
 
-    /// What the splice adds goes to the container of the first object that it removes; where it
-    /// removes none, into `into`. The tree stays as it is if as many come as go, all of one
-    /// container.
+    /// Added objects go into the container of the first removed object or, if none is removed, into
+    /// `into`. The tree does not change if the splice adds as many objects as it removes and all of
+    /// them are in one container.
     void splice(const Splice& s, ContainerId into);
-    /// What is added goes `into` a container that has or touches the place, above the containers
+    /// Added objects go into `into`, which must contain or touch the place, above the containers
     /// without objects there.
     void exchange(std::size_t first, std::size_t removed, std::size_t added, ContainerId into);
 
     bool changed() const { return changed_; }
-    /// The marks without the groups that have lost their last object. Adds to `gone` these groups,
-    /// and those in them.
+    /// The resulting marks, without the groups that lost their last object. Appends these groups,
+    /// and the groups inside them, to `gone`.
     std::vector<ContainerMark> take(std::vector<ContainerId>& gone) const;
 
 private:
@@ -45,10 +45,10 @@ private:
 
     const ContainerTable& table_;
     std::vector<ContainerMark> marks_;
-    std::vector<bool> lost_;  ///< whether a mark has lost objects
-    std::size_t at_;          ///< the mark at the present place
-    std::size_t start_, end_; ///< its objects that are not passed yet, as they were numbered before
-    std::size_t top_;         ///< the first mark that keeps objects above the present place
+    std::vector<bool> lost_;  ///< whether the mark has lost objects
+    std::size_t at_;          ///< the mark at the current place
+    std::size_t start_, end_; ///< its objects not yet passed, in the old numbering
+    std::size_t top_;         ///< the first mark that keeps objects above the current place
     bool changed_ = false;
 };
 

@@ -9,16 +9,16 @@
 
 namespace app {
 
-/// What is known of each container, by its id. It is kept in blocks that copies share.
+/// The data of each container, by id. Copies share the blocks of entries.
 class ContainerTable {
 public:
     struct Entry {
-        std::shared_ptr<const Container> container{}; ///< null: there is none of this id
+        std::shared_ptr<const Container> container{}; ///< null: no container has this id
         ContainerId parent = 0;
-        /// Numbers that ascend in painting order, of its two marks: these are found by
-        /// them, wherever others come and go.
+        /// The labels of its opening and closing marks. Labels ascend in painting order, so they
+        /// locate the marks after any insertion or removal.
         std::uint64_t opens = 0, closes = 0;
-        /// The same container in the same place.
+        /// The same container with the same parent.
         friend bool operator==(const Entry& a, const Entry& b)
         {
             return a.parent == b.parent
@@ -26,34 +26,35 @@ public:
         }
     };
 
-    ContainerTable(); ///< with id 0, the document
+    ContainerTable(); ///< contains only id 0, the document
 
-    ContainerId end() const { return end_; } ///< the id that `add` gives
+    ContainerId end() const { return end_; } ///< the id that `add` will return
     bool contains(ContainerId id) const
     {
         return id < end_ && blocks_[id / size]->at(id % size).container;
     }
     const Entry& operator[](ContainerId id) const { return (*blocks_[id / size])[id % size]; }
-    Entry& own(ContainerId id) { return blocks_[id / size].own()[id % size]; } ///< to write to
-    /// The document takes layers only, a layer layers and groups, a group groups only.
+    Entry& own(ContainerId id) { return blocks_[id / size].own()[id % size]; } ///< for writing
+    /// The document may hold only layers; a layer holds layers and groups; a group holds only
+    /// groups.
     bool mayHold(ContainerId around, Container::Kind kind) const
     {
         const bool isGroup =
             around != 0 && (*this)[around].container->kind == Container::Kind::Group;
         return kind == Container::Kind::Layer ? !isGroup : around != 0;
     }
-    void setContainer(Container container); ///< of that id
+    void setContainer(Container container); ///< replaces the container with the same id
     ContainerId add(Container container, ContainerId parent);
-    void remove(ContainerId id) { own(id) = {}; } ///< it is not given again
-    /// Bytes of the heap that it keeps alive and `other`, of the same document, does not.
+    void remove(ContainerId id) { own(id) = {}; } ///< the id is never reused
+    /// The heap bytes that this table keeps alive and `other`, of the same document, does not.
     std::size_t bytesNotIn(const ContainerTable& other) const;
-    void startIdsAt(ContainerId id); ///< `add` gives this one next, unless it is beyond it
+    void startIdsAt(ContainerId id); ///< `add` returns at least `id` next
 
 private:
     static constexpr std::size_t size = 256;
-    using Block = std::vector<Entry>; ///< of `size` entries
+    using Block = std::vector<Entry>; ///< `size` entries
 
-    static const Shared<Block>& unused(); ///< of ids that were never given, or not by this one
+    static const Shared<Block>& unused(); ///< a block of ids that are not in use
 
     std::vector<Shared<Block>> blocks_;
     ContainerId end_ = 0;

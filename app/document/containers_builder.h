@@ -5,29 +5,30 @@
 
 namespace app {
 
-/// Puts a tree together from the bottom up, for readers. O(1) a call.
+/// Builds a container tree from bottom to top, for file readers. O(1) a call.
 class ContainersBuilder {
 public:
     ContainersBuilder();
 
-    /// Whether one more can be opened here: there would be no more than
-    /// `Containers::mostContainers`, and no more than `Containers::deepest` around an object.
+    /// Whether another container can be opened here without exceeding `Containers::mostContainers`
+    /// containers or `Containers::deepest` containers around an object.
     bool canOpen() const;
-    /// Opens a container in the one that is open. `canOpen()` must hold; the first level takes
-    /// layers only, groups take groups only. Gives its id; the one in `container` does not matter.
+    /// Opens a container inside the current one and returns its id; the id in `container` is
+    /// ignored. Requires `canOpen()`. The first level holds only layers, and groups hold only
+    /// groups.
     ContainerId open(Container container);
-    /// Adds objects to the container that is open, above all that is in it; there must be one.
+    /// Adds objects to the current container, above its content; a container must be open.
     void addObjects(std::size_t count = 1);
-    void close();                                       ///< the container that is open
-    int depth() const { return int(open_.size()) - 1; } ///< how many are open
-    /// The tree; all must be closed. Without a layer it gets the one that `Containers()` has. Start
-    /// with another builder then.
+    void close();                                       ///< closes the current container
+    int depth() const { return int(open_.size()) - 1; } ///< the number of open containers
+    /// Returns the tree; all containers must be closed. Without a layer it gets the layer that
+    /// `Containers()` has. The builder cannot be used afterwards.
     Containers take();
 
 private:
     std::vector<ContainerMark> marks_;
     ContainerTable table_;
-    std::vector<ContainerId> open_; ///< 0 and all that are open
+    std::vector<ContainerId> open_; ///< 0 and the open containers
     std::size_t count_ = 0;
 };
 

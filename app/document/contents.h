@@ -7,17 +7,19 @@
 
 namespace app {
 
-/// How much there is in a drawing or a part of it. Curves count as the lines that stand for them.
+/// The amount of content in a drawing or in a part of it. Each curve counts as the lines that
+/// approximate it.
 struct Contents {
     std::size_t objects = 0, subpaths = 0, closedSubpaths = 0, curves = 0, lines = 0;
-    double length = 0;                      ///< of all lines, in user units: what a pen draws
-    std::optional<clipping::Window> bounds; ///< of the centre lines; nothing if there are none
+    double length = 0;                      ///< of all lines, in user units: the pen's way while
+                                            ///< drawing
+    std::optional<clipping::Window> bounds; ///< of the centre lines; empty without lines
 };
 
-/// Adds an object; `tolerance` is that of its curves, in user units.
+/// Adds an object; `tolerance` is the flattening tolerance in user units.
 void add(Contents& contents, const ObjectView& object, double tolerance);
 
-/// The whole drawing, hidden or not, with the usual tolerance.
+/// The contents of the whole drawing, including hidden objects, with the usual tolerance.
 Contents contentsOf(const Document& document);
 
 } // namespace app

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Where copies go: the first multiple of `step`, from one step on, at which none of them lies on
-/// an object of the document with the same path. After a thousand steps it gives up looking
+/// The offset for pasted copies: the first multiple of `step`, from one step on, at which no copy
+/// lies on an object of the document with the same path. The search ends after a thousand steps
 /// (coordinates may be so large that a step changes nothing).
 Point copyOffset(const Document& document, const Objects& copies, const Point& step);
 

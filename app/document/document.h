@@ -6,22 +6,22 @@
 
 namespace app {
 
-/// All that a document consists of.
+/// All parts of a document.
 struct DocumentParts {
     Page page{};
     About about{};
     Objects objects{};
-    Containers containers{}; ///< spans all objects
+    Containers containers{}; ///< covers all objects
     ClipWindows windows{};
     friend bool operator==(const DocumentParts&, const DocumentParts&) = default;
 };
 
-/// A whole drawing as a value. A copy is one more owner, so a snapshot is a copy: made in O(1), and
-/// any thread may read it while the document that it was taken from is edited. One that was moved
-/// from may only be assigned to or destroyed.
+/// A whole drawing as a value. A copy shares the contents, so it is a snapshot, made in O(1), that
+/// any thread may read while the original is edited. A moved-from document may only be assigned to
+/// or destroyed.
 class Document {
 public:
-    Document() = default; ///< an empty layer on the usual page, without clip windows
+    Document() = default; ///< one empty layer on the usual page, no clip windows
     explicit Document(DocumentParts parts);
 
     const Page& page() const { return parts_->page; }
@@ -31,19 +31,20 @@ public:
     const ClipWindows& windows() const { return parts_->windows; }
     const StyleTable& styles() const { return objects().styles(); }
 
-    /// Whether neither the object nor a container around it is hidden. O(depth + log objects);
-    /// loops over all objects go by `Containers::hiddenRanges`.
+    /// Whether the object and all containers around it are visible. O(depth + log objects); loops
+    /// over all objects use `Containers::hiddenRanges` instead.
     bool shown(std::size_t object) const;
-    /// Whether it can be picked and edited: it is shown, and no container around it is locked.
+    /// Whether the object can be picked and edited: it is shown, and no container around it is
+    /// locked.
     bool editable(std::size_t object) const;
 
-    /// The only way to change a document. Gives the edit that undoes it: after both, the document
-    /// equals what it was, but ids of containers that were undone are not given again. Costs a list
-    /// of 12 bytes a block of objects, and the blocks touched; other owners, and the blocks that
-    /// they have, are left as they are.
+    /// Changes the document; there is no other way to do so. Returns the edit that undoes the
+    /// change: after both edits the document equals its former value, except that ids of undone
+    /// containers are not reused. Costs a list of 12 bytes for each block of objects, plus the
+    /// blocks that change; other owners and their blocks do not change.
     Edit apply(const Edit& edit);
 
-    /// They have the same contents, not just equal ones.
+    /// Whether both share the same contents, not just equal ones.
     friend bool sameAddress(const Document& a, const Document& b)
     {
         return sameAddress(a.parts_, b.parts_);
@@ -54,19 +55,20 @@ private:
     Shared<DocumentParts> parts_;
 };
 
-/// The same document with a table of styles of its own, for edits that are thrown away: the styles
-/// that they add go with it. Shares the objects. O(styles).
+/// The document with its own copy of the style table, for edits that are discarded: the styles that
+/// they add are discarded too. Shares the objects. O(styles).
 Document withOwnStyles(const Document& document);
 
-/// An object that is being drawn or copied, and the container that it will go to.
+/// An object that is being drawn or copied, and its future container.
 struct ObjectInHand {
     Object object;
     ContainerId into;
 };
 
-/// Objects that come to a container, above all that is in it.
+/// An edit that adds objects to a container, on top of its content.
 Edit adding(const Document& document, const Objects& objects, ContainerId into);
-/// Objects that come each to its container; those of one container in their order.
+/// An edit that adds each object to its own container; objects of the same container keep their
+/// order.
 Edit adding(const Document& document, std::span<const ObjectInHand> objects);
 
 } // namespace app

@@ -6,30 +6,30 @@
 
 namespace app {
 
-/// Puts a document together from the bottom up, for readers: containers are opened and closed, and
-/// objects come into the one that is open, each above all that is there. O(1) a call.
+/// Builds a document from bottom to top, for file readers: opens and closes containers, and adds
+/// objects on top of the current container. O(1) a call.
 class DocumentBuilder {
 public:
-    /// Whether one more container can be opened here; see `ContainersBuilder::canOpen`.
+    /// Whether another container can be opened here; see `ContainersBuilder::canOpen`.
     bool canOpen() const { return containers_.canOpen(); }
-    /// Opens a layer or a group in the one that is open. Gives its id; the one in `container` does
-    /// not matter.
+    /// Opens a layer or group inside the current container and returns its id; the id in
+    /// `container` is ignored.
     ContainerId open(Container container) { return containers_.open(std::move(container)); }
     void close() { containers_.close(); }
-    int depth() const { return containers_.depth(); } ///< how many are open
+    int depth() const { return containers_.depth(); } ///< the number of open containers
 
-    /// The number by which `addLine` and `add(ObjectRow)` know a style.
+    /// The index of a style for `addLine` and `add(ObjectRow)`.
     StyleIndex style(const Style& style) { return objects_.styles().indexOf(style); }
-    // There must be a container that is open.
+    // The following functions require an open container.
     void add(const Object& object);
     void add(const ObjectRow& row);
-    void addLine(const clipping::Segment& line, StyleIndex style); ///< without an Object between
-    void add(const Objects& objects); ///< all of them; shares whole blocks, costs O(all blocks)
-    const Objects& objects() const { return objects_; } ///< so far
+    void addLine(const clipping::Segment& line, StyleIndex style); ///< avoids a temporary Object
+    void add(const Objects& objects); ///< adds all; shares whole blocks, costs O(all blocks)
+    const Objects& objects() const { return objects_; } ///< the objects added so far
     std::size_t size() const { return objects_.size(); }
 
-    /// The document; all containers must be closed. Without a layer it gets an empty one. Start
-    /// with another builder then.
+    /// Returns the document; all containers must be closed. Without a layer it gets an empty one.
+    /// The builder cannot be used afterwards.
     Document take(const Page& page, About about = {}, ClipWindows windows = {});
 
 private:

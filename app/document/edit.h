@@ -12,27 +12,28 @@
 
 namespace app {
 
-/// What one step changes in a document, as a value: objects are exchanged in places, and what else
-/// is given takes the place of what was there. The history keeps edits, not documents.
+/// One change of a document, as a value: `splices` replace objects, and every optional member that
+/// is set replaces its part of the document. The history stores edits, not documents.
 struct Edit {
-    std::vector<Splice> splices{}; ///< ascending, not overlapping, numbered as before the edit
-    Objects objects{};             ///< all that are added, one after the other
-    /// The tree afterwards, of as many objects as there are then; needed where their number or
-    /// their containers change.
+    std::vector<Splice> splices{}; ///< ascending, not overlapping, in the old numbering
+    Objects objects{};             ///< all added objects, in the order of the splices
+    /// The new container tree, which covers the new number of objects. Required if the number of
+    /// objects or their containers change.
     std::optional<Containers> containers{};
     std::optional<ClipWindows> windows{};
     std::optional<Page> page{};
 
-    /// Bytes of the heap that the history holds with this edit: those that it keeps alive and
-    /// `opposite` does not, which the document has just applied to give this one. So what many
-    /// edits of a history share counts once: for the one whose opposite took it from the document.
+    /// The heap bytes that the history uses for this edit: the bytes that this edit keeps alive and
+    /// `opposite` does not. `opposite` is the edit whose application to the document returned this
+    /// one. Memory shared by several edits of a history thus counts only once: for the edit whose
+    /// opposite removed it from the document.
     std::size_t bytesNotIn(const Edit& opposite) const;
 };
 
-/// The splices that put back what those exchanged, numbered as after them.
+/// The splices that undo `splices`, in the numbering after them.
 std::vector<Splice> inverse(std::span<const Splice> splices);
 
-/// The objects that those have added, as they are numbered afterwards.
+/// The objects that `splices` added, in the numbering after them.
 ObjectRanges addedBy(std::span<const Splice> splices);
 
 } // namespace app

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// The objects that may be selected and edited: they are shown, and their layers are not locked.
+/// The objects that may be selected and edited: shown, and in no locked layer.
 ObjectRanges editableObjects(const Document& document);
 
 } // namespace app

@@ -7,32 +7,33 @@
 
 namespace app {
 
-/// The curves' usual tolerance, on paper.
+/// The usual tolerance for curves, on paper.
 constexpr double flatteningMillimetres = 0.05;
 
-/// The same in the page's user units.
+/// The usual tolerance in user units of the page.
 inline double usualTolerance(const Page& page)
 {
     return flatteningMillimetres / page.millimetresPerUnit();
 }
 
-/// Where a chord of a flattened path comes from: `pathSegment` (== segments.size(): the closing
-/// line) and the part [t0, t1] of it.
+/// A chord of a flattened path. It approximates the part [t0, t1] of path segment `pathSegment`;
+/// `pathSegment == segments.size()` is the closing line.
 struct Chord {
     clipping::Segment segment;
     std::size_t pathSegment;
     double t0, t1;
 };
 
-/// The path as chords no farther than `tolerance` (user units, > 0) from it, in order; consecutive
-/// chords share their ends bit for bit. A path that is a single point is one zero-length chord.
+/// Appends the chords of the path, in order, no farther than `tolerance` (user units, > 0) from it.
+/// Consecutive chords share their ends bit for bit. A single point becomes one chord of length
+/// zero.
 void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords);
 
-/// The same of one path segment that starts at `begin`: number `index` of its path.
+/// Flattens one path segment that starts at `begin`; `index` is its number in the path.
 void flatten(const Point& begin, const PathSegment& segment, std::size_t index, double tolerance,
              std::vector<Chord>& chords);
 
-/// How many chords `flatten` makes of the path.
+/// The number of chords that `flatten` produces for the path.
 std::size_t chordCount(const Subpath& path, double tolerance);
 
 } // namespace app

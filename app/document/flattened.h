@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// The drawing with lines in place of its curves, no farther than `tolerance` (user units, > 0)
+/// The drawing with its curves replaced by lines, no farther than `tolerance` (user units, > 0)
 /// from them. Objects without curves are shared.
 Document flattened(Document document, double tolerance);
 

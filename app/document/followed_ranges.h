@@ -8,9 +8,9 @@
 
 namespace app {
 
-/// The same objects after the splices (ascending, numbered as before them): those that went are not
-/// in it, nor are those that came; where as many came as went, they are the same ones, changed.
-/// O(ranges + splices).
+/// The set `objects` in the numbering after the splices (ascending, in the old numbering). It
+/// contains neither removed nor added objects, except where a splice removes as many as it adds:
+/// these count as the same objects, changed. O(ranges + splices).
 ObjectRanges followed(const ObjectRanges& objects, std::span<const Splice> splices);
 
 } // namespace app

@@ -5,10 +5,10 @@
 
 namespace app {
 
-/// The objects that are hidden, themselves or with a container around them.
+/// The objects that are hidden themselves or by a container around them.
 ObjectRanges hiddenObjects(const Document& document);
 
-/// The document without them, and without the containers that are hidden.
+/// The document without hidden objects and hidden containers.
 Document withoutHidden(Document document);
 
 } // namespace app

@@ -5,12 +5,13 @@
 
 namespace app {
 
-/// Whether the object has an area to fill; single straight lines have none. (SVG fills shapes
-/// without a fill attribute, and some programs and PDF viewers then paint a hairline there.)
+/// Whether the object encloses an area that can be filled; single straight lines do not. (SVG fills
+/// shapes that have no fill attribute, and some programs and PDF viewers then paint a hairline
+/// there.)
 bool hasArea(const ObjectView& object);
 
-/// The colour of an object's lines where nothing is filled: its stroke's or, without one, that of
-/// its fill if there is an area to fill; nothing if the object is not seen.
+/// The colour of an object's lines if nothing is filled: its stroke colour or, without a stroke,
+/// its fill colour if it has an area. Empty if the object is invisible.
 std::optional<Colour> lineInk(const ObjectView& object);
 std::optional<Colour> lineInk(const Object& object);
 

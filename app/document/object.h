@@ -8,17 +8,18 @@
 
 namespace app {
 
-/// What few objects have.
+/// Properties that only few objects have.
 struct Particulars {
-    QString id{};                   ///< the SVG's; unique in a document
-    QString title{}, description{}; ///< as XML, as About keeps them
+    QString id{};                   ///< the SVG id; unique in a document
+    QString title{}, description{}; ///< XML, in the form that About describes
     Recipe recipe{};
     friend bool operator==(const Particulars&, const Particulars&) = default;
 };
-/// Those of an object that has none; shared, so that they cost nothing.
+/// The empty particulars; shared, so that they use no memory for each object.
 const Shared<Particulars>& noParticulars();
 
-/// One path with all that belongs to it, as a value of its own: how objects enter and leave.
+/// One path with all its properties, as an independent value: for adding objects to a document and
+/// for taking them out.
 struct Object {
     Path path;
     Style style;
@@ -27,7 +28,8 @@ struct Object {
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// An object as a block holds it: its style by number, its particulars shared. It copies neither.
+/// An object in the form that a block stores: its style as an index, its particulars shared.
+/// Copying it copies neither.
 struct ObjectRow {
     Path path;
     StyleIndex style = 0;

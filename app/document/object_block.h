@@ -7,18 +7,21 @@
 
 namespace app {
 
-/// Objects that follow each other, by columns. A column that says the same of all is one value, or
-/// empty. Blocks in `Objects` are never empty, and their columns are as narrow as they can be.
+/// Consecutive objects, stored by columns. A column with the same value for all objects has one
+/// element or none. Blocks in `Objects` are never empty, and their columns are as narrow as
+/// possible.
 struct ObjectBlock {
-    std::vector<clipping::Segment> lines{}; ///< all are single lines or points; else empty and
-    std::vector<Path> paths{};              ///< all are here
-    std::vector<StyleIndex> styles{};       ///< one for all, or one each
-    std::vector<std::uint8_t> hidden{};     ///< empty: none is
+    std::vector<clipping::Segment> lines{}; ///< used if all objects are single lines or points;
+                                            ///< else empty,
+    std::vector<Path> paths{};              ///< and all paths are here
+    std::vector<StyleIndex> styles{};       ///< one for all objects, or one for each
+    std::vector<std::uint8_t> hidden{};     ///< empty: none is hidden
     std::vector<Shared<Particulars>> particulars{}; ///< empty: none has any
-    std::uint32_t points = 0;                       ///< sum of `weight`
+    std::uint32_t points = 0;                       ///< the sum of `weight` over all objects
 
-    static constexpr std::uint32_t mostPoints = 8192;          ///< unless one object alone has more
-    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< fewer: join it with a neighbour
+    static constexpr std::uint32_t mostPoints = 8192;          ///< a single object may have more
+    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< a block with fewer is merged
+                                                               ///< with a neighbour
 
     std::size_t size() const { return lines.size() + paths.size(); }
     Path path(std::size_t i) const { return paths.empty() ? Path(lines[i]) : paths[i]; }
@@ -29,17 +32,18 @@ struct ObjectBlock {
         return particulars.empty() ? noParticulars() : particulars[i];
     }
     std::uint32_t pointsOf(std::size_t first, std::size_t count) const;
-    std::size_t heapBytes() const; ///< of its columns
+    std::size_t heapBytes() const; ///< of the columns
     HeapPart pathPart(std::size_t i) const;
     HeapPart particularsPart(std::size_t i) const;
 
     void append(const clipping::Segment& line, StyleIndex style);
     void append(const ObjectRow& row);
     void append(const ObjectBlock& from, std::size_t first, std::size_t count); ///< of another one
-    void narrow(); ///< makes the columns as narrow as they can be; `append` widens them only
+    void narrow(); ///< makes the columns as narrow as possible; `append` only widens them
 };
 
-/// What a path counts in a block: its stored points, at least two, so that a block has an end.
+/// The weight of a path in a block: its number of stored points, but at least two, which limits the
+/// number of objects in a block.
 std::uint32_t weight(const Path& path);
 
 } // namespace app

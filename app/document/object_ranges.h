@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Objects that follow each other in painting order: those from `first` on, before `end`.
+/// Consecutive objects in painting order: numbers from `first` on, before `end`.
 struct ObjectRange {
     std::size_t first = 0, end = 0;
 
@@ -18,8 +18,8 @@ struct ObjectRange {
     friend bool operator==(const ObjectRange&, const ObjectRange&) = default;
 };
 
-/// A set of objects by their numbers, as ranges: all the objects of a document are one of them.
-/// The ranges ascend; between two of them at least one number is missing.
+/// A set of objects, by number, stored as ranges: all objects of a document are a single range. The
+/// ranges ascend, and at least one number lies between two ranges.
 class ObjectRanges {
 public:
     class Iterator;
@@ -34,21 +34,21 @@ public:
     std::size_t first() const { return ranges_.front().first; } ///< undefined if empty
     std::size_t last() const { return ranges_.back().end - 1; } ///< undefined if empty
 
-    bool insert(std::size_t object); ///< whether it was not there
-    bool erase(std::size_t object);  ///< whether it was there
+    bool insert(std::size_t object); ///< false if it was already in the set
+    bool erase(std::size_t object);  ///< false if it was not in the set
     void insert(const ObjectRange& range);
     void erase(const ObjectRange& range);
 
-    /// The same objects after those in [first, first + removed) were replaced by `added` new ones.
-    /// Neither the old nor the new ones are in it.
+    /// The set after the objects [first, first + removed) are replaced by `added` new ones. Neither
+    /// the removed nor the new objects are in the result.
     ObjectRanges shifted(std::size_t first, std::size_t removed, std::size_t added) const;
 
     std::span<const ObjectRange> ranges() const { return ranges_; }
-    Iterator begin() const; ///< each object, ascending
+    Iterator begin() const; ///< visits each object, ascending
     Iterator end() const;
 
-    friend ObjectRanges united(const ObjectRanges& a, const ObjectRanges& b);  ///< in a or in b
-    friend ObjectRanges common(const ObjectRanges& a, const ObjectRanges& b);  ///< in both
+    friend ObjectRanges united(const ObjectRanges& a, const ObjectRanges& b);  ///< in a or b
+    friend ObjectRanges common(const ObjectRanges& a, const ObjectRanges& b);  ///< in a and b
     friend ObjectRanges without(const ObjectRanges& a, const ObjectRanges& b); ///< in a, not in b
     friend bool operator==(const ObjectRanges&, const ObjectRanges&) = default;
 
@@ -63,7 +63,7 @@ ObjectRanges united(const ObjectRanges& a, const ObjectRanges& b);
 ObjectRanges common(const ObjectRanges& a, const ObjectRanges& b);
 ObjectRanges without(const ObjectRanges& a, const ObjectRanges& b);
 
-/// Visits the objects one by one.
+/// Visits the objects in ascending order.
 class ObjectRanges::Iterator {
 public:
     using iterator_category = std::forward_iterator_tag;
@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    std::span<const ObjectRange> ranges_; ///< the one that object_ is in, and those above
+    std::span<const ObjectRange> ranges_; ///< from the range that contains object_ on
     std::size_t object_ = 0;
 };
 

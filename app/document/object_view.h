@@ -5,7 +5,8 @@
 
 namespace app {
 
-/// An object where it lies; valid as long as the objects that it is one of are kept and not edited.
+/// A reference to an object inside its block. Valid while the `Objects` that contain it exist and
+/// are not edited.
 class ObjectView {
 public:
     ObjectView(const ObjectBlock& block, std::size_t at, const StyleTable& styles)
@@ -13,7 +14,7 @@ public:
     {
     }
     Path path() const { return block_->path(at_); }
-    /// The line or the point (a == b) that it is, if it is nothing else; cheaper than by `path`.
+    /// The line or point (a == b) if the object is nothing else; cheaper than `path`.
     std::optional<clipping::Segment> singleLine() const
     {
         return block_->paths.empty() ? block_->lines[at_] : block_->paths[at_].singleLine();

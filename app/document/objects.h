@@ -8,10 +8,10 @@
 
 namespace app {
 
-/// Any number of objects (fewer than 2^32) in painting order: blocks that are shared between
-/// documents, snapshots and the history. Copying one costs a list of 12 bytes a block, reading an
-/// object O(log blocks); a splice copies the blocks it touches. Copies and slices also share the
-/// table of styles, which only grows.
+/// Objects in painting order (fewer than 2^32), stored in blocks that documents, snapshots and the
+/// history share. Copying costs a list of 12 bytes for each block, reading an object O(log blocks);
+/// a splice copies the blocks it touches. Copies and slices also share the style table, which only
+/// grows.
 class Objects {
 public:
     std::size_t size() const
@@ -22,32 +22,34 @@ public:
     ObjectView operator[](std::size_t i) const;
 
     void append(const Object& object);
-    void append(const ObjectRow& row); ///< the row's style is one of `styles()`
-    void appendLine(const clipping::Segment& line, StyleIndex style); ///< without an Object between
+    void append(const ObjectRow& row); ///< the row's style must be in `styles()`
+    void appendLine(const clipping::Segment& line, StyleIndex style); ///< avoids a temporary Object
     void append(const Objects& more);                                 ///< shares whole blocks
     StyleTable& styles();
     const StyleTable& styles() const;
-    /// Gives these a table of their own, with the same numbers: styles that are added to it are not
-    /// added to that of copies and slices. O(styles).
+    /// Replaces the shared style table by a copy with the same indices: styles added to it are not
+    /// added to the table of copies and slices. O(styles).
     void separateStyles();
 
-    /// Some of them, which share whole blocks and the styles. slice(0, 0): none yet, but the
-    /// styles, so that what is collected there is spliced in without looking its styles up again.
+    /// A part of these objects; shares whole blocks and the styles. slice(0, 0) has no objects but
+    /// the same style table, so that objects added to it can be spliced in without looking up their
+    /// styles again.
     Objects slice(std::size_t first, std::size_t count) const;
-    /// Exchanges objects in places that are ascending, do not overlap, and are numbered as before.
-    /// `added` are all that come, one after the other. Returns those that went, likewise.
+    /// Replaces objects at several places, which ascend, do not overlap, and are in the old
+    /// numbering. `added` holds all new objects, in that order. Returns the removed objects in the
+    /// same way.
     Objects splice(std::span<const Splice> splices, const Objects& added);
     Objects splice(std::size_t first, std::size_t removed, const Objects& added);
 
     std::span<const Shared<ObjectBlock>> blocks() const { return blocks_; }
     std::size_t firstOf(std::size_t block) const { return first_[block]; }
-    std::size_t blockOf(std::size_t object) const; ///< the block that it is in
+    std::size_t blockOf(std::size_t object) const; ///< the block that contains it
     /// Calls visit(i, ObjectView) for each of `count` objects from `first` on.
     template <class Visit>
     void forEach(std::size_t first, std::size_t count, const Visit& visit) const;
-    /// Bytes of the heap that it keeps alive and `other` does not, without the styles.
+    /// The heap bytes that these objects keep alive and `other` does not, without styles.
     std::size_t bytesNotIn(const Objects& other) const;
-    /// The same objects, however they lie in blocks and whatever their styles' numbers are.
+    /// Compares the objects, regardless of their division into blocks and of style indices.
     friend bool operator==(const Objects& a, const Objects& b);
 
 private:
@@ -55,9 +57,9 @@ private:
     ObjectBlock& lastFor(std::uint32_t points);
     void withStylesOf(const Objects& others);
 
-    std::shared_ptr<StyleTable> styles_; // null: none yet
+    std::shared_ptr<StyleTable> styles_; // null: no styles yet
     std::vector<Shared<ObjectBlock>> blocks_;
-    std::vector<std::uint32_t> first_; // of each block
+    std::vector<std::uint32_t> first_; // number of the first object of each block
 };
 
 template <class Visit>

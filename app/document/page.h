@@ -6,17 +6,18 @@
 
 namespace app {
 
-/// The page: its rectangle in user units (the whole sheet of paper; an SVG's viewBox) and its size
-/// on paper. Lengths with a unit count from its `min`, the paper's top left corner.
+/// The page: its rectangle in user units (the whole sheet of paper; the viewBox of an SVG) and its
+/// size on paper. Lengths with a unit are measured from `min`, the top left corner of the paper.
 struct Page {
     Point min{0, 0};
     Point size{297, 210};
     Length width{297, Unit::Mm}, height{210, Unit::Mm};
     friend bool operator==(const Page&, const Page&) = default;
 
-    /// The physical size of a user unit; 1 px (25.4 / 96 mm) where the file does not say.
+    /// The size of a user unit in millimetres; 25.4 / 96 (1 px) if the file does not give it.
     double millimetresPerUnit() const;
-    /// The unit in which its drawing is read: that of its width, pixels where it has none.
+    /// The unit in which lengths are displayed: the unit of the page width, or pixels if the width
+    /// has none.
     Unit usualUnit() const;
     clipping::Window rectangle() const { return {min, min + size}; }
 };

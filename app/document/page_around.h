@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// The rectangle around all points and half the strokes, a user unit one pixel, for drawings that
-/// do not tell their page; the usual page if nothing is there.
+/// A page around all points and half the stroke widths, with a user unit of one pixel, for drawings
+/// without a page; the usual page if there are no objects.
 Page pageAround(const Objects& objects);
 
 } // namespace app

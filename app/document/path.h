@@ -12,13 +12,14 @@
 
 namespace app {
 
-/// The outline of an object: subpaths, packed and never changed. Copying it copies no points. A
-/// single line or point has no heap block of its own. Lines are runs of points (16 bytes each); a
-/// path with curves has a byte a segment more, and three points a curve. Fewer than 2^31 points.
+/// The outline of an object: immutable, packed subpaths. A copy shares the points. A single line or
+/// point needs no heap block. A subpath of lines is a run of points (16 bytes each); a path with
+/// curves has one more byte for each segment, and three points for each curve. Fewer than 2^31
+/// points.
 class Path {
 public:
-    Path() = default;                             ///< no subpath
-    explicit Path(const clipping::Segment& line); ///< a and b of the same bits: a single point
+    Path() = default;                             ///< without subpaths
+    explicit Path(const clipping::Segment& line); ///< a single point if a and b are the same bits
     explicit Path(std::span<const Subpath> subpaths);
     Path(const Path& other) noexcept;
     Path(Path&& other) noexcept;
@@ -26,18 +27,18 @@ public:
     ~Path();
 
     std::vector<Subpath> subpaths() const; ///< in document coordinates
-    /// The line or the point (a == b) that it is, if it is nothing else.
+    /// The line or point (a == b) if the path is nothing else.
     std::optional<clipping::Segment> singleLine() const;
     std::size_t subpathCount() const;
-    std::size_t pointCount() const; ///< those that are stored, controls too; 2 for a single line
-    bool straight() const;          ///< without curves
-    bool hasArea() const;           ///< more than a line or a point: something to fill
-    HeapPart heapPart() const;      ///< where its points are
+    std::size_t pointCount() const; ///< the stored points with control points; 2 for a single line
+    bool straight() const;          ///< whether it has no curves
+    bool hasArea() const;           ///< whether a subpath has a curve or several lines
+    HeapPart heapPart() const;      ///< the heap block of its points
 
-    /// The path at another place: its points through its own placement and then `where`. O(1), but
-    /// for a single line, whose ends are calculated (one whose ends then coincide is a point).
+    /// The path moved by `where`: its points are transformed by its own placement and then by
+    /// `where`. O(1). A single line is recalculated; it becomes a point if its ends then coincide.
     Path placed(const Placement& where) const;
-    /// Calls visit(Point) for every point, controls included, in order.
+    /// Calls visit(Point) for every point in order, including control points.
     template <class Visit>
     void forEachPoint(const Visit& visit) const
     {
@@ -45,25 +46,25 @@ public:
         for (const Point& p : stored())
             visit(where(p));
     }
-    /// The same subpaths: their points have the same bits where they lie (so -0 is not 0, and a NaN
-    /// is itself), whatever the placements.
+    /// Compares the subpaths: transformed points must have the same bits (so -0 differs from 0, and
+    /// a NaN equals itself), regardless of the placements.
     friend bool operator==(const Path& a, const Path& b);
 
-    /// What `flatten` makes of each subpath, one after the other; the same bits.
+    /// Appends the chords of all subpaths, with the same bits as `flatten(Subpath)`.
     friend void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
-    /// The chords of a path as segments.
+    /// Appends the chords of a path as segments.
     friend void appendSegments(const Path& path, double tolerance,
                                std::vector<clipping::Segment>& to);
 
 private:
-    struct Data; // its head; the points, the sizes of the subpaths and the kinds of segments follow
+    struct Data; // the header of the heap block; points, subpath sizes and segment kinds follow it
     static Data* lineMark();
     Placement placement() const;
     std::span<const Point> stored() const;
     bool isLine() const { return data_ == lineMark(); }
 
     Data* data_ = nullptr;        // null: no subpath; lineMark(): the line in ends_
-    std::array<Point, 2> ends_{}; // a line's ends, or scale and offset of data_
+    std::array<Point, 2> ends_{}; // the ends of a line, or scale and offset for data_
 };
 static_assert(sizeof(Path) == 40);
 

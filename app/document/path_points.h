@@ -3,8 +3,8 @@
 
 namespace app {
 
-/// Calls `visit` for every point of a path: its start, the end of each path segment, and the control
-/// points of curves. The points of a path that is not const may be changed.
+/// Calls `visit` for every point of a path: its start, the end of each path segment, and the
+/// control points of curves. `visit` may change the points if the path is not const.
 template <class SomePath, class Visit>
 void forEachPoint(SomePath& path, const Visit& visit)
 {

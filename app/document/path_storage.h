@@ -7,13 +7,13 @@
 #include <cassert>
 #include <new>
 
-// How the points of a path are packed; for the functions of `Path` only.
+// The storage of the points of a path; only for the member functions of `Path`.
 
 namespace app {
 
-/// The head of a heap block. Behind it: the points (of a curve its controls, then its end), how
-/// many segments each subpath has (and in the lowest bit whether it is closed), and, if any segment
-/// is a curve, a byte for each of them: 1 for a curve.
+/// The header of the heap block. It is followed by the points (for a curve: its control points,
+/// then its end), by one number for each subpath (the segment count, with the lowest bit set if the
+/// subpath is closed), and, if any segment is a curve, by one byte for each segment: 1 for a curve.
 struct Path::Data {
     std::atomic<std::uint32_t> owners{1};
     std::uint32_t pointCount = 0;
@@ -52,7 +52,7 @@ inline Path::Data* Path::Data::of(std::size_t points, std::size_t subpaths, std:
         Data{{1}, std::uint32_t(points), std::uint32_t(subpaths), std::uint32_t(kinds)};
 }
 
-/// Unpacks one subpath after the other, whole or segment by segment.
+/// Unpacks the subpaths in order, each as a whole or segment by segment.
 class Path::Data::Reader {
 public:
     Reader(const Data& data, const Placement& where)
@@ -74,7 +74,7 @@ public:
             subpath.segments.push_back(segment());
     }
 
-    /// How a subpath begins, and how many segments are to be asked for before the next one.
+    /// The start of a subpath, and the number of segments to read before the next subpath.
     struct Start {
         Point at;
         std::uint32_t segments;

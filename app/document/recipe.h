@@ -9,11 +9,12 @@
 
 namespace app {
 
-// What made a path, while that is still true, so that it can be edited as such. All lengths are in
-// user units, angles in radians from the x axis towards the y axis (clockwise on screen).
+// The shape that a path was made from, kept while the path still matches it, so that the shape can
+// be edited. Lengths are in user units, angles in radians from the x axis towards the y axis
+// (clockwise on screen).
 
 struct RectangleRecipe {
-    Point corner; ///< the least x and y
+    Point corner; ///< the smallest x and y
     Point size;
     double radius = 0; ///< of the rounded corners
     friend bool operator==(const RectangleRecipe&, const RectangleRecipe&) = default;
@@ -24,20 +25,20 @@ struct EllipseRecipe {
 };
 struct StarRecipe {
     Point centre;
-    double outer = 0, inner = 0; ///< radii of its points and of the corners between them
-    double turn = 0;             ///< the angle of its first point
+    double outer = 0, inner = 0; ///< radii of the outer and inner corners
+    double turn = 0;             ///< the angle of the first outer corner
     int points = 5;
     friend bool operator==(const StarRecipe&, const StarRecipe&) = default;
 };
 struct TextRecipe {
     QString text, font;
     double size = 0;
-    Point at; ///< where its baseline begins
+    Point at; ///< the start of the baseline
     friend bool operator==(const TextRecipe&, const TextRecipe&) = default;
 };
 using Recipe = std::variant<std::monostate, RectangleRecipe, EllipseRecipe, StarRecipe, TextRecipe>;
 
-/// The recipe of the placed path; nothing where none of its kind makes that path any more.
+/// The recipe of the transformed path; empty if no recipe of its kind makes that path.
 Recipe placed(const Recipe& recipe, const Placement& where);
 
 } // namespace app

@@ -8,11 +8,11 @@
 
 namespace app {
 
-/// The outline that a recipe makes: of a rectangle with sharp corners, or of an ellipse. Nothing
-/// draws the others yet.
+/// The outline of a rectangle with sharp corners or of an ellipse; empty for other recipes, for
+/// which there is no tool yet.
 std::optional<Subpath> outlineOf(const Recipe& recipe);
 
-/// Whether the subpaths are what the recipe makes, but for roundings.
+/// Whether the subpaths are the recipe's outline, apart from rounding.
 bool makes(const Recipe& recipe, std::span<const Subpath> subpaths);
 
 } // namespace app

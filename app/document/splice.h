@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `removed` objects from number `first` on make room for `added` ones.
+/// Replaces `removed` objects, from number `first` on, by `added` objects.
 struct Splice {
     std::uint32_t first = 0, removed = 0, added = 0;
     friend bool operator==(const Splice&, const Splice&) = default;

@@ -16,7 +16,8 @@ enum class Cap : std::uint8_t { Butt, Round, Square };
 enum class Join : std::uint8_t { Miter, Round, Bevel };
 enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 
-/// How an object is painted; SVG's meaning and defaults. Widths and dashes are in user units.
+/// How an object is painted, with the meaning and defaults of SVG. Widths and dashes are in user
+/// units.
 struct Style {
     std::optional<Colour> stroke{};
     std::optional<Colour> fill{};

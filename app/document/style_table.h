@@ -11,29 +11,29 @@
 
 namespace app {
 
-using StyleIndex = std::uint32_t; ///< of a style in its document's table
+using StyleIndex = std::uint32_t; ///< the index of a style in its document's table
 
-/// The styles of a document, each once: styles whose numbers differ in a bit are two. It only
-/// grows, and what is in it stays where it is, so that any threads may read it while others add to
-/// it. A thread may look up an index that it found, or that was handed to it, after the style was
-/// added.
+/// The styles of a document, each stored once; styles that differ in any bit are different. The
+/// table only grows, and its elements never move, so any threads may read it while others add to
+/// it. A thread may use an index that it got from the table, or that was handed to it after the
+/// style was added.
 class StyleTable {
 public:
     StyleTable() = default;
-    StyleTable(const StyleTable& other); ///< the same styles by the same numbers
+    StyleTable(const StyleTable& other); ///< the same styles with the same indices
     StyleTable& operator=(const StyleTable&) = delete;
     ~StyleTable();
 
-    StyleIndex indexOf(const Style& style); ///< adds it if it is new
+    StyleIndex indexOf(const Style& style); ///< adds the style if it is new
     const Style& operator[](StyleIndex index) const;
     std::size_t size() const { return size_.load(std::memory_order_acquire); }
 
 private:
-    // Step k has room for 256 * 2^k styles, and never moves.
+    // Step k has room for 256 * 2^k styles and never moves.
     std::array<std::atomic<Style*>, 24> steps_{};
-    std::atomic<std::size_t> size_{0}; // published last
+    std::atomic<std::size_t> size_{0}; // written last when a style is added
     std::mutex adding_;
-    std::unordered_multimap<std::size_t, StyleIndex> found_; // by the hash of a style
+    std::unordered_multimap<std::size_t, StyleIndex> found_; // indices by hash of the style
 };
 
 } // namespace app

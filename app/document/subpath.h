@@ -5,13 +5,14 @@
 
 #include <vector>
 
-// All coordinates are the drawing's user units, y down (the SVG's), transforms already applied.
+// All coordinates are in user units of the drawing, y down (as in SVG), with transforms already
+// applied.
 
 namespace app {
 
 using Point = glm::dvec2;
 
-/// One segment of a path, from where the last one ended: a line, or a cubic Bézier curve.
+/// One segment of a path, from the end of the previous one: a line or a cubic Bézier curve.
 struct PathSegment {
     Point to;
     Point control1{}, control2{}; ///< zero for a line
@@ -19,8 +20,8 @@ struct PathSegment {
     friend bool operator==(const PathSegment&, const PathSegment&) = default;
 };
 
-/// A connected run of segments. A closed one returns to `start` by a line if it is not there yet.
-/// No segments at all: a single point.
+/// A connected run of segments. A closed subpath returns to `start` by a line if it does not end
+/// there. Without segments it is a single point.
 struct Subpath {
     Point start;
     std::vector<PathSegment> segments;
