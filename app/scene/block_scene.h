@@ -7,18 +7,18 @@
 
 namespace app {
 
-/// The lines of a document that is being edited, kept up to date, and what clipping leaves of them.
+/// The lines of the edited document, kept up to date, and the result of clipping them.
 class BlockScene {
 public:
-    /// To be called after an edit: replaces the lines of the objects that changed. The objects in
-    /// `hidden` have no lines, even if they are visible themselves; `tolerance`, in user units, is
-    /// that of `flatten`. Ends the validity of a frame.
+    /// Call after each edit: replaces the lines of the objects that changed. Objects in `hidden`
+    /// have no lines, even if they are visible themselves. `tolerance` is the flattening tolerance
+    /// in user units. Invalidates all frames.
     void update(const Objects& objects, const ObjectRanges& hidden, double tolerance);
 
     const SceneLines& lines() const { return lines_; }
 
-    /// The kept part of every line; see `SceneClipping`. The variant must not be an exhibit.
-    /// Valid until the next call and the next update.
+    /// Clips every line; see `SceneClipping`. The variant must not be a misprint. The frame is
+    /// valid until the next call and the next update.
     SceneFrame clip(const ClipRegion& region, const Variant& variant);
 
 private:

@@ -8,12 +8,11 @@
 
 namespace app {
 
-/// What objects cover; nothing if they have no lines. It looks at the boxes of all their chunks,
-/// and at the lines of those that reach farthest. For the selection there is
-/// Session::selectionBounds().
+/// The bounding box of the objects' lines; empty without lines. Visits the boxes of all their
+/// chunks, and the lines of the outermost chunks. For the selection use Session::selectionBounds().
 std::optional<clipping::Window> boundsOf(const SceneLines& lines, const ObjectRanges& objects);
 
-/// What all lines cover; nothing if there are none.
+/// The bounding box of all lines; empty without lines.
 std::optional<clipping::Window> boundsOf(const SceneLines& lines);
 
 } // namespace app

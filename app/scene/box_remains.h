@@ -6,8 +6,9 @@
 
 namespace app {
 
-/// What the boxes alone say about each chunk of a block: Gone and Whole are what the row `exact`
-/// makes of all its lines, bit for bit. `remains` has an element for each chunk.
+/// Classifies each chunk of a block by its box alone. Gone and Whole agree bit for bit with the
+/// results of the algorithm `exact` for all lines of the chunk. `remains` has one element for each
+/// chunk.
 void findRemains(const SceneBlock& block, const ClipRegion& region, std::span<Remains> remains);
 
 } // namespace app

@@ -6,23 +6,23 @@
 
 namespace app {
 
-/// The one rectangle at which algorithms are compared, raced and explained.
+/// The rectangle at which algorithms are compared, raced and explained.
 struct ComparedWindow {
     clipping::Window window;
-    bool isPage = false; ///< there is no such clip window: it is the page
+    bool isPage = false; ///< true: no such clip window exists, `window` is the page
     friend bool operator==(const ComparedWindow&, const ComparedWindow&) = default;
 };
 
-/// The clip window that tools move and size, and that numbers are shown of: the first visible
-/// axis-aligned rectangle, if there is one.
+/// The clip window that tools move and resize and panels show: the first visible axis-aligned
+/// rectangle, if any.
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
-/// With that one in another place; with one more if there is none, unless there are
-/// `ClipWindows::most` already.
+/// Moves that clip window to `window`. Without one it adds a clip window, unless there are already
+/// `ClipWindows::most`.
 ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
-/// Without that one.
+/// Removes that clip window.
 ClipWindows withoutWindow(ClipWindows windows);
 
-/// The first visible axis-aligned rectangle, whatever its operation; else the page.
+/// The first visible axis-aligned rectangle, regardless of its operation; otherwise the page.
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page);
 
 } // namespace app

@@ -5,13 +5,14 @@
 
 namespace app {
 
-/// What an algorithm has left of one line, for each step.
+/// For each step, the piece of one line that an algorithm has left, if any.
 using PiecesOfLine = std::span<const std::optional<clipping::Clipped>>;
 
-/// Whether an algorithm has left something of a line that is worth a look: finite numbers.
+/// Whether a piece exists and its numbers are finite.
 bool isSeen(const std::optional<clipping::Clipped>& piece);
 
-/// `fold` for a line that is divided at the ends of all pieces. O(windows · log windows).
+/// Does the work of `fold` for one line by dividing it at the ends of all pieces. O(windows · log
+/// windows).
 void foldDivided(const ClipRegion& region, const clipping::Segment& line, std::uint32_t source,
                  PiecesOfLine atStep, std::vector<clipping::Clipped>& kept);
 

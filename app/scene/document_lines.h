@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// The lines that a document shows. Curves are flattened to 0.05 mm on paper.
+/// The visible lines of a document. Curves are flattened to 0.05 mm on paper.
 SceneLines linesOf(const Document& document);
 
 } // namespace app

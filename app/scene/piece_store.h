@@ -9,23 +9,23 @@
 
 namespace app {
 
-/// The pieces that a frame keeps: any number of groups, each in a row. They stay where they are
-/// until `clear`. The memory serves for the next frame: writing to a new page costs more time than
-/// clipping all lines that fill it.
+/// Stores the pieces of a frame in contiguous groups, which do not move until `clear`. The memory
+/// is reused for the next frame: writing to a new memory page costs more time than clipping all
+/// lines that fill it.
 class PieceStore {
 public:
     void clear();
-    /// Room for a group of that size. Valid until the next call.
+    /// Space for a group of `count` pieces. Valid until the next call.
     std::span<clipping::Clipped> room(std::size_t count);
-    /// Keeps that many pieces, which are at the beginning of the last room.
+    /// Keeps the first `count` pieces of the last space that room() returned.
     std::span<const clipping::Clipped> keep(std::size_t count);
 
 private:
-    static constexpr std::size_t mostInPage = 65'536; ///< unless a group has more
+    static constexpr std::size_t mostInPage = 65'536; ///< a larger group gets a larger page
 
     std::vector<std::vector<clipping::Clipped>> pages_;
-    std::size_t page_ = 0; ///< in which there is still room
-    std::size_t used_ = 0; ///< pieces in it
+    std::size_t page_ = 0; ///< the current page, which has space left
+    std::size_t used_ = 0; ///< pieces used in it
 };
 
 } // namespace app

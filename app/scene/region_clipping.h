@@ -7,24 +7,25 @@
 
 namespace app {
 
-/// As in `clipping::Uses`; pieces have finite numbers or are dropped where they are folded.
+/// The type of `clipping::Uses::clipAll`. Pieces with numbers that are not finite are dropped by
+/// the fold.
 using ClipAll = decltype(clipping::Uses<clipping::Segment, clipping::Window>::clipAll);
 
-/// Clips lines by one algorithm, each of them at each window of a region. Keeps its buffers.
+/// Clips lines with one algorithm at each window of a region. Reuses its buffers.
 class RegionClipping {
 public:
     void start(const ClipRegion& region,
-               ClipAll clipAll); ///< `region` is used until the next start
-    /// Writes what is kept of each of the lines, in their order, to the beginning of `out`, and
-    /// says how many pieces there are. `first` is added to each source. The region is a single
-    /// window: the pieces are what `clipAll`, or `outsideAll` of it, gives. `out.size() >= 2 *
+               ClipAll clipAll); ///< `region` must live until the next start
+    /// For a region of a single window. Writes the kept pieces of the lines, in order, to the
+    /// beginning of `out` and returns their number. `first` is added to each source. The pieces are
+    /// the results of `clipAll`, or of `outsideAll` for them. Requires `out.size() >= 2 *
     /// lines.size()`.
     std::size_t clip(std::span<const clipping::Segment> lines, std::size_t first,
                      std::span<clipping::Clipped> out);
-    /// Appends what `fold` keeps of each of the lines. There must be a window.
+    /// Appends the pieces that `fold` keeps of each line. The region must have a window.
     void fold(std::span<const clipping::Segment> lines, std::size_t first,
               std::vector<clipping::Clipped>& kept);
-    /// That the algorithm has needed since `start`. To put pieces together is not its work.
+    /// The time that the algorithm has used since `start`, without the time for combining pieces.
     std::uint64_t nanoseconds() const { return stopwatch_.nanoseconds(); }
 
 private:
@@ -38,8 +39,8 @@ private:
     ClipAll clipAll_ = nullptr;
     Stopwatch stopwatch_;
     std::vector<clipping::Clipped> buffer_;
-    std::vector<Pieces> left_; ///< of each step, those of lines that are not folded yet
-    std::vector<std::optional<clipping::Clipped>> atStep_; ///< of one line
+    std::vector<Pieces> left_; ///< for each step, the pieces of lines that are not folded yet
+    std::vector<std::optional<clipping::Clipped>> atStep_; ///< for one line
 };
 
 } // namespace app

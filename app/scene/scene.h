@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The shown lines of a document that is being edited, kept up to date by its change signal, and
-/// what clipping leaves of them. Curves are flattened to 0.05 mm on paper.
+/// The visible lines of the edited document, kept up to date by its change signal, and the result
+/// of clipping them. Curves are flattened to 0.05 mm on paper.
 class Scene : public QObject {
     Q_OBJECT
 
@@ -18,8 +18,8 @@ public:
 
     const SceneLines& lines() const { return blocks_.lines(); }
 
-    /// The kept part of every line; see `SceneClipping`. The variant must not be an exhibit. Valid
-    /// until the next call and the next change of the lines.
+    /// Clips every line; see `SceneClipping`. The variant must not be a misprint. The frame is
+    /// valid until the next call and the next change of the lines.
     SceneFrame clip(const ClipRegion& region, const Variant& variant)
     {
         return blocks_.clip(region, variant);

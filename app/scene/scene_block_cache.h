@@ -6,21 +6,21 @@
 
 namespace app {
 
-/// The scene blocks of some objects, and what they were made of. An update makes only those whose
-/// object block is another one, or whose objects are hidden otherwise: it costs O(blocks) and the
-/// segments of what has changed.
+/// The scene blocks of some objects, together with their sources. An update rebuilds only the scene
+/// blocks whose object block or hidden objects changed: O(blocks + segments of the changed blocks).
 class SceneBlockCache {
 public:
-    /// `hidden` are not shown, whatever they say themselves. Whether anything has changed.
+    /// Objects in `hidden` are not shown, even if visible themselves. Returns whether anything
+    /// changed.
     bool update(const Objects& objects, const ObjectRanges& hidden, double tolerance);
 
     std::vector<Shared<SceneBlock>> blocks() const; ///< in order
 
 private:
-    /// One object block. It has an owner here: so no other block can get its address.
+    /// One object block. Owning it here ensures that no other block gets its address.
     struct Source {
         Shared<ObjectBlock> objects;
-        std::vector<ObjectRange> hidden; ///< numbered in the block
+        std::vector<ObjectRange> hidden; ///< numbered within the block
         std::vector<Shared<SceneBlock>> blocks;
     };
     void take(std::span<const Shared<ObjectBlock>> blocks);

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Makes the chunks and boxes of a block that has its segments. `styles` has one style for all of
-/// its objects, or one for each.
+/// Creates the chunks and boxes of a block that has its segments. `styles` has one style for all
+/// objects, or one for each.
 void makeChunks(SceneBlock& block, std::span<const StyleIndex> styles);
 
 } // namespace app

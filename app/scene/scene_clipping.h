@@ -8,13 +8,13 @@
 
 namespace app {
 
-/// Clips the lines of a scene, frame by frame. Keeps its buffers.
+/// Clips the lines of a scene for each frame. Reuses its buffers.
 class SceneClipping {
 public:
-    /// What is kept of all lines. The row `exact` looks at boxes first, and at the lines near an
-    /// edge only; any other algorithm clips every line. The pieces have the same bits as those of
-    /// one call for all lines. Without a window nothing is clipped. Valid until the next call, and
-    /// as long as `lines`.
+    /// Clips all lines. The algorithm `exact` first tests boxes and then clips only the lines near
+    /// an edge; any other algorithm clips every line. The pieces have the same bits as those of a
+    /// single call for all lines. Without a window nothing is clipped. The frame is valid until the
+    /// next call and as long as `lines`.
     SceneFrame clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll);
 
 private:
@@ -28,10 +28,10 @@ private:
     const ClipRegion* region_ = nullptr;
     ClipAll clipAll_ = nullptr;
     RegionClipping regionClipping_;
-    Stopwatch stopwatch_; ///< of all that regionClipping_ does not time
+    Stopwatch stopwatch_; ///< all work that regionClipping_ does not time
     std::vector<Block> blocks_;
     std::vector<Remains> remains_;
-    std::vector<clipping::Clipped> folded_; ///< of one block
+    std::vector<clipping::Clipped> folded_; ///< pieces of one block
     PieceStore pieces_;
     std::size_t visible_ = 0;
 };

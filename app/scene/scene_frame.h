@@ -6,21 +6,21 @@
 
 namespace app {
 
-/// What clipping has left of the lines of a scene. Valid until the next call of what made it, and
-/// until its lines change.
+/// The result of clipping the lines of a scene. Valid until the next call of the function that made
+/// it, and until the scene's lines change.
 struct SceneFrame {
     struct Block {
         const SceneBlock* block;
         std::size_t firstObject, firstLine;
-        std::span<const Remains> remains; ///< of each of its chunks
-        /// What is kept of the chunks with Remains::Pieces, in the order of the lines. `source`
-        /// counts in the block.
+        std::span<const Remains> remains; ///< for each chunk of the block
+        /// The kept pieces of the chunks with Remains::Pieces, in the order of the lines. `source`
+        /// is numbered within the block.
         std::span<const clipping::Clipped> pieces;
     };
     std::span<const Block> blocks{};
-    std::size_t total = 0;         ///< lines
-    std::size_t visible = 0;       ///< lines of which something is kept
-    std::uint64_t nanoseconds = 0; ///< of the clipping, nothing else
+    std::size_t total = 0;         ///< number of lines
+    std::size_t visible = 0;       ///< lines of which at least a part is kept
+    std::uint64_t nanoseconds = 0; ///< time of the clipping alone
 };
 
 } // namespace app

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// All segments that are shown at some moment, numbered in painting order. A copy shares them, in
-/// O(blocks), and any thread may read it.
+/// All visible segments at one moment, numbered in painting order. A copy shares them, costs
+/// O(blocks), and can be read by any thread.
 class SceneLines {
 public:
     /// The segments of one block.
@@ -19,26 +19,27 @@ public:
     };
 
     SceneLines() = default;
-    explicit SceneLines(std::vector<Shared<SceneBlock>> blocks); ///< of all objects, in order
+    explicit SceneLines(std::vector<Shared<SceneBlock>> blocks); ///< the blocks of all objects, in
+                                                                 ///< order
 
     std::size_t size() const { return size_; }
     clipping::Segment operator[](std::size_t line) const;
     std::span<const Run> runs() const { return runs_; }
     std::span<const Shared<SceneBlock>> blocks() const { return blocks_; } ///< one for each run
 
-    std::size_t runOf(std::size_t line) const; ///< the run that a line is in
+    std::size_t runOf(std::size_t line) const; ///< the run that contains the line
 
-    /// The object that a line belongs to.
+    /// The object that the line belongs to.
     std::size_t objectOf(std::size_t line) const;
     /// The first line of an object; object + 1 gives the end of its lines.
     std::size_t firstLineOf(std::size_t object) const;
 
-    /// Calls visit(run, first, end) for each run that has some of the lines [first, end), in their
-    /// order; first and end are numbered in the run then.
+    /// Calls visit(run, first, end) for each run that contains some of the lines [first, end), in
+    /// order. The arguments first and end of visit are numbered within the run.
     template <class Visit>
     void forEachPart(std::size_t first, std::size_t end, const Visit& visit) const;
 
-    /// Differs in this process from that of all other lines, but for copies; 0 without blocks.
+    /// Unique in this process, except that copies share it; 0 without blocks.
     std::uint64_t revision() const { return revision_; }
 
 private:
@@ -60,7 +61,7 @@ void SceneLines::forEachPart(std::size_t first, std::size_t end, const Visit& vi
     }
 }
 
-/// The lines of objects. Those in `hidden` are not shown, whatever they say themselves. Curves are
+/// The lines of objects. Objects in `hidden` are not shown, even if visible themselves. Curves are
 /// flattened to `tolerance` (user units, > 0).
 SceneLines linesOf(const Objects& objects, const ObjectRanges& hidden, double tolerance);
 
