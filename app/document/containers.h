@@ -26,8 +26,7 @@ namespace app {
 class Containers {
 public:
     static constexpr std::size_t mostContainers = 100'000;
-    static constexpr std::size_t mostLayers = 1000; ///< for files: objects of further layers go
-                                                    ///< into the last layer
+    static constexpr std::size_t mostLayers = 1000; ///< in a file: more join the last one
     static constexpr int deepest = 500; ///< the largest number of containers around an object
 
     Containers(); ///< one layer, named "Drawing", without objects
@@ -115,8 +114,7 @@ private:
     At closing(ContainerId id) const { return labelled(table_[id].closes); }
     At labelled(std::uint64_t label) const;
     std::uint64_t labelOf(const ContainerMark& mark) const;
-    ContainerId ownerOf(const ContainerMark& mark) const; ///< the container of the objects after
-                                                          ///< the mark
+    ContainerId ownerOf(const ContainerMark& mark) const; ///< of the objects after it
     int heightOf(ContainerId id) const;                   ///< 1 without child containers
     template <class Holds>
     ObjectRanges rangesWhere(const Holds& holds) const;

@@ -11,8 +11,7 @@ namespace app {
 /// approximate it.
 struct Contents {
     std::size_t objects = 0, subpaths = 0, closedSubpaths = 0, curves = 0, lines = 0;
-    double length = 0;                      ///< of all lines, in user units: the pen's way while
-                                            ///< drawing
+    double length = 0;                      ///< of all lines, in user units: what a pen draws
     std::optional<clipping::Window> bounds; ///< of the centre lines; empty without lines
 };
 

@@ -11,17 +11,15 @@ namespace app {
 /// element or none. Blocks in `Objects` are never empty, and their columns are as narrow as
 /// possible.
 struct ObjectBlock {
-    std::vector<clipping::Segment> lines{}; ///< used if all objects are single lines or points;
-                                            ///< else empty,
-    std::vector<Path> paths{};              ///< and all paths are here
+    std::vector<clipping::Segment> lines{}; ///< if all are single lines or points; else empty and
+    std::vector<Path> paths{};              ///< all paths are here
     std::vector<StyleIndex> styles{};       ///< one for all objects, or one for each
     std::vector<std::uint8_t> hidden{};     ///< empty: none is hidden
     std::vector<Shared<Particulars>> particulars{}; ///< empty: none has any
     std::uint32_t points = 0;                       ///< the sum of `weight` over all objects
 
     static constexpr std::uint32_t mostPoints = 8192;          ///< a single object may have more
-    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< a block with fewer is merged
-                                                               ///< with a neighbour
+    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< fewer: join it with a neighbour
 
     std::size_t size() const { return lines.size() + paths.size(); }
     Path path(std::size_t i) const { return paths.empty() ? Path(lines[i]) : paths[i]; }
