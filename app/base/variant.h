@@ -9,8 +9,7 @@ struct Exhibit;
 
 /// What clips or competes: one form of an algorithm, or a known misprint.
 struct Variant {
-    const clipping::Algorithm* algorithm = nullptr;  ///< for a misprint: the algorithm it was meant
-                                                     ///< to be
+    const clipping::Algorithm* algorithm = nullptr;  ///< for a misprint: the algorithm meant
     clipping::Form form = clipping::Form::Corrected; ///< for a misprint: Published
     const Exhibit* exhibit = nullptr;                ///< null: not a misprint
 

@@ -6,8 +6,8 @@ namespace {
 
 Point between(const Point& p, const Point& q, double t) { return (1 - t) * p + t * q; }
 
-// The blossom: the control points of any part of the curve are its values at (t0 t0 t1) and the
-// like.
+// The blossom (polar form) of the curve. The control points of the part [t0, t1] are its values at
+// (t0 t0 t0), (t0 t0 t1), (t0 t1 t1) and (t1 t1 t1).
 Point blossom(const Bezier& c, double r, double s, double t)
 {
     const Point a = between(c.from, c.control1, r);

@@ -43,13 +43,13 @@ void ContainerSplicing::exchange(std::size_t first, std::size_t removed, std::si
     }
     if (added > 0) {
         for (; ownerOf(marks_[top_]) != into; --top_)
-            assert(top_ > at_); // else it neither has nor touches the place
+            assert(top_ > at_); // otherwise `into` neither contains nor touches the place
         marks_[top_].objects += std::uint32_t(added);
     }
     changed_ = changed_ || removed + added > 0;
 }
 
-// To the mark that keeps the object right below this one.
+// Moves to the mark that keeps the object directly below `object`.
 void ContainerSplicing::goBelow(std::size_t object)
 {
     for (; at_ > 0 && start_ >= object; step())
@@ -73,7 +73,8 @@ ContainerId ContainerSplicing::ownerOf(const ContainerMark& mark) const
     return mark.closes ? table_[mark.id].parent : ContainerId(mark.id);
 }
 
-// Whose the objects are from number `first` up to the present place; there must be one.
+// The container of the objects from number `first` up to the current place, and whether it is the
+// only one; there must be at least one object.
 ContainerSplicing::Owner ContainerSplicing::ownerFrom(std::size_t first) const
 {
     Owner owner{ownerOf(marks_[at_])};
@@ -88,8 +89,9 @@ ContainerSplicing::Owner ContainerSplicing::ownerFrom(std::size_t first) const
 std::vector<ContainerMark> ContainerSplicing::take(std::vector<ContainerId>& gone) const
 {
     struct Open {
-        std::size_t at;            // in `left`
-        std::size_t objects, lost; // how many objects, and marks that lost some, came before
+        std::size_t at;            // index in `left`
+        std::size_t objects, lost; // the objects, and the marks that lost objects, before this
+                                   // container
     };
     std::vector<ContainerMark> left;
     std::vector<Open> open;
@@ -108,7 +110,7 @@ std::vector<ContainerMark> ContainerSplicing::take(std::vector<ContainerId>& gon
                     if (!left[k].closes)
                         gone.push_back(left[k].id);
                 left.resize(opened.at);
-                left.back().objects += mark.objects; // which are of the one around it
+                left.back().objects += mark.objects; // these belong to the parent
             }
         }
         objects += mark.objects;

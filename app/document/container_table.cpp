@@ -9,7 +9,7 @@
 
 namespace app {
 
-// With the counts of std::make_shared.
+// 16 bytes for the reference counts of std::make_shared.
 static std::size_t heapBytesOf(const Container& container)
 {
     return heapBlock(sizeof container + 16) + heapBytes(container.name) + heapBytes(container.svgId)
@@ -40,7 +40,7 @@ ContainerId ContainerTable::add(Container container, ContainerId parent)
     return end_++;
 }
 
-// What both have stands under the same id.
+// Containers shared by both tables have the same id.
 std::size_t ContainerTable::bytesNotIn(const ContainerTable& other) const
 {
     std::size_t sum = heapBytes(blocks_);

@@ -31,7 +31,7 @@ std::vector<ContainerId> Containers::childrenOf(ContainerId id) const
         const ContainerId child = marks_[at].id;
         children.push_back(child);
         at = marks_.next(at);
-        if (marks_[at].id != child) // it is not empty of containers
+        if (marks_[at].id != child) // it has child containers
             at = closing(child);
         at = marks_.next(at);
     }
@@ -125,7 +125,7 @@ bool operator==(const Containers& a, const Containers& b)
     return true;
 }
 
-// Where marks are: their labels ascend in painting order, whatever comes and goes in between.
+// Labels locate marks: they ascend in painting order after any insertion or removal.
 
 std::uint64_t Containers::labelOf(const ContainerMark& mark) const
 {

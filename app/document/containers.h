@@ -26,7 +26,7 @@ namespace app {
 class Containers {
 public:
     static constexpr std::size_t mostContainers = 100'000;
-    static constexpr std::size_t mostLayers = 1000; ///< in a file: more join the last one
+    static constexpr std::size_t mostLayers = 1000; ///< readers merge further layers into the last
     static constexpr int deepest = 500; ///< the largest number of containers around an object
 
     Containers(); ///< one layer, named "Drawing", without objects

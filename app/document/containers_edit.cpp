@@ -47,7 +47,7 @@ Containers Containers::spliced(std::span<const Splice> splices,
     return splicedInto(splices, [&](std::size_t i) { return into[i]; });
 }
 
-// into(i): where the objects of splice i go if it removes none.
+// into(i): the container for the objects of splice i if it removes none.
 template <class Into>
 Containers Containers::splicedInto(std::span<const Splice> splices, const Into& into) const
 {
@@ -67,7 +67,8 @@ Containers Containers::splicedInto(std::span<const Splice> splices, const Into& 
     });
 }
 
-// All marks that touch the objects [first, end), up to the first that keeps objects above them.
+// The range of marks that touch the objects [first, end), up to the first mark that keeps objects
+// above them.
 std::pair<Containers::At, Containers::At> Containers::touching(std::size_t first,
                                                                std::size_t end) const
 {
@@ -100,8 +101,8 @@ std::optional<Containers> Containers::inserted(Container container, ContainerId 
     assert(table_.mayHold(parent, container.kind));
     const auto children = childrenOf(parent);
     assert(at <= children.size());
-    std::size_t end = at; // of those that it takes over
-    int height = 0;       // of the highest of them
+    std::size_t end = at; // the end of the children that it takes over
+    int height = 0;       // the height of the highest of them
     for (; end < children.size() && rangeOf(children[end]).first < range.end; ++end)
         height = std::max(height, heightOf(children[end]));
     if (count_ == mostContainers || depthOf(parent) + 1 + height > deepest)
@@ -167,7 +168,8 @@ void Containers::forget(ContainerId id)
     --count_;
 }
 
-// A mark among the objects that follow the one at `at`, where `object` of all is the next one.
+// Inserts a mark among the objects that follow the mark at `at`, directly before the object number
+// `object`.
 void Containers::insertAt(const At& at, std::size_t object, ContainerMark mark)
 {
     const ContainerMark below = marks_[at];
@@ -186,8 +188,9 @@ void Containers::eraseMark(const At& at)
     marks_.replace(first, marks_.next(at), std::span(&left, 1));
 }
 
-// Labels for marks that will come right behind `opening` and right behind `closing`, which may be
-// the same. Small steps leave room for more at the same place, in most orders.
+// Assigns labels to marks that will follow directly behind `opening` and `closing`, which may be
+// the same. Small steps leave labels for further marks at the same place, in most orders of
+// insertion.
 void Containers::giveLabels(ContainerId id, const At& opening, const At& closing)
 {
     constexpr std::uint64_t usual = std::uint64_t(1) << 32;

@@ -23,7 +23,7 @@ std::size_t keyOf(const Point& start)
     return std::hash<double>{}(start.x) * 31 + std::hash<double>{}(start.y);
 }
 
-/// The objects of a drawing by where they start.
+/// An index of the drawing's objects by their start points.
 class Starts {
 public:
     explicit Starts(const Objects& objects) : objects_(objects)

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// Puts the new value in the place of the old one, if there is a new one; gives the old one.
+// Replaces `value` if there is a new one, and returns the old one.
 template <class T>
 std::optional<T> exchange(T& value, std::optional<T> by) noexcept
 {
@@ -46,7 +46,7 @@ Edit Document::apply(const Edit& edit)
         back.splices = inverse(edit.splices);
         back.objects = parts.objects.splice(edit.splices, edit.objects);
     }
-    // What follows cannot fail.
+    // Nothing below can fail.
     back.containers = exchange(parts.containers, std::move(by.containers));
     back.windows = exchange(parts.windows, std::move(by.windows));
     back.page = exchange(parts.page, std::move(by.page));

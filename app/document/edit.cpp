@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// Copies of the list share the names of windows, and nothing else.
+// Copies of the list share only the names of windows.
 std::size_t bytesNotIn(const ClipWindows& windows, const ClipWindows& other)
 {
     std::size_t sum = heapBytes(windows.list);
@@ -40,7 +40,7 @@ std::vector<Splice> inverse(std::span<const Splice> splices)
 {
     std::vector<Splice> back;
     back.reserve(splices.size());
-    std::uint32_t removed = 0, added = 0; // by the splices before
+    std::uint32_t removed = 0, added = 0; // by the previous splices
     for (const Splice& s : splices) {
         back.push_back({s.first - removed + added, s.added, s.removed});
         removed += s.removed;

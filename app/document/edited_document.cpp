@@ -25,13 +25,13 @@ void EditedDocument::load(Document document)
     {
         Document next = std::move(document);
         publish(next);
-    } // what was is freed before listeners need memory
+    } // the old document is freed before listeners need memory
     emit changed({true, true, true, true, true});
 }
 
 Edit EditedDocument::apply(const Edit& edit)
 {
-    const std::vector<Splice> splices = edit.splices; // the edit may be overwritten by a listener
+    const std::vector<Splice> splices = edit.splices; // a listener may overwrite `edit`
     DocumentChange change{false, !splices.empty(), edit.containers.has_value(),
                           edit.windows.has_value(), edit.page.has_value()};
     change.splices = splices;

@@ -11,15 +11,16 @@
 namespace app {
 namespace {
 
-constexpr int mostChords = 10'000; // of one curve, however large it is
+constexpr int mostChords = 10'000; // for one curve of any size
 
-// Wang's bound: n chords of equal parameter stay within |second difference| * 6 / (8 n^2).
+// Wang's bound: the error of n chords of equal parameter length is at most |second difference| * 6
+// / (8 n^2).
 int chordCount(const Point& a, const PathSegment& c, double tolerance)
 {
     const double bend = std::max(glm::length(a - 2.0 * c.control1 + c.control2),
                                  glm::length(c.control1 - 2.0 * c.control2 + c.to));
     const double n = std::ceil(std::sqrt(0.75 * bend / tolerance));
-    return n > 1 ? int(std::min<double>(n, mostChords)) : 1; // also for NaN
+    return n > 1 ? int(std::min<double>(n, mostChords)) : 1; // 1 also for NaN
 }
 
 } // namespace
@@ -52,7 +53,8 @@ void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords)
 
 std::size_t chordCount(const Subpath& path, double tolerance)
 {
-    std::size_t count = path.segments.empty() || path.closed; // the closing line, or the point
+    std::size_t count = path.segments.empty() || path.closed; // counts the closing line, or the
+                                                              // single point
     Point last = path.start;
     for (const PathSegment& segment : path.segments) {
         count += segment.curved ? std::size_t(chordCount(last, segment, tolerance)) : 1;

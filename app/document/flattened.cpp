@@ -18,7 +18,7 @@ Path flattened(const Path& path, double tolerance)
         const std::size_t segments = subpath.segments.size();
         subpath.segments.clear();
         for (const Chord& chord : chords)
-            if (chord.pathSegment < segments) // the closing line stays implied
+            if (chord.pathSegment < segments) // the closing line stays implicit
                 subpath.segments.push_back({chord.segment.b});
     }
     return Path(subpaths);

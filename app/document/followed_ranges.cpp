@@ -6,12 +6,13 @@
 namespace app {
 namespace {
 
-// Splices, passed from the lowest to the highest.
+// Iterates over splices, from the lowest to the highest.
 class Passing {
 public:
     explicit Passing(std::span<const Splice> splices) : left_(splices) {}
 
-    /// The first that changes numbers and does not lie wholly below `object`; null: none.
+    /// The first splice that changes numbers and does not lie entirely below `object`; null if
+    /// none.
     const Splice* nextFrom(std::size_t object)
     {
         while (!left_.empty()) {
@@ -24,7 +25,7 @@ public:
         }
         return nullptr;
     }
-    /// The number, after all that was passed.
+    /// The object's number after all splices passed so far.
     std::size_t shifted(std::size_t object) const { return object + shift_; }
 
 private:

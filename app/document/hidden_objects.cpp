@@ -6,14 +6,15 @@
 namespace app {
 namespace {
 
-// Without the containers that are hidden, which have no objects any more.
+// Removes the hidden containers, whose objects have already been removed.
 Containers withoutHidden(Containers containers)
 {
     const auto visible = [&](ContainerId id) { return containers[id].visible; };
     if (std::ranges::none_of(containers.childrenOf(0), visible))
-        return Containers(); // there is at least one layer
+        return Containers(); // a document has at least one layer
     for (const ContainerId id : containers.inOrder())
-        if (containers.contains(id) && !visible(id)) // not taken along by one around it
+        if (containers.contains(id) && !visible(id)) // may already be removed with a container
+                                                     // around it
             containers = containers.removed(id);
     return containers;
 }
@@ -22,7 +23,7 @@ Containers withoutHidden(Containers containers)
 
 ObjectRanges hiddenObjects(const Document& document)
 {
-    ObjectRanges hidden; // those that are so themselves
+    ObjectRanges hidden; // objects that are hidden themselves
     const Objects& objects = document.objects();
     for (std::size_t block = 0; block < objects.blocks().size(); ++block) {
         const auto& marks = objects.blocks()[block]->hidden;

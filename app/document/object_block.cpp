@@ -19,13 +19,13 @@ void addSome(std::vector<T>& column, const std::vector<T>& more, std::size_t fir
     column.insert(column.end(), from, from + std::ptrdiff_t(count));
 }
 
-// Adds what the next object says to a column that is empty while all say the usual.
+// Appends the next object's value to a column, which stays empty while all values are usual.
 template <class T>
 void add(std::vector<T>& column, std::size_t before, const T& value, const T& usual, bool isUsual)
 {
     if (column.empty() && isUsual)
         return;
-    column.resize(before, usual); // where it was empty
+    column.resize(before, usual); // if it was empty
     column.push_back(isUsual ? usual : value);
 }
 
@@ -35,7 +35,7 @@ void add(std::vector<T>& column, std::size_t before, const std::vector<T>& more,
 {
     if (column.empty() && more.empty())
         return;
-    column.resize(before, usual); // where it was empty
+    column.resize(before, usual); // if it was empty
     if (more.empty())
         column.resize(before + count, usual);
     else
@@ -57,7 +57,7 @@ void addStyles(std::vector<StyleIndex>& styles, std::size_t before,
 {
     if (more.size() > 1) {
         if (before > 0)
-            styles.resize(before, styles[0]); // where there was one for all
+            styles.resize(before, styles[0]); // if one value was for all
         addSome(styles, more, first, count);
     } else if (before == 0) {
         styles = more;

@@ -11,15 +11,15 @@ namespace app {
 /// element or none. Blocks in `Objects` are never empty, and their columns are as narrow as
 /// possible.
 struct ObjectBlock {
-    std::vector<clipping::Segment> lines{}; ///< if all are single lines or points; else empty and
-    std::vector<Path> paths{};              ///< all paths are here
+    std::vector<clipping::Segment> lines{}; ///< if all objects are lines or points; else empty
+    std::vector<Path> paths{};              ///< all paths, if `lines` is empty
     std::vector<StyleIndex> styles{};       ///< one for all objects, or one for each
     std::vector<std::uint8_t> hidden{};     ///< empty: none is hidden
     std::vector<Shared<Particulars>> particulars{}; ///< empty: none has any
     std::uint32_t points = 0;                       ///< the sum of `weight` over all objects
 
     static constexpr std::uint32_t mostPoints = 8192;          ///< a single object may have more
-    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< fewer: join it with a neighbour
+    static constexpr std::uint32_t fewPoints = mostPoints / 2; ///< smaller blocks are merged
 
     std::size_t size() const { return lines.size() + paths.size(); }
     Path path(std::size_t i) const { return paths.empty() ? Path(lines[i]) : paths[i]; }
@@ -36,7 +36,8 @@ struct ObjectBlock {
 
     void append(const clipping::Segment& line, StyleIndex style);
     void append(const ObjectRow& row);
-    void append(const ObjectBlock& from, std::size_t first, std::size_t count); ///< of another one
+    /// Appends some objects of another block.
+    void append(const ObjectBlock& from, std::size_t first, std::size_t count);
     void narrow(); ///< makes the columns as narrow as possible; `append` only widens them
 };
 

@@ -31,7 +31,7 @@ bool ObjectRanges::erase(std::size_t object)
     return size_ != before;
 }
 
-// The ranges that it overlaps or adjoins become one with it.
+// Merges `range` with the ranges that it overlaps or adjoins.
 void ObjectRanges::insert(const ObjectRange& range)
 {
     if (range.empty())
@@ -85,7 +85,7 @@ ObjectRanges ObjectRanges::shifted(std::size_t first, std::size_t removed, std::
     return all;
 }
 
-// At the end: `range` starts nowhere below the last one.
+// Appends `range`, which must not start below the last range.
 void ObjectRanges::append(const ObjectRange& range)
 {
     if (range.empty())

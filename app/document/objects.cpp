@@ -8,14 +8,14 @@
 namespace app {
 namespace {
 
-// Neighbours in one block: where one of them is small and both fit.
+// Whether adjacent blocks of these weights become one block: one of them is small and both fit.
 bool join(std::uint32_t a, std::uint32_t b)
 {
     return (a < ObjectBlock::fewPoints || b < ObjectBlock::fewPoints)
            && a + b <= ObjectBlock::mostPoints;
 }
 
-// Some objects of a block that is there.
+// Some objects of an existing block.
 struct Piece {
     const Shared<ObjectBlock>* block;
     std::size_t first, count;
@@ -23,9 +23,9 @@ struct Piece {
 
 } // namespace
 
-/// Objects put together from pieces of blocks. A block that comes whole, and alone, is shared.
-/// Of two blocks that follow each other, either both have `fewPoints` or more, or they do not fit
-/// into one; where that was so of the blocks that come, only those around a cut are copied.
+/// Builds Objects from pieces of blocks. A whole block that is not merged with others is shared.
+/// Invariant: of two adjacent blocks, both have at least `fewPoints`, or the two do not fit into
+/// one. If the source blocks satisfy this, only the blocks next to a cut are copied.
 struct Objects::Collected {
     explicit Collected(std::shared_ptr<StyleTable> styles) { objects.styles_ = std::move(styles); }
 
@@ -86,8 +86,8 @@ private:
     }
 
     Objects objects;
-    std::vector<Piece> pieces; // of the block that is being made
-    std::uint32_t points = 0;  // of these
+    std::vector<Piece> pieces; // of the block being built
+    std::uint32_t points = 0;  // the sum of their weights
 };
 
 std::size_t Objects::blockOf(std::size_t object) const
@@ -115,12 +115,12 @@ const StyleTable& Objects::styles() const
     return styles_ ? *styles_ : none;
 }
 
-// The last block, to write to, with room for so many points.
+// The last block, for writing, with room for `points` more points.
 ObjectBlock& Objects::lastFor(std::uint32_t points)
 {
     if (blocks_.empty() || blocks_.back()->points + points > ObjectBlock::mostPoints) {
         if (!blocks_.empty() && !blocks_.back().isShared())
-            blocks_.back().own().narrow(); // it is full: gives back what it had reserved
+            blocks_.back().own().narrow(); // it is full: free its reserved memory
         first_.push_back(std::uint32_t(size()));
         blocks_.emplace_back();
     }
@@ -178,7 +178,7 @@ Objects Objects::splice(std::span<const Splice> splices, const Objects& added)
     }
     assert(from == added.size());
     staying.add(*this, at, size());
-    Objects gone = going.take(); // while the blocks that it is made from are here
+    Objects gone = going.take(); // while the source blocks still exist
     *this = staying.take();
     return gone;
 }
@@ -189,7 +189,7 @@ Objects Objects::splice(std::size_t first, std::size_t removed, const Objects& a
     return splice({&one, 1}, added);
 }
 
-// Numbers the styles by the table of the others.
+// Renumbers the styles by the table of `others`, which this object then shares.
 void Objects::withStylesOf(const Objects& others)
 {
     if (!others.styles_ || styles_ == others.styles_)

@@ -7,10 +7,10 @@
 namespace app {
 namespace {
 
-/// What paths and particulars have on the heap, each part once.
+/// Sums the heap memory of paths and particulars, counting each shared part once.
 class Parts {
 public:
-    // `beside` has the same parts in mostly the same places, if it is not null.
+    // `beside`, if not null, has mostly the same parts in the same places.
     void add(const ObjectBlock& block, const ObjectBlock* beside = nullptr)
     {
         for (std::size_t i = 0; i < block.paths.size(); ++i)
@@ -55,7 +55,7 @@ private:
             shared_.push_back(part);
     }
 
-    std::size_t alone_ = 0; ///< bytes of what is not shared
+    std::size_t alone_ = 0; ///< bytes of parts that are not shared
     std::vector<HeapPart> shared_;
 };
 

@@ -7,7 +7,8 @@
 namespace app {
 namespace {
 
-/// Whether numbers of two tables mean equal styles; neighbours mostly ask the same.
+/// Whether two indices of different tables mean equal styles. Caches the last pair, as neighbours
+/// mostly have the same styles.
 class SameStyle {
 public:
     SameStyle(const StyleTable& a, const StyleTable& b) : a_(a), b_(b) {}
@@ -30,7 +31,7 @@ private:
     bool same_ = false;
 };
 
-/// Some objects of a block.
+/// Objects of a block, from `first` on.
 struct Run {
     const ObjectBlock& block;
     std::size_t first;

@@ -6,12 +6,13 @@ namespace app {
 double Page::millimetresPerUnit() const
 {
     const auto scale = [](Length length, double units) {
-        const double unit = infoOf(length.unit).millimetres; // a ratio first: 1000 px of 1000 is 1
+        const double unit = infoOf(length.unit).millimetres; // dividing lengths first makes 1000 px
+                                                             // / 1000 exactly 1
         return units > 0 && length.value > 0 ? unit * (length.value / units) : 0.0;
     };
     const double x = scale(width, size.x), y = scale(height, size.y);
     if (x > 0 && y > 0)
-        return x < y ? x : y; // the SVG's "meet"
+        return x < y ? x : y; // as SVG's "meet"
     return x > 0 ? x : y > 0 ? y : infoOf(Unit::Px).millimetres;
 }
 

@@ -17,7 +17,7 @@ bool sameBits(std::span<const T> a, std::span<const T> b)
 
 bool sameBits(const Point& a, const Point& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// What needs no heap block: one line, or one point.
+// The line or point that needs no heap block, if the subpaths are nothing else.
 std::optional<clipping::Segment> lineOf(std::span<const Subpath> subpaths)
 {
     if (subpaths.size() != 1 || subpaths[0].closed || subpaths[0].segments.size() > 1)
@@ -26,7 +26,7 @@ std::optional<clipping::Segment> lineOf(std::span<const Subpath> subpaths)
     if (only.segments.empty())
         return clipping::Segment{only.start, only.start};
     const PathSegment& segment = only.segments[0];
-    if (segment.curved || sameBits(only.start, segment.to)) // which would be a point
+    if (segment.curved || sameBits(only.start, segment.to)) // equal ends would read as a point
         return std::nullopt;
     return clipping::Segment{only.start, segment.to};
 }

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Appends the chords of one path segment after the other; calls `added` after each.
+// Appends the chords of each path segment in turn; calls `added` after each segment.
 static void appendChords(auto reader, double tolerance, std::vector<Chord>& chords,
                          const auto& added)
 {
@@ -19,7 +19,7 @@ static void appendChords(auto reader, double tolerance, std::vector<Chord>& chor
             added();
             last = segment.to;
         }
-        if (segments == 0 || (closed && last != start)) { // as flatten closes a subpath
+        if (segments == 0 || (closed && last != start)) { // closes a subpath like flatten(Subpath)
             chords.push_back({{last, start}, segments, 0, 1});
             added();
         }
@@ -58,7 +58,8 @@ void appendSegments(const Path& path, double tolerance, std::vector<clipping::Se
             to.push_back({last, next});
             last = next;
         }
-        if (size >> 1 == 0 || ((size & 1) && last != start)) // as flatten closes a subpath
+        if (size >> 1 == 0 || ((size & 1) && last != start)) // closes a subpath like
+                                                             // flatten(Subpath)
             to.push_back({last, start});
     }
 }

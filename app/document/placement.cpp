@@ -8,7 +8,7 @@ namespace {
 
 bool addsNothing(double offset) { return offset == 0 && std::signbit(offset); }
 
-// -0 through the second step could become 0, which is not what the second step adds.
+// An offset of -0 is skipped: a negative scale would turn it into 0, and 0 + -0 is not -0.
 double then(double offset, double scale, double next)
 {
     return addsNothing(offset) ? next : offset * scale + next;

@@ -17,7 +17,7 @@ struct Placed {
     Recipe operator()(std::monostate nothing) const { return nothing; }
     Recipe operator()(const RectangleRecipe& r) const
     {
-        if (r.radius != 0 && !alike(where.scale)) // its corners become elliptical
+        if (r.radius != 0 && !alike(where.scale)) // the rounded corners become elliptical
             return {};
         const Point a = where(r.corner), b = where(r.corner + r.size);
         return RectangleRecipe{glm::min(a, b), glm::abs(b - a), r.radius * std::abs(where.scale.x)};

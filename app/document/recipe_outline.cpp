@@ -9,9 +9,9 @@
 namespace app {
 namespace {
 
-// Of the radius: a Bézier curve like a quarter circle.
+// Distance of control points, in radii, for a Bézier curve that approximates a quarter circle.
 constexpr double quarter = 0.5522847498307936;
-constexpr double rounding = 1e-9; // of the size
+constexpr double rounding = 1e-9; // relative to the size
 
 struct Outline {
     std::optional<Subpath> operator()(const RectangleRecipe& r) const
@@ -24,7 +24,8 @@ struct Outline {
     std::optional<Subpath> operator()(const EllipseRecipe& e) const
     {
         const auto at = [&](const Point& unit) { return e.centre + e.radii * unit; };
-        const auto curve = [&](const Point& a, const Point& b) { // directions, a quarter turn apart
+        const auto curve = [&](const Point& a, const Point& b) { // unit directions, a quarter turn
+                                                                 // apart
             return PathSegment{at(b), at(a + b * quarter), at(b + a * quarter), true};
         };
         return Subpath{at({1, 0}),

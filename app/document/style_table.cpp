@@ -42,7 +42,7 @@ bool sameBits(const Style& a, const Style& b)
 std::size_t hashOf(const Style& style)
 {
     static const std::uint64_t seed =
-        QHashSeed::globalSeed(); // so that equal ones cannot be crafted
+        QHashSeed::globalSeed(); // random, so that nobody can craft collisions
     std::uint64_t hash = seed
                          ^ (std::uint64_t(style.cap) << 4 | std::uint64_t(style.join) << 2
                             | std::uint64_t(style.fillRule));
@@ -62,7 +62,7 @@ std::size_t hashOf(const Style& style)
 
 StyleTable::StyleTable(const StyleTable& other)
 {
-    const std::size_t size = other.size(); // it may grow in the meantime
+    const std::size_t size = other.size(); // `other` may grow meanwhile
     for (std::size_t i = 0; i < size; ++i)
         indexOf(other[StyleIndex(i)]);
 }

@@ -16,8 +16,8 @@ struct LineRange {
     std::size_t first, end;
 };
 
-// Calls visit(box, segments) for each part of the lines that has a box. Where `looksInto` says so
-// of the box around many chunks, they are visited one by one.
+// Calls visit(box, segments) for each part of the lines that has a box. If `looksInto(box)` is true
+// for the box around several chunks, these chunks are visited one by one.
 template <class LooksInto, class Visit>
 void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
                 const LooksInto& looksInto, const Visit& visit)
@@ -46,7 +46,7 @@ void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
 
 bool isNumber(const FloatBox& box) { return !std::isnan(box.minX); }
 
-// A box that does not reach as far as the one around all has no line that does.
+// Whether lines in `box` may reach as far as `all`, the box around everything.
 bool reaches(const FloatBox& box, const FloatBox& all)
 {
     return !isNumber(box) || box.minX == all.minX || box.minY == all.minY || box.maxX == all.maxX
@@ -69,7 +69,7 @@ std::optional<Window> boundsOf(const SceneLines& lines, std::span<const LineRang
                 forEachBox(*lines.blocks()[run], first, end, looksInto, visit);
             });
     };
-    std::optional<FloatBox> around; // rounded, as the boxes are
+    std::optional<FloatBox> around; // rounded like the boxes
     forEach(
         [](const FloatBox&) { return false; },
         [&](const FloatBox& box, const auto&) { around = around ? united(*around, box) : box; });

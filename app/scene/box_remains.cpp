@@ -16,7 +16,7 @@ bool isFinite(const clipping::Window& w)
            && std::isfinite(w.max.y);
 }
 
-/// What `remainsOf` says of a region of one finite window, in fewer steps.
+/// A faster `remainsOf` for a region of one finite window.
 class OneWindow {
 public:
     OneWindow(const clipping::Window& window, Keep keep) : window_(window)
@@ -24,7 +24,7 @@ public:
         if (keep == Keep::Outside)
             std::swap(remains_[1], remains_[2]);
     }
-    // Without branches, which could not be predicted. NaNs are neither inside nor outside.
+    // Branch-free, as branches here would be unpredictable. NaNs are neither inside nor outside.
     Remains operator()(const FloatBox& box) const
     {
         const auto& [min, max] = window_;
@@ -37,7 +37,7 @@ public:
 
 private:
     clipping::Window window_;
-    // Neither, inside, outside; it cannot be both.
+    // Neither, inside, outside; the fourth case cannot occur.
     std::array<Remains, 4> remains_{Remains::Pieces, Remains::Whole, Remains::Gone,
                                     Remains::Pieces};
 };

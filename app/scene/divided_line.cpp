@@ -17,12 +17,12 @@ using clipping::Clipped;
 using clipping::Edge;
 using clipping::Segment;
 
-/// The order of points along a line: on the axis on which it is longer, then on the other one.
+/// Orders points along a line: by the axis on which the line is longer, then by the other axis.
 class AlongLine {
 public:
     explicit AlongLine(const Segment& line) : line_(line)
     {
-        const glm::dvec2 half = line.b / 2.0 - line.a / 2.0; // the whole one may overflow
+        const glm::dvec2 half = line.b / 2.0 - line.a / 2.0; // the full difference may overflow
         major_ = std::abs(half.x) >= std::abs(half.y) ? 0 : 1;
     }
 
@@ -43,9 +43,9 @@ private:
     int major_;
 };
 
-constexpr double mostUlps = 64; // an end is wrong by at most so many, says `clipping::Uses`
+constexpr double mostUlps = 64; // the largest error of an end, as `clipping::Uses` states
 
-// One unit in the last place of the largest |coordinate|, or up to twice that.
+// One to two units in the last place of the largest |coordinate|.
 double ulpOf(const Segment& line, const clipping::Window& box)
 {
     double largest = 0;
@@ -54,8 +54,9 @@ double ulpOf(const Segment& line, const clipping::Window& box)
     return largest * std::numeric_limits<double>::epsilon();
 }
 
-/// A line divided at the ends of all pieces. Where one lies is a place; places are numbered along
-/// the line. The set has or lacks each place, and each open part between two places, as a whole.
+/// A line divided at the ends of all pieces. Each division point is a place; places are numbered
+/// along the line. Each place, and each open part between adjacent places, lies entirely in the set
+/// or entirely outside it.
 class DividedLine {
 public:
     DividedLine(const ClipRegion& region, const Segment& line, PiecesOfLine atStep)
@@ -90,32 +91,33 @@ public:
     }
 
 private:
-    /// Where the line or a piece begins or ends.
+    /// An end of the line or of a piece.
     struct Breakpoint {
         glm::dvec2 at;
         Edge edge = Edge::None; ///< of the window; None: an end of the line
         double level = 0;       ///< of that edge
-        double rounding = 0;    ///< how far an algorithm may be out along it
+        double rounding = 0;    ///< the largest rounding error of an algorithm along the edge
         int place = 0;
     };
-    /// From one breakpoint to another, as places; `from > to`: nothing.
+    /// A range of places inside a window, both ends included; `from > to`: empty.
     struct Stay {
         int from = 1, to = 0;
         bool covers(int first, int last) const { return from <= first && last <= to; }
     };
     struct Place {
-        int breakpoint; ///< the first of those there
-        /// Of the first and the last breakpoint there that has one.
+        int breakpoint; ///< the first breakpoint at this place
+        /// The edges of the first and of the last breakpoint at this place that have an edge.
         Edge firstEdge = Edge::None, lastEdge = Edge::None;
-        int starting = -1, ending = -1; ///< the first step whose stay does; the next is in its Step
+        int starting = -1, ending = -1; ///< the first step whose stay starts or ends here; Step
+                                        ///< links to the next
     };
-    /// What a step's window contains.
+    /// The part of the line inside a step's window.
     struct Step {
         Stay stay;
         int nextStarting = -1, nextEnding = -1;
     };
 
-    // Its stay, in numbers of breakpoints as yet.
+    // The piece's stay, still in breakpoint numbers.
     Stay added(const Clipped& piece, const clipping::Window& box)
     {
         const auto& [a, b] = piece.segment;
@@ -127,14 +129,16 @@ private:
 
     void add(const glm::dvec2& at, Edge edge, const clipping::Window& box)
     {
-        if (edge == Edge::None || clipping::axisOf(edge) > 1) // a published form may give anything
+        if (edge == Edge::None || clipping::axisOf(edge) > 1) // a published form may return
+                                                              // anything
             breakpoints_ << Breakpoint{at};
         else
             breakpoints_ << Breakpoint{at, edge, clipping::levelOf(edge, box),
                                        2 * mostUlps * ulpOf(line_, box)};
     }
 
-    // Ends on the same level that differ by rounding alone are one place: that of the first.
+    // Merges ends on the same level that differ only by rounding into one place, at the first of
+    // them.
     void joinOnEdges()
     {
         const auto axis = [](const Breakpoint& b) { return int(clipping::axisOf(b.edge)); };
@@ -145,7 +149,7 @@ private:
         for (int i = 0; i < breakpoints_.size(); ++i)
             if (breakpoints_[i].edge != Edge::None && !std::isnan(breakpoints_[i].level))
                 order << i;
-        const bool sorted = order.size() > 16; // fewer are searched as quickly
+        const bool sorted = order.size() > 16; // a linear search is as fast for fewer
         if (sorted)
             std::ranges::sort(order, [&](int i, int j) {
                 const Breakpoint &a = breakpoints_[i], &b = breakpoints_[j];
@@ -176,7 +180,8 @@ private:
         QVarLengthArray<int, 32> order(breakpoints_.size());
         std::iota(order.begin(), order.end(), 0);
         std::ranges::sort(order, [&](int i, int j) {
-            return before(i, j) || (i < j && !before(j, i)); // the first of a place stands for it
+            return before(i, j) || (i < j && !before(j, i)); // the first breakpoint represents its
+                                                             // place
         });
         for (const int i : order) {
             if (places_.isEmpty() || before(places_.last().breakpoint, i))
@@ -196,9 +201,9 @@ private:
         deciding_.resize((steps_.size() + 63) / 64, 0);
         for (int i = 0; i < steps_.size(); ++i) {
             if (region_.steps[std::size_t(i)].operation == WindowOperation::Intersect)
-                flip(i); // where its window has nothing
+                flip(i); // it decides where its window has no points
             auto& [stay, nextStarting, nextEnding] = steps_[i];
-            if (stay.from <= 1) // 0 and 1 are the line's ends
+            if (stay.from <= 1) // breakpoints 0 and 1 are the line's ends
                 continue;
             const int from = breakpoints_[stay.from].place;
             stay = {from, std::max(from, breakpoints_[stay.to].place)};
@@ -209,7 +214,7 @@ private:
 
     void flip(int step) { deciding_[step / 64] ^= std::uint64_t(1) << step % 64; }
 
-    // What is at present, on the line itself or beyond its ends.
+    // Whether the current position is kept, on the line itself or beyond its ends.
     bool isKept(bool onLine) const
     {
         bool in = region_.startsFull() && onLine;
@@ -227,10 +232,10 @@ private:
         const bool startsAtA = first == whole_.from, endsAtB = last == whole_.to;
         const glm::dvec2& a = breakpoints_[places_[first].breakpoint].at;
         const glm::dvec2& b = breakpoints_[places_[last].breakpoint].at;
-        // A contact may be on two edges: the first is that of its a, the last that of its b.
+        // A contact may lie on two edges: the first is its edge of a, the last its edge of b.
         const Edge edgeOfA = startsAtA ? Edge::None : places_[first].firstEdge;
         const Edge edgeOfB = endsAtB ? Edge::None : places_[last].lastEdge;
-        // A point's two ends may be 0 and -0.
+        // The two ends of a point may be 0 and -0.
         return {{a, endsAtB ? line_.b : b}, source, clipping::cutAt(edgeOfA, edgeOfB)};
     }
 
@@ -241,8 +246,8 @@ private:
     QVarLengthArray<Step, 16> steps_;
     QVarLengthArray<Place, 32> places_;
     Stay whole_;
-    /// A bit for each step, set where it decides alone, whatever the steps before it leave: the
-    /// last of these is right.
+    /// One bit for each step, set while the step alone decides, regardless of the steps before it.
+    /// The last set bit gives the result.
     QVarLengthArray<std::uint64_t, 16> deciding_;
 };
 

@@ -7,7 +7,7 @@ namespace app {
 
 void PieceStore::clear()
 {
-    // Not all for ever: a frame of all lines may have been the only one.
+    // Frees pages that are not needed: a frame with all lines may have been an exception.
     pages_.resize(std::min(pages_.size(), 2 * (page_ + 1)));
     page_ = used_ = 0;
 }

@@ -12,13 +12,13 @@ bool isFinite(const clipping::Window& box)
            && std::isfinite(box.max.y);
 }
 
-// Finite and not inverted: contains at least a point.
+// Whether the box is finite and not inverted, so that it contains at least one point.
 bool isProper(const clipping::Window& box)
 {
     return isFinite(box) && box.min.x <= box.max.x && box.min.y <= box.max.y;
 }
 
-/// How much of a box is in a set of points.
+/// How much of a box a set of points contains.
 enum class Share : std::uint8_t { None, All, Some };
 
 Share shareIn(const clipping::Window& window, const clipping::Window& box)

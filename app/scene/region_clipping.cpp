@@ -8,7 +8,8 @@ namespace app {
 using clipping::Clipped;
 using clipping::Segment;
 
-// Lines that are clipped at all windows before they are folded: a few KiB a window.
+// Lines clipped at all windows before they are folded; limits the buffer to a few KiB for each
+// window.
 constexpr std::size_t foldedAtOnce = 1024;
 
 static std::span<Clipped> roomIn(std::vector<Clipped>& buffer, std::size_t count)

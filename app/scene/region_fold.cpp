@@ -20,7 +20,8 @@ bool isFinite(const Segment& s)
            && std::isfinite(s.b.y);
 }
 
-// Whether a point is in the set after a step, if it was before and if it is in the step's window.
+// Whether a point is in the set after a step, given whether it was before and whether it is in the
+// step's window.
 bool after(WindowOperation operation, bool before, bool inWindow)
 {
     if (operation == WindowOperation::Add)
@@ -28,7 +29,7 @@ bool after(WindowOperation operation, bool before, bool inWindow)
     return before && (operation == WindowOperation::CutOut) != inWindow;
 }
 
-// Whether the points that are in no window are kept.
+// Whether points outside all windows are kept.
 bool keepsUnseen(const ClipRegion& region)
 {
     bool in = region.startsFull();
@@ -37,7 +38,7 @@ bool keepsUnseen(const ClipRegion& region)
     return region.everything() || in == (region.keep == Keep::Inside);
 }
 
-// Whether a line is kept that each window contains whole or not at all; nothing if one cuts it.
+// Whether a line is kept if each window contains all or nothing of it; empty if a window cuts it.
 std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, PiecesOfLine atStep)
 {
     bool in = region.startsFull();

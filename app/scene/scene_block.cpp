@@ -9,10 +9,10 @@
 namespace app {
 namespace {
 
-/// All segments of an object block, and where those of each object begin.
+/// All segments of an object block, and the first segment of each object.
 struct Flattened {
     std::vector<clipping::Segment> segments;
-    std::vector<std::size_t> first; // of each object, and the end
+    std::vector<std::size_t> first; // one for each object, then the number of segments
 };
 
 Flattened flattened(const ObjectBlock& objects, std::span<const ObjectRange> hidden,
@@ -60,7 +60,7 @@ private:
         std::size_t last = objects_.size();
         if (end < all_.segments.size()) {
             last = objectOf(end);
-            last += all_.first[last] < end; // it begins here, and goes on in the next block
+            last += all_.first[last] < end; // it begins here and continues in the next block
         }
         SceneBlock block;
         block.continues = all_.first[first] < begin;
@@ -76,7 +76,7 @@ private:
         return block;
     }
 
-    // The object that the segment is of.
+    // The object that the segment belongs to.
     std::size_t objectOf(std::size_t segment) const
     {
         return std::size_t(std::ranges::upper_bound(all_.first, segment) - all_.first.begin()) - 1;

@@ -8,12 +8,12 @@
 namespace app {
 namespace {
 
-/// Says block by block which objects are hidden.
+/// Gives the hidden objects of each block in turn.
 class HiddenInBlocks {
 public:
     explicit HiddenInBlocks(const ObjectRanges& hidden) : left_(hidden.ranges()) {}
 
-    /// Those of the next block, numbered in it.
+    /// The hidden objects of the block [first, end), numbered within it.
     std::vector<ObjectRange> next(std::size_t first, std::size_t end)
     {
         while (!left_.empty() && left_.front().end <= first)
@@ -34,8 +34,8 @@ private:
 
 } // namespace
 
-// Afterwards there is a source for each block. Most blocks are the same as before, at both ends of
-// the list. Without scene blocks: a block that is new.
+// Makes one source for each block, reusing the old ones. Most blocks are unchanged, at both ends of
+// the list. A source without scene blocks is new.
 void SceneBlockCache::take(std::span<const Shared<ObjectBlock>> blocks)
 {
     const auto isSame = [](const Source& source, const Shared<ObjectBlock>& block) {

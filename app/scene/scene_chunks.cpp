@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-// Where a stroke ends that begins there, or is long enough for a box.
+// The end of the chunk that begins at `begin`: where the pen is lifted, or the chunk is full.
 std::size_t endOfStroke(std::span<const clipping::Segment> segments, std::size_t begin)
 {
     const std::size_t last = std::min(begin + SceneBlock::mostInChunk, segments.size());
@@ -21,7 +21,7 @@ double areaOf(const FloatBox& box)
     return (double(box.maxX) - double(box.minX)) * (double(box.maxY) - double(box.minY));
 }
 
-// Whether the box around both is clearly smaller than the two together.
+// Whether the box around both has clearly less area than the two boxes together.
 bool cover(const FloatBox& a, const FloatBox& b)
 {
     return areaOf(united(a, b)) < 0.75 * (areaOf(a) + areaOf(b));
@@ -43,7 +43,7 @@ void addChunks(SceneBlock& block, std::size_t begin, std::size_t end, StyleIndex
     }
 }
 
-// The end of the objects from `i` on that have its style, or no segments.
+// The end of the run of objects from `i` on that have its style or no segments.
 std::size_t endOfStyle(const SceneBlock& block, std::span<const StyleIndex> styles, std::size_t i)
 {
     if (styles.size() == 1)

@@ -18,8 +18,8 @@ bool isExact(ClipAll clipAll)
     return clipAll == exact;
 }
 
-// Calls visit(first, end) for the lines of chunks that follow each other with Remains::Pieces, and
-// gives the number of lines of those with Remains::Whole.
+// Calls visit(first, end) for the lines of each run of chunks with Remains::Pieces. Returns the
+// number of lines in chunks with Remains::Whole.
 template <class Visit>
 std::size_t forEachCut(const SceneBlock& block, std::span<const Remains> remains,
                        const Visit& visit)
@@ -39,7 +39,8 @@ std::size_t forEachCut(const SceneBlock& block, std::span<const Remains> remains
     return whole;
 }
 
-// Whether a piece is the line itself. Published forms may say so and not keep to it.
+// Whether a piece is the line itself. Compares the ends, as published forms may report no cut and
+// still change the line.
 bool isWhole(const Clipped& piece, const clipping::Segment& line)
 {
     return piece.cut == 0 && std::memcmp(&piece.segment, &line, sizeof line) == 0;
@@ -47,9 +48,9 @@ bool isWhole(const Clipped& piece, const clipping::Segment& line)
 
 /// The pieces of one chunk.
 struct InChunk {
-    std::size_t pieces = 0; // how many of those that follow are its own
+    std::size_t pieces = 0; // the number of leading pieces that belong to this chunk
     std::size_t visible = 0;
-    bool whole = true; // each of its lines is there, untouched
+    bool whole = true; // each of its lines is kept unchanged
 };
 
 InChunk inChunk(std::span<const Clipped> pieces, std::span<const clipping::Segment> lines,
@@ -79,7 +80,7 @@ SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region
     pieces_.clear();
     visible_ = 0;
     makeBlocks(lines);
-    emptyUpperHalves(); // a picture may have been painted before
+    emptyUpperHalves(); // Qt may have painted a picture before
 
     const auto window =
         isExact(clipAll) && region.keep == Keep::Inside ? region.single() : std::nullopt;
@@ -112,7 +113,7 @@ void SceneClipping::makeBlocks(const SceneLines& lines)
     }
 }
 
-// For `exact` and what is inside one window.
+// For the algorithm `exact` and the inside of one window.
 void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
                                   const clipping::Window& window)
 {
@@ -158,7 +159,8 @@ void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
     }
 }
 
-// Keeps the pieces of those chunks that are neither gone nor whole, as their lines show.
+// Classifies each chunk by its pieces, and keeps the pieces of chunks that are neither gone nor
+// whole.
 void SceneClipping::settle(Block& frame, std::span<Remains> remains, std::span<Clipped> room)
 {
     const std::span lines(frame.block->segments);

@@ -47,7 +47,7 @@ std::size_t SceneLines::firstLineOf(std::size_t object) const
 {
     if (runs_.empty())
         return 0;
-    // The first of the runs that the object is in.
+    // Find the first run that contains the object.
     auto run = std::ranges::lower_bound(runs_, object, {}, &Run::firstObject);
     if (run == runs_.end() || run->firstObject > object
         || (run != runs_.begin() && blocks_[std::size_t(run - runs_.begin())]->continues))

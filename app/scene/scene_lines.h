@@ -19,8 +19,7 @@ public:
     };
 
     SceneLines() = default;
-    explicit SceneLines(std::vector<Shared<SceneBlock>> blocks); ///< the blocks of all objects, in
-                                                                 ///< order
+    explicit SceneLines(std::vector<Shared<SceneBlock>> blocks); ///< for all objects, in order
 
     std::size_t size() const { return size_; }
     clipping::Segment operator[](std::size_t line) const;
