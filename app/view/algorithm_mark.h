@@ -12,30 +12,30 @@ class QPainter;
 
 namespace app {
 
-/// What is painted on: each has its own colours.
+/// The kind of background; each has its own colours.
 enum class Ground : std::uint8_t { Light, Dark };
 
-/// How an algorithm is told from others.
+/// The colours and the marker that distinguish an algorithm.
 struct AlgorithmMark {
-    QColor light, dark; ///< on either ground
-    QPainterPath path;  ///< around (0, 0) in the circle of radius 1
+    QColor light, dark; ///< for each background
+    QPainterPath path;  ///< the marker, centred on (0, 0), inside the circle of radius 1
 };
-/// The mark of an algorithm of a catalogue. A row without a mark of its own has one that no other
-/// row of that catalogue has. An algorithm that is not in the catalogue has a disc in the colour of
-/// the text.
+/// The mark of an algorithm in a catalogue. A row without a mark of its own gets one that is unique
+/// in the catalogue. An algorithm outside the catalogue gets a disc in the text colour.
 AlgorithmMark markOf(const clipping::Algorithm& algorithm,
                      std::span<const clipping::Algorithm> catalogue = clipping::algorithms());
 
-/// The colour of an algorithm: told apart by all kinds of sight, together with its marker.
+/// The colour of an algorithm. Together with the marker it is distinguishable with any colour
+/// vision.
 QColor algorithmColour(const clipping::Algorithm& algorithm, Ground ground);
 
-/// Its marker, around (0, 0) in the circle of radius 1.
+/// The marker of an algorithm, centred on (0, 0), inside the circle of radius 1.
 QPainterPath markerPath(const clipping::Algorithm& algorithm);
 
-/// Paints the marker into a square, filled for the corrected form, hollow for the published one.
+/// Paints the marker into a square: filled for the corrected form, hollow for the published form.
 void paintMarker(QPainter& painter, const QRectF& box, const Variant& variant, Ground ground);
 
-/// The same of any path within that circle, in any colour.
+/// Paints any path within the circle of radius 1 in the same way, in any colour.
 void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
                  clipping::Form form, const QColor& colour);
 

@@ -9,7 +9,7 @@
 namespace app {
 
 /// The part of a closed outline's area inside the window, as an outline that may run along the
-/// window's edges (Sutherland and Hodgman 1974). Good for filling by either rule.
+/// window's edges (Sutherland and Hodgman 1974). It can be filled with either fill rule.
 std::vector<Point> areaInside(std::span<const Point> outline, const clipping::Window& window);
 
 } // namespace app

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The uppermost filled object of those that can be edited whose area the point is in. `lines` are
-/// those of the document. It looks at the boxes of all chunks, and at few lines.
+/// The topmost editable filled object whose area contains the point. `lines` are the document's
+/// lines. Visits the boxes of all chunks, but only few lines.
 std::optional<std::size_t> areaAt(const Document& document, const SceneLines& lines,
                                   const Point& point);
 

@@ -9,13 +9,13 @@
 
 namespace app {
 
-/// Finds the segments of a scene block by place: a uniform grid over them.
+/// Finds the segments of a scene block by position, with a uniform grid.
 class BlockGrid {
 public:
-    /// At most SceneBlock::mostSegments, which are needed again to ask it.
+    /// At most SceneBlock::mostSegments segments. findNear() needs the same segments again.
     explicit BlockGrid(std::span<const clipping::Segment> segments);
 
-    /// Appends those that come within `radius` of the point, ascending, each number plus `first`.
+    /// Appends the numbers, plus `first`, of the segments within `radius` of the point, ascending.
     void findNear(std::span<const clipping::Segment> segments, const Point& point, double radius,
                   std::size_t first, std::vector<std::size_t>& found) const;
 
@@ -31,8 +31,8 @@ private:
     Point origin_{};
     Point cell_{1, 1};
     std::size_t columns_ = 1, rows_ = 1;
-    std::vector<std::uint32_t> start_;    // of cell i: [start_[i], start_[i + 1]) of segments_
-    std::vector<std::uint16_t> segments_; // a block has no more
+    std::vector<std::uint32_t> start_;    // cell i has [start_[i], start_[i + 1]) of segments_
+    std::vector<std::uint16_t> segments_; // 16 bits suffice for the segments of a block
 };
 
 /// The distance from a point to a segment.

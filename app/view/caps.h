@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// The cap alone of a stroke that ends at `at` and comes from the opposite of `away`: a half disc
-/// or half square, which overlaps the stroke by `overlap`; empty for butt. Painters' pens put the
-/// same cap at both ends, but an end made by a cut has none.
+/// The cap of a stroke that ends at `at` in the direction `away`: a half disc or half square that
+/// overlaps the stroke by `overlap`; empty for butt caps. A painter's pen draws the same cap at
+/// both ends, but an end made by a cut has none.
 QPainterPath capAt(const QPointF& at, const QPointF& away, const Ink& ink, double overlap);
 
 } // namespace app

@@ -5,27 +5,28 @@
 
 namespace app {
 
-/// A line, or the part of one that is in the view.
+/// The part of a line that lies in the view.
 struct SeenPart {
     clipping::Segment segment;
-    bool cutA, cutB; ///< these ends are not the stroke's own
+    bool cutA, cutB; ///< whether the end was made by clipping
 };
 
-/// Makes the chains of strokes, for the last coat of a plate: parts that follow each other are one
-/// chain.
+/// Joins consecutive parts of strokes into polylines (chains), for the last draw command (coat) of
+/// a draw list (plate).
 class Chaining {
 public:
     Chaining(Plate& plate, const View& view);
 
-    /// Of what follows, in pixels; empty: solid.
+    /// The dash pattern of the following parts, in pixels; empty: solid.
     void setDashes(std::vector<double> pattern);
     bool isDashed() const { return !pattern_.empty(); }
 
-    /// Goes on with the chain, or ends it and begins another one. `phase()` says where in the dash
-    /// pattern that begins, in user units; it is asked only then, and only for dashed strokes.
+    /// Appends to the current polyline, or ends it and begins another one. `phase()` returns the
+    /// offset into the dash pattern, in user units, at the beginning of a polyline; it is called
+    /// only there, and only for dashed strokes.
     template <class Phase>
     void add(const SeenPart& part, const Phase& phase);
-    /// Nothing more follows: the stroke has its own end there.
+    /// Ends the polyline at an end of the stroke itself.
     void end()
     {
         if (open_)
@@ -38,11 +39,11 @@ public:
     }
 
 private:
-    // The chain being made; its points are the last of plate_.points.
+    // The current polyline; its points are the last of plate_.points.
     struct Open {
-        Point last;                    // in the drawing
-        std::optional<QPointF> unsaid; // a point too close to the one before it
-        double phase;                  // length of the path before the chain
+        Point last;                    // in document coordinates
+        std::optional<QPointF> unsaid; // held back: too close to the one before
+        double phase;                  // length of the path before the polyline
         bool capAtStart;
     };
 
@@ -58,7 +59,7 @@ private:
     std::optional<Open> open_;
     std::uint32_t openAt_ = 0; // its first point
     std::vector<double> pattern_;
-    std::vector<std::uint32_t> recent_; // chains, by a hash of their points
+    std::vector<std::uint32_t> recent_; // recent polylines by a hash of their points
 };
 
 template <class Phase>

@@ -7,15 +7,15 @@
 
 namespace app {
 
-/// What a chart is painted with. All its distances go with the size of the font.
+/// The colours and font of a chart. All distances in the chart scale with the font size.
 struct ChartLook {
-    Ground ground;            ///< which of the algorithms' colours
-    QColor paper;             ///< what it is painted on
-    QColor text, muted, rule; ///< rule: lines of the grid
+    Ground ground;            ///< selects the algorithms' colours
+    QColor paper;             ///< the background
+    QColor text, muted, rule; ///< rule: grid lines
     QFont font;               ///< with a pixel size
 };
 
-/// For files: on white, or on the dark theme's panel, in the application's font, 13 pixels.
+/// For files: on white or on the dark theme's panel colour, in the application's font at 13 pixels.
 ChartLook chartLook(Ground ground);
 
 } // namespace app

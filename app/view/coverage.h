@@ -7,19 +7,19 @@
 
 namespace app {
 
-/// How much of each pixel contours cover: the same sums of signed areas that QPainter makes of a
-/// path (within 5 of 255), contour by contour. QPainter looks through the edges that a row of
-/// pixels already has for every new one, so its time grows with their square; here it grows with
-/// their length.
+/// The share of each pixel that contours cover: the same sums of signed areas that QPainter
+/// computes for a path (within 5 of 255), added contour by contour. QPainter searches all previous
+/// edges in a row of pixels for each new edge, so its time grows with the square of the edges. Here
+/// the time grows with the length of the contours.
 class Coverage {
 public:
-    /// Of these pixels; what is added is in device pixels.
+    /// Sums over these pixels; contours are in device pixels.
     explicit Coverage(const QRect& pixels);
 
-    /// An area bounded by these points and the line from the last to the first.
+    /// Adds an area bounded by these points and the line from the last to the first.
     void add(std::span<const QPointF> contour);
 
-    /// The pixels in one colour, as opaque as they are covered.
+    /// The pixels in one colour, with their coverage as opacity.
     QImage inked(FillRule rule, const Colour& colour) const;
 
 private:
@@ -32,8 +32,8 @@ private:
         sums_; ///< in each pixel, how much its cover differs from its left neighbour's
 };
 
-/// Whether summing takes less time than QPainter for an area whose edges go up and down by `height`
-/// device pixels in all.
+/// Whether this summation takes less time than QPainter for an area whose edges rise and fall by
+/// `height` device pixels in total.
 bool worthSumming(double height, const QRect& pixels);
 
 } // namespace app

@@ -8,10 +8,10 @@
 
 namespace app {
 
-/// A polyline cut into its dashes. `pattern` is dash, gap, dash, gap … (an odd one is taken twice,
-/// as in SVG), `phase` where in the pattern the polyline starts; both in the points' unit. The
-/// dashes come one after the other; each has at least two points. A pattern that is empty, not
-/// positive or shorter than `shortest` gives the polyline itself.
+/// Cuts a polyline into its dashes. `pattern` is dash, gap, dash, gap … (a pattern of odd length is
+/// repeated, as in SVG); `phase` is the offset into the pattern at the start of the polyline. Both
+/// are in the unit of the points. The dashes are in order, each with at least two points. The
+/// result is the polyline itself if the pattern is empty, not positive or shorter than `shortest`.
 std::vector<std::vector<QPointF>> dashes(std::span<const QPointF> polyline,
                                          std::span<const double> pattern, double phase,
                                          double shortest);

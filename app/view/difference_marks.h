@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What `options.graded`, and over it `options.differing`, look like: always thicker than the lines
-/// that it lies upon, with ticks where they help.
+/// The draw list for the marks `options.graded` and, above them, `options.differing`. Marks are
+/// always thicker than the lines below them, and have ticks where these help.
 Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
                       const PictureOptions& options);
 

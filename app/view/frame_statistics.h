@@ -6,22 +6,24 @@
 
 namespace app {
 
-/// Under so many lines a clip time says nothing.
+/// With fewer lines a clip time is meaningless.
 constexpr std::size_t leastLinesToTime = 1000;
 
-/// The middle of the last 60 times: what the status bar shows, so that one slow frame says nothing.
+/// The median of the last 60 times. The status bar shows it, so that a single slow frame has no
+/// effect.
 class FrameStatistics {
 public:
     static constexpr std::size_t length = 60;
 
     void add(double milliseconds);
     void forget() { count_ = 0; }
-    /// 0 without any; of an even number the mean of the two in the middle.
+    /// 0 without times; for an even number the mean of the two middle times.
     double median() const;
 
 private:
     std::array<double, length> times_{};
-    std::size_t count_ = 0; ///< of all that came; the newest are times_[count_ % length] backwards
+    std::size_t count_ = 0; ///< of all times added; the newest are times_[count_ % length] and
+                            ///< backwards
 };
 
 } // namespace app

@@ -8,10 +8,10 @@
 
 namespace app {
 
-/// Appends what is missing of a line, in its order. `kept` is what is there, likewise; `source` is
-/// put into every gap. A gap begins and ends where kept pieces do, bit for bit. For one piece these
-/// are the rules of `clipping::outsideAll`: a single point of a longer line is no piece, and one
-/// that runs the other way (a published form) is turned.
+/// Appends the missing parts of a line, in order. `kept` are the parts that are present, in order;
+/// `source` is stored in every gap. A gap begins and ends bit for bit where kept pieces do. For a
+/// single piece the rules are those of `clipping::outsideAll`: a single point of a longer line is
+/// no gap, and a piece in reverse direction (from a published form) is turned round.
 void appendGaps(const clipping::Segment& line, std::uint32_t source,
                 std::span<const clipping::Clipped> kept, std::vector<clipping::Clipped>& gaps);
 

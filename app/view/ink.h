@@ -5,15 +5,16 @@
 
 namespace app {
 
-/// WCAG's contrast ratio of two opaque colours, 1 to 21.
+/// The WCAG contrast ratio of two opaque colours, 1 to 21.
 double contrast(const Colour& a, const Colour& b);
 
-/// How an ink is shown on a page of that colour: as it is where it can be seen (3:1), else with its
-/// lightness mirrored, the hue kept, and if need be moved on until it can be. Alpha is kept.
+/// The colour in which an ink is shown on a page of the given colour: the ink itself if its
+/// contrast is at least 3:1; otherwise with mirrored lightness and the same hue, adjusted further
+/// if necessary. Alpha is kept.
 Colour shownInk(const Colour& ink, const Colour& page);
 
-/// An ink that is mixed with the page, with that opacity or as much more as it takes to be seen on
-/// it (3:1); the ink itself if it cannot be. Alpha is kept.
+/// The ink mixed with the page colour at `opacity`, or at as much more as gives a contrast of 3:1;
+/// the ink itself if no mix does. Alpha is kept.
 Colour ghostInk(const Colour& ink, const Colour& page, double opacity);
 
 } // namespace app

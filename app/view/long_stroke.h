@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A wide stroke; what it refers to outlives it.
+/// A wide stroke; the referenced objects must outlive it.
 struct LongStroke {
     std::span<const QPointF> points;
     const Chain& chain;
@@ -16,8 +16,8 @@ struct LongStroke {
 
 using VisitContour = std::function<void(std::span<const QPointF> contour)>;
 
-/// The contours of the stroke, in device pixels, piece by piece: together they cover what the
-/// stroke covers, and none of it twice. Cancelled: not all of them.
+/// Visits the contours of the stroke piece by piece, in device pixels. Together they cover exactly
+/// the stroke, and no part of it twice. If cancelled, some contours are missing.
 void visitContours(const LongStroke& stroke, const QTransform& toDevice, const Cancelled& cancelled,
                    const VisitContour& visit);
 

@@ -5,11 +5,11 @@
 
 namespace app {
 
-/// The view to look at a piece of a line in: as it is where the piece is well seen in it, moved
-/// where it is large enough but elsewhere, and else zoomed so that its surroundings are seen too.
+/// The view in which to show a piece of a line: unchanged if the piece is clearly visible; moved if
+/// it is large enough but elsewhere; otherwise zoomed so that its surroundings are visible too.
 View lookingAt(const View& view, const clipping::Window& piece, const clipping::Window& clipWindow);
 
-/// The view, moved so that something of the line is in it, if nothing was; never zoomed.
+/// The view, moved so that part of the line is visible if no part was; never zoomed.
 View bringing(const View& view, const clipping::Segment& line);
 
 } // namespace app

@@ -6,8 +6,7 @@
 
 namespace app {
 
-/// The objects with lines that all lie in the rectangle. Lines are looked at where boxes do not
-/// tell.
+/// The objects whose lines all lie in the rectangle. Visits lines only where boxes do not decide.
 ObjectRanges objectsWithin(const SceneLines& lines, const clipping::Window& rectangle);
 
 /// The objects with a line that has a point in the rectangle.

@@ -6,23 +6,23 @@
 
 #include <memory>
 
-// OpenGL 3.3 core, where it can be used at all.
+// OpenGL 3.3 core, where it is usable.
 
 namespace app {
 
-/// Whether it is worth trying: other platforms have no OpenGL, or make a context that crashes when
-/// it draws. Without a QGuiApplication it never is.
+/// Whether OpenGL is worth trying: other platforms have none, or create a context that crashes
+/// while drawing. False without a QGuiApplication.
 bool platformHasGl();
 
 QSurfaceFormat coreFormat();
 
-/// A new context that is current on the surface, or null.
+/// A new context that is current on the surface; null on failure.
 std::unique_ptr<QOpenGLContext> contextOn(QOffscreenSurface& surface);
 
-/// "llvmpipe", "Mesa Intel UHD": who draws for the current context.
+/// The name of the current context's renderer: "llvmpipe", "Mesa Intel UHD".
 QString rendererOf(QOpenGLContext& context);
 
-/// Whether a renderer of that name draws with the processor.
+/// Whether a renderer of this name draws on the processor.
 bool isSoftware(const QString& renderer);
 
 } // namespace app

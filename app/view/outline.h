@@ -10,16 +10,17 @@
 
 namespace app {
 
-/// All lines of an object, in order: in one row, or in several if it spans blocks of the scene.
+/// All lines of an object, in order: one run, or several if the object spans blocks of the scene.
 using Outline = std::vector<std::span<const clipping::Segment>>;
 
-/// How long an outline is before each of its lines, from where its pen was lifted last.
+/// The length of an outline before each of its lines, counted from the last point where the pen was
+/// lifted.
 class LengthsBefore {
 public:
     LengthsBefore() = default;
-    explicit LengthsBefore(const Outline& outline) : left_(outline) {} ///< which must stay
+    explicit LengthsBefore(const Outline& outline) : left_(outline) {} ///< must outlive this object
 
-    /// `line` counts in the outline; it must not be less than the one before.
+    /// `line` is the number of a line in the outline. It must not decrease from call to call.
     double of(std::size_t line)
     {
         for (; at_ < line; ++at_)
@@ -45,7 +46,7 @@ private:
     }
 
     std::span<const std::span<const clipping::Segment>> left_;
-    std::size_t used_ = 0; // lines of the first of those
+    std::size_t used_ = 0; // lines used of the first run
     std::size_t at_ = 0;
     double length_ = 0;
 };

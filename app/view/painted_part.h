@@ -7,10 +7,10 @@
 
 namespace app {
 
-/// Which part of the lines is painted.
+/// The part of the lines that is painted.
 enum class Painted : std::uint8_t { All, Kept, Removed };
 
-/// What is painted of the lines of a frame, chunk by chunk: nothing, all lines, or some pieces.
+/// What is painted of the lines of a frame, by chunk: no lines, all lines, or pieces.
 class PaintedPart {
 public:
     using Pieces = std::span<const clipping::Clipped>;
@@ -19,24 +19,26 @@ public:
 
     Remains remains(std::size_t block, std::size_t chunk) const;
 
-    /// Of a chunk with Remains::Pieces, in the order of the lines; `source` counts in the block.
-    /// Valid until the next call. Blocks and chunks must ascend from call to call.
+    /// The pieces of a chunk with Remains::Pieces, in the order of the lines; `source` is numbered
+    /// within the block. Valid until the next call. Blocks and chunks must ascend from call to
+    /// call.
     Pieces pieces(std::size_t block, std::size_t chunk);
 
-    /// Whether each of the lines [first, end) of a block is there, uncut.
+    /// Whether all lines [first, end) of a block are painted uncut.
     bool isWhole(std::size_t block, std::size_t first, std::size_t end) const;
 
-    /// There are hardly more pieces than this.
+    /// An estimate of the number of pieces; rarely exceeded.
     std::size_t expectedPieces() const;
 
 private:
-    // Of the lines [first, end): `kept` itself, or what is missing, which goes to `gaps`.
+    // The painted part of the lines [first, end): `kept` itself, or the missing parts, which are
+    // appended to `gaps`.
     Pieces painted(const SceneBlock& block, std::size_t first, std::size_t end, Pieces kept,
                    std::vector<clipping::Clipped>& gaps) const;
 
     SceneFrame frame_;
     Painted which_;
-    std::size_t block_ = std::size_t(-1); // that next_ is in
+    std::size_t block_ = std::size_t(-1); // the block that next_ belongs to
     Pieces::iterator next_{};
     std::vector<clipping::Clipped> gaps_;
 };

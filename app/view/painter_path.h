@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// An object's outline in user units, curves as curves, with its fill rule.
+/// An object's outline in user units, with curves kept as curves, and its fill rule.
 QPainterPath painterPath(const Path& path, FillRule rule);
 QPainterPath painterPath(std::span<const Subpath> subpaths, FillRule rule);
 

@@ -7,15 +7,15 @@
 
 namespace app {
 
-/// The height of a pane's heading, and what is between two panes: logical pixels.
+/// The height of a pane's heading, and the gap between panes, in logical pixels.
 constexpr int paneHeading = 28, paneGap = 1;
 
-/// Where so many panes stand in an area: in rows, all of exactly the same size (then a point of the
-/// drawing is at the same place in each), so that a drawing of that breadth to its height is as
-/// large as can be. What does not divide makes gaps wider.
+/// The positions of `count` panes in an area: in rows, all of exactly the same size, so that a
+/// point of the drawing has the same place in each, and a drawing of aspect ratio `breadth` (width
+/// ÷ height) is as large as possible. Remaining pixels widen the gaps.
 std::vector<QRect> paneCells(const QSize& area, int count, double breadth);
 
-/// How many of so many panes have room: all of them, or else 4, 2 or 1.
+/// The number of panes for which there is room: `count`, or else 4, 2 or 1.
 int panesWithRoom(const QSize& area, int count, double breadth);
 
 } // namespace app

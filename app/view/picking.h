@@ -8,33 +8,33 @@
 
 namespace app {
 
-/// Finds lines and objects by place, fast enough for hovering over millions of lines. Each block of
-/// the scene gets a grid when it is asked for, and keeps it as long as the block is in the scene.
+/// Finds lines and objects by position, fast enough for hovering over millions of lines. Each block
+/// of the scene gets a grid on its first query, and keeps it while the block is in the scene.
 class Picking {
 public:
     Picking(const EditedDocument& document, const Scene& scene) : document_(document), scene_(scene)
     {
     }
 
-    /// Every line that comes within `radius` of the point, ascending.
+    /// All lines within `radius` of the point, ascending.
     std::vector<std::size_t> near(const Point& point, double radius) const;
 
-    /// The nearest of those (the uppermost of equally near ones) whose object may be picked.
+    /// The nearest such line whose object is pickable; of equally near lines the topmost.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
-    /// The uppermost filled object that may be picked and whose area the point is in.
+    /// The topmost pickable filled object whose area contains the point.
     std::optional<std::size_t> areaAt(const Point& point) const;
 
     enum class Box : std::uint8_t { Contains, Touches };
-    /// The objects that a rectangle contains wholly or touches, of those that may be picked.
+    /// The pickable objects that a rectangle contains entirely, or touches.
     ObjectRanges objectsIn(const clipping::Window& rectangle, Box box) const;
 
-    /// Shown, and not on a locked layer.
+    /// Whether the object is shown and not on a locked layer.
     bool pickable(std::size_t object) const { return document_.now().editable(object); }
 
 private:
     struct Block {
-        Shared<SceneBlock> block; // it has an owner here: so no other one can get its address
+        Shared<SceneBlock> block; // owned here, so that no other block gets its address
         FloatBox around{};
         std::optional<BlockGrid> grid{};
     };
@@ -42,7 +42,7 @@ private:
 
     const EditedDocument& document_;
     const Scene& scene_;
-    mutable std::uint64_t revision_ = 0; // of the lines that blocks_ are of
+    mutable std::uint64_t revision_ = 0; // revision of the lines that blocks_ belong to
     mutable std::vector<Block> blocks_;
 };
 

@@ -16,14 +16,14 @@
 
 namespace app {
 
-/// A run of points on the screen, in logical pixels from the canvas' top left corner.
+/// A polyline on screen, in logical pixels from the top left corner of the canvas.
 struct Chain {
-    std::uint32_t first, count; ///< of Plate::points; at least two
-    bool closed;                ///< the last point is the first: a join there, no caps
-    bool capAtStart, capAtEnd;  ///< the stroke's own ends get its cap; those made by a cut are butt
+    std::uint32_t first, count; ///< in Plate::points; at least two
+    bool closed;                ///< the last point equals the first: a join there, no caps
+    bool capAtStart, capAtEnd;  ///< true for the stroke's own ends; ends made by a cut are butt
 };
 
-/// How a stroke is painted; the width in logical pixels.
+/// A stroke style; the width is in logical pixels.
 struct Ink {
     Colour colour;
     double width = 1;
@@ -33,7 +33,8 @@ struct Ink {
     friend bool operator==(const Ink&, const Ink&) = default;
 };
 
-/// Chains painted alike, one after the other: stroked with an ink, or filled together as one area.
+/// A draw command: consecutive polylines that are stroked with one style, or filled together as one
+/// area.
 struct Coat {
     std::optional<Ink> stroke;
     Colour fill{};
@@ -41,7 +42,7 @@ struct Coat {
     std::uint32_t firstChain = 0, chains = 0;
 };
 
-/// What is painted, bottom to top.
+/// A draw list: draw commands from bottom to top.
 struct Plate {
     std::vector<Coat> coats;
     std::vector<Chain> chains;
@@ -57,38 +58,41 @@ struct Plate {
     }
 };
 
-/// One frame as simple things to paint: the ghost first, as a whole with the ghost's opacity (so
-/// that overlapping ghosts do not add up), the kept part over it, over both what is selected, and
-/// over all what differs.
+/// One frame as draw lists, painted in this order: the ghost, as a whole with the ghost's opacity
+/// (so that overlapping ghosts do not add up); the kept part; the selected objects (`lit`); the
+/// differing pieces.
 struct Picture {
     Plate ghost, kept, lit, differing;
 };
 
-/// How ghosts are mixed with the page when they are not a layer.
+/// How ghosts are mixed with the page colour if they are not a translucent layer.
 struct Ghosting {
     Colour page;
     double opacity;
 };
 
-/// What a frame is made for.
+/// The options of a frame.
 struct PictureOptions {
     View view;
     RemovedPart removed = RemovedPart::Ghosted;
-    std::optional<Colour> page; ///< make the inks visible on this page; nothing: as they are
-    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn so wide
-    double strokes = 1;         ///< how many times as wide as they are strokes are drawn
-    /// For projectors: ghosts are opaque inks that can be told from this page (ink.h, ghostInk)
-    /// instead of a layer that is painted with the ghost's opacity.
+    std::optional<Colour> page; ///< make all colours visible on this page colour; empty: leave them
+                                ///< unchanged
+    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide
+    double strokes = 1;         ///< factor of stroke widths
+    /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostInk in
+    /// ink.h), instead of as a layer with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
-    std::span<const ObjectRange> selection{}; ///< objects to draw once more, over all, in `light`
+    std::span<const ObjectRange> selection{}; ///< objects to draw again, on top, in `light`
     Colour light{};
-    std::span<const clipping::Clipped> differing{}; ///< pieces to draw over all, in `marked`
+    std::span<const clipping::Clipped> differing{}; ///< pieces to draw on top of everything, in
+                                                    ///< `marked`
     Colour marked{};
-    /// A tick across what differs: where it is too short to be seen, or everywhere; none where that
-    /// would hide the others.
+    /// A tick across a differing piece: only if the piece is too short to be seen, or always; none
+    /// where ticks would hide other pieces.
     enum class Ticks : std::uint8_t { WhereShort, Everywhere };
     Ticks ticks = Ticks::WhereShort;
-    /// Pieces to draw over all but what differs, each group in a colour that is seen on the page.
+    /// Pieces to draw above everything except the differing pieces, each group in a colour that is
+    /// visible on the page.
     struct Graded {
         std::span<const clipping::Clipped> pieces;
         Colour colour;
@@ -96,10 +100,10 @@ struct PictureOptions {
     std::vector<Graded> graded{};
 };
 
-/// A frame as the canvases paint it. `lines` are those that it was made of, `styles` those of their
-/// document. Everything is clipped to the view, so that deep zoom never hands them huge numbers;
-/// dashes are cut up; objects of which all is kept are filled, cut ones are outlines. Strokes move
-/// by less than a quarter of a pixel where many points fall into one.
+/// A frame as the canvases paint it. `lines` are the frame's lines, `styles` the styles of their
+/// document. Everything is clipped to the view, so that painters get no huge numbers at deep zoom.
+/// Dashed strokes are divided into dashes. Objects kept whole are filled, cut objects are outlines.
+/// Strokes move by less than a quarter of a pixel where many points fall into one pixel.
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options);
 

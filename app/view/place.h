@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// The point from which places are counted in a unit: the paper's top left corner, or the drawing's
-/// own origin in user units. Panels, rulers and `clip -w` follow this one rule.
+/// The origin for coordinates in a unit: the top left corner of the paper, or for user units the
+/// origin of the drawing. Panels, rulers and `clip -w` all use it.
 inline Point originOf(const Page& page, Unit unit)
 {
     return unit == Unit::User ? Point(0) : page.min;

@@ -6,40 +6,40 @@
 
 namespace app {
 
-/// All of them as whole pieces.
+/// One whole piece for each segment.
 std::vector<clipping::Clipped> untouched(std::span<const clipping::Segment> segments);
 
-/// Makes a plate, object by object, bottom to top.
+/// Builds a draw list object by object, from bottom to top.
 class Plating {
 public:
     Plating(const PictureOptions& options, std::size_t expectedPieces);
     Plating(const Plating&) = delete;
     Plating& operator=(const Plating&) = delete;
 
-    /// What is left of an object. `whole` are all its lines, the first of them number `number` of
-    /// the scene; `pieces` are not empty and in order.
+    /// Adds the remaining part of an object. `whole` are all its lines; the first is number
+    /// `number` of the scene. `pieces` must be in order and not empty.
     void add(const Style& style, std::span<const clipping::Segment> whole, std::size_t number,
              std::span<const clipping::Clipped> pieces);
 
-    // The same in steps, so that the lines need not be in a row.
+    // The same in steps, for lines that are not contiguous in memory.
 
-    /// How what follows is painted; the style must stay where it is.
+    /// Sets the style for the following calls; the style must outlive them.
     void setStyle(const Style& style);
-    /// Fills an object of which all is left. Its style has a fill.
+    /// Fills an object that is kept whole. Its style must have a fill.
     void fill(const Outline& whole);
-    /// Strokes follow. Those of an area without a stroke are its outline.
+    /// Begins the strokes of an object. An area without a stroke style is drawn as its outline.
     void beginStrokes();
-    /// Strokes of another object follow.
+    /// Ends the strokes of the current object.
     void endObject() { chains_.end(); }
-    /// `before`: the length of the outline before the line. Of use only where the style is dashed.
+    /// `before`: the length of the outline before the line, used only for dashed styles.
     void stroke(const clipping::Clipped& piece, const clipping::Segment& line, double before = 0);
-    /// A line that lies in `seen()`, and of which all is left.
+    /// Strokes a whole line that must lie inside `seen()`.
     void strokeSeen(const clipping::Segment& line, double before = 0);
 
     bool isDashed() const { return chains_.isDashed(); }
-    /// The view, with room for half a stroke. Only what meets it is stroked.
+    /// The view, enlarged by half a stroke width. Strokes outside it are skipped.
     const clipping::Window& seen() const { return seen_; }
-    /// The view, with some room. Only what meets it is filled.
+    /// The view, slightly enlarged. Areas outside it are skipped.
     const clipping::Window& filled() const { return filled_; }
 
     Plate take();

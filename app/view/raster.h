@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Asked in short intervals by what may take long; true: stop, the result is not wanted any more.
+/// Long computations call this frequently; true: stop, the result is no longer needed.
 using Cancelled = std::function<bool()>;
 inline bool neverCancelled() { return false; }
 
@@ -18,23 +18,23 @@ struct Band {
     int top, height;
 };
 
-/// What a picture is painted for.
+/// The options of a raster image.
 struct RasterOptions {
     int width = 0;         ///< device pixels
-    double pixelRatio = 1; ///< device pixels per logical one
+    double pixelRatio = 1; ///< device pixels per logical pixel
     double ghost = 1;      ///< opacity of the removed part
     Cancelled cancelled = neverCancelled;
 };
 
-/// The picture painted without a graphics card, on a transparent ground: the rows of `band`. Bands
-/// of one picture may be painted by several threads at a time. Cancelled: of its size, with
-/// anything in it.
+/// Paints the rows of `band` without a graphics card, on a transparent background. Several threads
+/// may paint bands of one picture at the same time. If cancelled, the image has its full size but
+/// undefined content.
 QImage rasterised(const Picture& picture, Band band, const RasterOptions& options);
 
-/// As many bands as are worth a thread each.
+/// The bands of an image for up to `threads` threads; each is large enough to be worth a thread.
 std::vector<Band> bandsOf(int height, int threads);
 
-/// Bands put together.
+/// The image composed of the bands.
 QImage joined(std::span<const QImage> bands);
 
 } // namespace app

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// How what the clip windows take away is shown.
+/// How the part removed by the clip windows is shown.
 enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
 
 } // namespace app

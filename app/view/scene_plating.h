@@ -7,25 +7,25 @@
 
 namespace app {
 
-/// Makes a plate of the lines of a scene, chunk by chunk in their order. A chunk outside the view
-/// costs nothing but a look at its box.
+/// Builds a draw list from the lines of a scene, chunk by chunk in order. A chunk outside the view
+/// costs only a test of its box.
 class ScenePlating {
 public:
-    /// An object is filled if all of it is in `part`, which is what is going to be added.
+    /// `part` is the part that will be added: an object is filled if all of it is in `part`.
     ScenePlating(const SceneLines& lines, const PaintedPart& part, const PictureOptions& options,
                  std::size_t expectedPieces);
 
-    /// How what follows is painted; the style must stay as it is.
+    /// Sets the style for the following calls; the style must outlive them.
     void setStyle(const Style& style);
-    /// Lines [first, end) of a chunk, whole.
+    /// Adds the lines [first, end) of a chunk, whole.
     void addWhole(std::size_t block, std::size_t chunk, std::size_t first, std::size_t end);
-    /// Pieces of a chunk.
+    /// Adds pieces of a chunk.
     void addPieces(std::size_t block, std::span<const clipping::Clipped> pieces);
 
     Plate take() { return plating_.take(); }
 
 private:
-    /// Those of the object that are in one block.
+    /// The lines of the object in one block.
     struct Lines {
         std::size_t block, first, end;
     };
@@ -47,12 +47,12 @@ private:
     const PaintedPart& part_;
     Plating plating_;
     const Style* style_ = nullptr;
-    bool begun_ = false; // the coat for objects that are only stroked
+    bool begun_ = false; // whether the draw command for stroked-only objects has begun
 
-    std::size_t at_ = std::size_t(-1); // the block
+    std::size_t at_ = std::size_t(-1); // the current block
     const SceneBlock* block_ = nullptr;
 
-    // The object of the line before. What is about its lines is known if it is filled or dashed.
+    // The object of the previous line. Its lines are known only if it is filled or dashed.
     std::size_t object_ = std::size_t(-1);
     std::size_t objectEnd_ = 0; // in the block
     bool strokes_ = false;

@@ -5,11 +5,11 @@
 
 namespace app {
 
-/// A colour for how much of something there is, from 0 to 1: the more, the farther from the ground.
-/// Lightness goes one way only, so that all kinds of sight, and grey prints, can order it.
+/// A colour for a quantity from 0 to 1: the larger, the more it differs from the background.
+/// Lightness is monotonic, so that the order is visible with any colour vision and in grey prints.
 QColor sequentialColour(double share, Ground ground);
 
-/// Black or white, whichever can be read on it.
+/// Black or white, whichever is more readable on the colour.
 QColor readableOn(const QColor& colour);
 
 } // namespace app

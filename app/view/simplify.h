@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The polyline with as few of its points as keep every one within `tolerance` of it (Ramer 1972,
-/// Douglas and Peucker 1973). First and last stay.
+/// The polyline reduced to few of its points, such that every point lies within `tolerance` of it
+/// (Ramer 1972, Douglas and Peucker 1973). The first and last points stay.
 std::vector<Point> simplified(std::span<const Point> polyline, double tolerance);
 
 } // namespace app

@@ -5,15 +5,15 @@
 
 class QPainter;
 
-// Areas and strokes of many points, in time that grows with their length: see coverage.h.
+// Fills and strokes with many points, in time that grows with their length: see coverage.h.
 
 namespace app {
 
-/// Paints an object's area by summing, where that takes less time than QPainter does. False:
-/// nothing is painted. The painter paints an image.
+/// Fills an object by summation if this takes less time than QPainter. Returns false if nothing was
+/// painted. The painter must paint on an image.
 bool fillSummed(QPainter& painter, const Object& object);
 
-/// The same for its stroke; every pixel gets the ink once, however often the stroke crosses itself.
+/// The same for its stroke. Every pixel is painted once, however often the stroke crosses itself.
 bool strokeSummed(QPainter& painter, const Object& object);
 
 } // namespace app

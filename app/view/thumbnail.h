@@ -8,14 +8,14 @@
 
 namespace app {
 
-/// The colours of a small picture of a drawing.
+/// The colours of a thumbnail.
 struct ThumbnailColours {
     QColor page, accent;
-    double ghost; ///< opacity of what the windows remove
+    double ghost; ///< opacity of the part that the windows remove
 };
 
-/// A document with its clip windows, really clipped by the library; `points` in size, each as many
-/// pixels wide as the ratio says. Takes no screen: may be made on any thread.
+/// A picture of a document with its clip windows, clipped by the library. `points` is its size in
+/// logical pixels. Needs no screen and may run on any thread.
 QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours);
 

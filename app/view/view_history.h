@@ -8,11 +8,11 @@
 
 namespace app {
 
-/// The views before and after the present one, as a browser keeps pages. Views that follow one
-/// another at once (a drag, wheel notches) are one stay.
+/// The views before and after the present one, like the pages of a browser. Views in quick
+/// succession (a drag, wheel notches) count as one.
 class ViewHistory {
 public:
-    /// The view is about to leave `view` at that time (milliseconds of any clock).
+    /// Call before the view changes from `view`. `now` is in milliseconds of any clock.
     void leave(const View& view, long long now);
     std::optional<View> back(const View& present);
     std::optional<View> forth(const View& present);

@@ -7,11 +7,11 @@
 
 namespace app {
 
-/// Zooming by the wheel. While the pointer stays where it is, so many notches back give exactly,
-/// bit for bit, the view from which so many notches came.
+/// Zooms with the wheel. If the pointer does not move, turning back by the same number of notches
+/// restores the view bit for bit.
 class WheelZoom {
 public:
-    /// One notch is a step of 20 %; a touchpad gives parts of one. Positive: in.
+    /// One notch zooms by 20 %; a touchpad reports fractions of a notch. Positive zooms in.
     void turn(View& view, const Point& screen, double notches);
 
 private:
@@ -19,7 +19,7 @@ private:
         View view;
         Point screen;
         double notches;
-        View last; ///< as this wheel left it: another view starts anew
+        View last; ///< the view that this wheel set last: any other view starts anew
     };
     std::optional<Start> start_;
 };

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Which clip window is the one that tools move (`firstWindow`): "Window 2 of 3: Main". Hidden ones
-/// are counted, too. Empty if there is no other one, or none to move.
+/// Names the clip window that tools act on (`firstWindow`): "Window 2 of 3: Main". Hidden windows
+/// count, too. Empty if it is the only window, or if there is no such window.
 QString whichText(const ClipWindows& windows);
 
 } // namespace app
