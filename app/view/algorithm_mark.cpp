@@ -12,7 +12,7 @@ namespace app {
 
 namespace {
 
-/// A figure around (0, 0) that fits into the circle of radius 1.
+/// A star around (0, 0) that fits into the circle of radius 1.
 QPainterPath star(int points, double inner, double turn)
 {
     QPolygonF corners;
@@ -47,7 +47,7 @@ QPainterPath cross(double turn)
     return QTransform().rotate(turn).map(one.united(other)).simplified();
 }
 
-/// A gate with a round top.
+/// An arch with a round top.
 QPainterPath arch()
 {
     QPainterPath path;
@@ -81,7 +81,7 @@ std::span<const OwnMark> ownMarks()
     constexpr double half = std::numbers::pi;
     static const std::array marks{
         OwnMark{"EX", 0x202117, 0xFCF9FC, star(5, 0.42, 0)},
-        OwnMark{"EX one by one", 0x6B6E66, 0xA9ABA4, star(4, 0.42, 0)}, // of experiments
+        OwnMark{"EX one by one", 0x6B6E66, 0xA9ABA4, star(4, 0.42, 0)}, // only in the experiments
         OwnMark{"CS", 0x091C86, 0x8194FF, disc()},
         OwnMark{"LB", 0x1793D8, 0x65D7FE, polygon(4, half / 4)},
         OwnMark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
@@ -103,8 +103,8 @@ const OwnMark* ownMarkOf(const clipping::Algorithm& algorithm)
     return found == all.end() ? nullptr : &*found;
 }
 
-/// The mark of the row of that number, from 0, among those without their own: crimson and olive
-/// first, which are no row's own. No row has a star of so many points.
+/// The mark for row `number` (from 0) among the rows without a mark of their own. The first colours
+/// are crimson and olive, which no own mark uses; no own mark is a star with so many points.
 AlgorithmMark spareMark(int number)
 {
     const int hue = (350 + 85 * number) % 360;
@@ -147,7 +147,8 @@ void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
 {
     const double radius = box.width() / 2;
     const bool hollow = form == clipping::Form::Published;
-    const double scale = hollow ? 0.86 * radius : radius; // its pen is half outside
+    const double scale = hollow ? 0.86 * radius : radius; // half of the outline's width lies
+                                                          // outside
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(hollow ? QPen(colour, radius / 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)

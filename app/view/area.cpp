@@ -4,7 +4,7 @@
 namespace app {
 namespace {
 
-// Keeps what is on the side of the line `axis` = `bound` where sign * (p[axis] - bound) >= 0.
+// Clips the outline to the half plane sign * (p[axis] - bound) >= 0.
 std::vector<Point> half(std::span<const Point> outline, int axis, double bound, double sign)
 {
     std::vector<Point> kept;

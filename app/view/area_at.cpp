@@ -8,8 +8,8 @@ namespace {
 
 using clipping::Segment;
 
-/// How often an outline goes round a point, and how often a ray from the point meets the outline.
-/// Open paths are filled as if they were closed.
+/// The winding number of an outline around a point, and the number of crossings of a ray from the
+/// point with the outline. Open paths are filled as if closed.
 class Crossings {
 public:
     explicit Crossings(const Point& point) : p_(point) {}
@@ -69,7 +69,8 @@ public:
     }
 
 private:
-    // Of the objects that begin in the chunk. Only the last of them can have lines in others.
+    // The topmost hit among the objects that begin in the chunk. Only the last of them can have
+    // lines in other chunks.
     std::optional<std::size_t> uppermost(std::size_t run, std::size_t at) const
     {
         const SceneBlock& block = *lines_.blocks()[run];

@@ -13,9 +13,11 @@
 
 namespace app {
 
-constexpr double mostCellsPerSide = 512; // more would cost more to fill than looking them up saves
-constexpr double mostCellsCrossed = 16;  // by a segment, in the mean: long ones want few cells
-constexpr double rounding = 1e-12;       // more than what distances and places are off
+constexpr double mostCellsPerSide = 512; // more cells would cost more to fill than they save in
+                                         // queries
+constexpr double mostCellsCrossed = 16;  // by a segment, on average: long segments need fewer cells
+constexpr double rounding = 1e-12;       // larger than the rounding errors of distances and
+                                         // positions
 
 static_assert(SceneBlock::mostSegments - 1 <= std::numeric_limits<std::uint16_t>::max());
 
@@ -27,7 +29,7 @@ double distance(const Point& point, const clipping::Segment& s)
     return glm::distance(point, s.a + along * t);
 }
 
-// The others are near to nothing.
+// Segments that are not finite are near nothing.
 static bool isFinite(const clipping::Segment& s)
 {
     const Point zero = (s.a - s.a) + (s.b - s.b);
@@ -63,7 +65,7 @@ void BlockGrid::findNear(std::span<const clipping::Segment> segments, const Poin
     found.erase(std::unique(found.begin() + before, found.end()), found.end());
 }
 
-// The size of the cells: long segments want few.
+// Chooses the cell size: long segments need fewer cells.
 void BlockGrid::lay(std::span<const clipping::Segment> segments)
 {
     std::optional<clipping::Window> all;
@@ -77,7 +79,7 @@ void BlockGrid::lay(std::span<const clipping::Segment> segments)
     if (!all)
         return;
     const auto& [min, max] = *all;
-    Point share(0); // of the whole's width and height that all segments together take
+    Point share(0); // the sum of all segments as shares of the total width and height
     for (const auto& s : segments)
         if (isFinite(s))
             share += glm::abs(s.b - s.a) / glm::max(max - min, Point(1e-12));
@@ -99,7 +101,8 @@ BlockGrid::Cells BlockGrid::cellsOf(const Point& min, const Point& max) const
             index(to.y, rows_)};
 }
 
-// The cells of a segment, row by row: in each, those that its part in the row's height spans.
+// Visits the cells of a segment row by row: in each row, the cells that the segment crosses within
+// the row's height.
 template <class Visit>
 void BlockGrid::visit(const clipping::Segment& s, const Visit& cell) const
 {

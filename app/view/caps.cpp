@@ -9,7 +9,7 @@ namespace app {
 
 QPainterPath capAt(const QPointF& at, const QPointF& away, const Ink& ink, double overlap)
 {
-    QPainterPath cap; // as if the stroke came from the left and ended at 0
+    QPainterPath cap; // for a stroke that comes from the left and ends at 0
     const double r = ink.width / 2;
     if (ink.cap == Cap::Square)
         cap.addRect(QRectF(-overlap, -r, r + overlap, 2 * r));

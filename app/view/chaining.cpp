@@ -10,7 +10,7 @@
 
 namespace app {
 
-constexpr double closest = 0.25;        // pixels between the points of a chain
+constexpr double closest = 0.25;        // pixels between the points of a polyline
 constexpr double shortestPattern = 1.5; // pixels; finer dashes are drawn solid
 constexpr std::size_t recentChains = 4096;
 
@@ -72,14 +72,15 @@ void Chaining::finishDashed(bool capAtEnd)
     }
 }
 
-// QPointF itself takes points for equal that are nearly so.
+// QPointF's own == accepts points that are only nearly equal.
 static bool isSamePoint(const QPointF& p, const QPointF& q)
 {
     return p.x() == q.x() && p.y() == q.y();
 }
 
-// Painting a chain takes long where it covers many pixels, and a file may hold the same line a
-// hundred thousand times. Opaque ink shows only the first of them, translucent ink adds up.
+// Drops opaque polylines that repeat a recent one. Painting a polyline takes long where it covers
+// many pixels, and a file may contain the same line a hundred thousand times. Translucent strokes
+// add up, so all of them are kept.
 void Chaining::push(const Chain& chain)
 {
     if (plate_.coats.back().stroke->colour.alpha == 255 && liesOnAnother(chain)) {
@@ -90,7 +91,7 @@ void Chaining::push(const Chain& chain)
     ++plate_.coats.back().chains;
 }
 
-// Exactly, on one of the latest chains of the same coat.
+// Whether the polyline equals, exactly, one of the latest polylines of the same draw command.
 bool Chaining::liesOnAnother(const Chain& chain)
 {
     const auto points = plate_.pointsOf(chain);

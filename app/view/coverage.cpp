@@ -7,14 +7,14 @@
 namespace app {
 namespace {
 
-constexpr double subpixels = 64; // a side of a pixel, in steps of QPainter's grid
+constexpr double subpixels = 64; // steps of QPainter's grid along a pixel's side
 
 QPointF onGrid(const QPointF& p)
 {
     return {std::round(p.x() * subpixels) / subpixels, std::round(p.y() * subpixels) / subpixels};
 }
 
-// As QPainter rounds coverage.
+// Rounds coverage as QPainter does.
 int level(double sum, FillRule rule)
 {
     double share = std::abs(sum);
@@ -45,7 +45,7 @@ void Coverage::add(std::span<const QPointF> contour)
     }
 }
 
-// What is above or below the pixels does not count, nor what is not finite.
+// Ignores the parts above and below the pixels, and edges that are not finite.
 void Coverage::addEdge(const QPointF& a, const QPointF& b)
 {
     const bool down = a.y() < b.y();
@@ -68,8 +68,8 @@ void Coverage::addEdge(const QPointF& a, const QPointF& b)
     }
 }
 
-// An edge within one row covers what is right of it. Left of the pixels it counts as at their left
-// end.
+// An edge within one row covers everything to its right. An edge left of the pixels counts as if at
+// their left end.
 void Coverage::addToRow(int row, double x0, double x1, double height)
 {
     if (x0 > x1)

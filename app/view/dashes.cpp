@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// Where one is in a dash pattern.
+// The current position in a dash pattern.
 class Rhythm {
 public:
     Rhythm(std::span<const double> pattern, double phase) : pattern_(pattern)
@@ -26,7 +26,7 @@ public:
         left_ -= along;
     }
     bool drawn() const { return index_ % 2 == 0; }
-    double left() const { return left_; } // to the next change
+    double left() const { return left_; } // distance to the next change
     void advance(double length) { left_ -= length; }
     void change() { left_ = pattern_[++index_ % pattern_.size()]; }
 

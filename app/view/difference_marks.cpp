@@ -16,10 +16,13 @@ using Ticks = PictureOptions::Ticks;
 namespace {
 
 constexpr double leastWidth = 2.25, thicker = 1.5; // pixels
-constexpr double leastGraded = 1;                  // pixels: all lines are, so none stands out
+constexpr double leastGraded = 1;                  // pixels; every line is at least this wide, so
+                                                   // none stands out
 constexpr double tickLength = 8;                   // pixels
-constexpr double tooShort = 6, withRoom = 16;      // to be seen; for a tick among many
-constexpr std::size_t severalPieces = 300; // in the view: with a tick on each nothing else is seen
+constexpr double tooShort = 6, withRoom = 16;      // pixels; a shorter piece is too short to be
+                                                   // seen, or to have room for a tick among many
+constexpr std::size_t severalPieces = 300; // pieces in the view; ticks on all of them would hide
+                                           // everything else
 
 bool isSeen(const Clipped& piece, const clipping::Window& view)
 {
@@ -28,7 +31,7 @@ bool isSeen(const Clipped& piece, const clipping::Window& view)
            && std::max(a.y, b.y) >= view.min.y && std::min(a.y, b.y) <= view.max.y;
 }
 
-/// Those in the view, of lines that are still there.
+/// The pieces in the view whose lines still exist.
 std::vector<Clipped> seenOf(std::size_t lines, const PictureOptions& options,
                             std::span<const Clipped> pieces)
 {
@@ -66,7 +69,7 @@ std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions
     return ticks;
 }
 
-/// Of lines, asked line by line. The style of the line before is at hand.
+/// The styles of lines in ascending order; caches the style of the previous line's object.
 class LineStyles {
 public:
     LineStyles(const StyleTable& styles, const SceneLines& lines) : styles_(styles), lines_(lines)
@@ -94,11 +97,11 @@ private:
 
     const StyleTable& styles_;
     const SceneLines& lines_;
-    std::size_t first_ = 0, end_ = 0; // that have this style
+    std::size_t first_ = 0, end_ = 0; // the lines that have this style
     const Style* style_ = nullptr;
 };
 
-/// How thick marks are, in pixels.
+/// The thickness of marks, in pixels.
 struct Thickness {
     double least, more;
 
@@ -108,11 +111,11 @@ struct Thickness {
     }
 };
 
-/// In one colour, each as thick as its line wants.
+/// Adds marks of one colour, each with the thickness for its line.
 void addMarks(Plating& plating, LineStyles& styles, const Thickness& thickness, double zoom,
               std::span<const Clipped> seen, Style mark)
 {
-    std::vector<Segment> alike; // as thick as each other
+    std::vector<Segment> alike; // pieces with the same thickness
     const auto paint = [&](double pixels) {
         mark.width = pixels / zoom;
         if (!alike.empty())
@@ -146,7 +149,7 @@ void append(Plate& to, Plate plate)
 
 Plate gradedMarks(LineStyles& styles, const PictureOptions& options)
 {
-    PictureOptions asTheyAre = options; // their colours are for the page
+    PictureOptions asTheyAre = options; // keep the given colours, which are chosen for the page
     asTheyAre.page.reset();
     Plating plating(asTheyAre, 0);
     for (const PictureOptions::Graded& group : options.graded) {

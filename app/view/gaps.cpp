@@ -14,7 +14,7 @@ using clipping::Segment;
 void appendGaps(const Segment& line, std::uint32_t source, std::span<const Clipped> kept,
                 std::vector<Clipped>& gaps)
 {
-    Segment gap = line; // its b is not known yet
+    Segment gap = line; // its b is set when the gap ends
     Edge from = Edge::None;
     bool touched = false;
     for (const Clipped& piece : kept) {

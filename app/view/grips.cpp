@@ -47,7 +47,7 @@ std::optional<Grip> gripAt(const Point& screen, const clipping::Window& rectangl
             return placed.grip;
     }
     const Point min = view.toScreen(rectangle.min), max = view.toScreen(rectangle.max);
-    const Point past = glm::max(min - screen, screen - max); // positive: outside
+    const Point past = glm::max(min - screen, screen - max); // positive: outside the rectangle
     const double most = std::max(past.x, past.y);
     return std::abs(most) <= outline ? std::optional(Grip{}) : std::nullopt;
 }
@@ -60,7 +60,7 @@ clipping::Window dragged(const clipping::Window& start, Grip grip, const Point& 
     const Point direction(grip.x, grip.y), centre = start.min + (start.max - start.min) * 0.5;
     const double share = anchor == Anchor::Centre ? 2 : 1;
     const Point old = start.max - start.min;
-    Point size = old + direction * by * share; // signed: negative when turned over
+    Point size = old + direction * by * share; // negative if the rectangle is flipped
     if (proportion != Proportion::Free) {
         const Point shape =
             proportion == Proportion::Square || old.x <= 0 || old.y <= 0 ? Point(1) : old;
@@ -71,7 +71,7 @@ clipping::Window dragged(const clipping::Window& start, Grip grip, const Point& 
         size = shape * Point(std::copysign(scale, ratio.x), std::copysign(scale, ratio.y));
     }
     const Point fixed = anchor == Anchor::Centre ? centre : centre - direction * old * 0.5;
-    // Along an axis that the grip does not drag, the rectangle grows around its middle.
+    // Along an axis that the handle does not drag, the rectangle grows around its centre.
     const auto side = [&](int axis, int end) {
         const bool free = anchor == Anchor::Centre || direction[axis] == 0;
         if (free)
@@ -79,7 +79,7 @@ clipping::Window dragged(const clipping::Window& start, Grip grip, const Point& 
         return end * direction[axis] > 0 ? fixed[axis] + direction[axis] * size[axis] : fixed[axis];
     };
     clipping::Window result = ordered({side(0, -1), side(1, -1)}, {side(0, 1), side(1, 1)});
-    for (int axis = 0; axis < 2; ++axis) // what is not dragged stays bit for bit
+    for (int axis = 0; axis < 2; ++axis) // sides that are not dragged stay bit for bit
         if (proportion == Proportion::Free && direction[axis] == 0) {
             result.min[axis] = start.min[axis];
             result.max[axis] = start.max[axis];

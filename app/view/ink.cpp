@@ -49,7 +49,7 @@ Colour shownInk(const Colour& ink, const Colour& page)
     if (contrast(ink, page) >= enough)
         return ink;
     const QColor hue(ink.red, ink.green, ink.blue);
-    const float step = luminance(page) < 0.18 ? 0.02F : -0.02F; // away from the page
+    const float step = luminance(page) < 0.18 ? 0.02F : -0.02F; // away from the page's lightness
     float lightness = 1 - hue.lightnessF();
     Colour shown = withLightness(hue, lightness, ink.alpha);
     while (contrast(shown, page) < enough && lightness + step >= 0 && lightness + step <= 1) {

@@ -13,8 +13,10 @@ namespace app {
 namespace {
 
 constexpr std::size_t pieceLength = 64; // points
-constexpr double longEnough = 2;        // widths: where a segment can be parted without a trace
-constexpr double finer = 2;             // Qt flattens round joins for QPainter so much finer
+constexpr double longEnough = 2;        // in stroke widths: a segment this long can be divided
+                                        // invisibly
+constexpr double finer = 2;             // Qt flattens round joins this much more finely for
+                                        // QPainter
 
 class Outliner {
 public:
@@ -30,7 +32,8 @@ public:
                                                         : Qt::BevelJoin);
     }
 
-    // Pieces meet in the middle of a segment, where no join is.
+    // Divides an open stroke into pieces that meet in the middle of a segment, where there is no
+    // join.
     void open(std::span<const QPointF> points, const Cancelled& cancelled)
     {
         QPolygonF piece;
@@ -47,7 +50,8 @@ public:
         outline(piece, false);
     }
 
-    // Begun and ended in the middle of a long segment, it is as good as open.
+    // A closed stroke that begins and ends in the middle of a long segment can be drawn like an
+    // open one.
     void closed(std::span<const QPointF> points, const Cancelled& cancelled)
     {
         std::size_t i = 1;
@@ -63,7 +67,8 @@ public:
         open(round, cancelled);
     }
 
-    // As a contour that goes round in the sense of the stroker's: their areas add up.
+    // Adds the cap as a contour with the orientation of the stroker's contours, so that the areas
+    // add up.
     void cap(const QPointF& at, const QPointF& away, const Ink& ink)
     {
         visitAll(capAt(at, away, ink, 0), [](QPolygonF& contour) {

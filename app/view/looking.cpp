@@ -10,9 +10,11 @@ namespace app {
 namespace {
 
 constexpr double wellSeen = 40;           // pixels
-constexpr double leastOfClipWindow = 0.1; // what is around the piece, at least
-constexpr double pieceOfView = 0.2;       // that a small piece fills
-constexpr double longPieceOfView = 0.8;   // that one fills which is longer than the clip window
+constexpr double leastOfClipWindow = 0.1; // smallest share of the clip window shown around the
+                                          // piece
+constexpr double pieceOfView = 0.2;       // share of the view that a small piece fills
+constexpr double longPieceOfView = 0.8;   // share of the view for a piece longer than the clip
+                                          // window
 
 double longest(const clipping::Window& w) { return std::max(w.max.x - w.min.x, w.max.y - w.min.y); }
 
@@ -22,7 +24,8 @@ bool contains(const clipping::Window& all, const clipping::Window& part)
            && part.max.y <= all.max.y;
 }
 
-/// Pixels a unit, so that the piece and what is around it fill the shorter side of the view.
+/// The zoom, in pixels per unit, at which the piece and its surroundings fill the shorter side of
+/// the view.
 double zoomFor(const View& view, double piece, double clipWindow)
 {
     const double enough = std::max(clipWindow, piece / longPieceOfView);

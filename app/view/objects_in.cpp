@@ -14,7 +14,7 @@ using clipping::Segment;
 using clipping::Window;
 using Lines = std::span<const Segment>;
 
-/// All lines of an object must be in the rectangle.
+/// The rule that all lines of an object must lie in the rectangle.
 class Within {
 public:
     explicit Within(const Window& rectangle) : rectangle_(rectangle) {}
@@ -32,7 +32,7 @@ private:
     Window rectangle_;
 };
 
-/// One line of an object must have a point in the rectangle.
+/// The rule that at least one line of an object must have a point in the rectangle.
 class Touching {
 public:
     explicit Touching(const Window& rectangle) : rectangle_(rectangle) {}
@@ -71,7 +71,7 @@ private:
         if (!block.continues && std::ranges::all_of(block.boxes, isFar))
             return;
         std::size_t chunk = 0;
-        ObjectRange range; // not yet in found_
+        ObjectRange range; // not yet added to found_
         for (std::size_t i = 0; i < block.objects(); ++i) {
             const std::size_t first = block.firstOf(i), end = block.firstOf(i + 1);
             if (first == end)
@@ -95,8 +95,8 @@ private:
         found_.insert(range);
     }
 
-    // Of lines [first, end) of a block, the first of them in the chunk. A box that is inside or
-    // outside says it for all lines in it.
+    // Whether the rule holds for the lines [first, end) of a block; the first of them lies in the
+    // chunk. A box that is inside or outside decides for all its lines.
     bool holds(const SceneBlock& block, std::size_t chunk, std::size_t first, std::size_t end)
     {
         bool holds = here(block, chunk, first, end);
@@ -121,7 +121,7 @@ private:
     const SceneLines& lines_;
     Window rectangle_;
     Rule rule_;
-    std::size_t at_ = 0; // the block
+    std::size_t at_ = 0; // the current block
     ObjectRanges found_;
 };
 

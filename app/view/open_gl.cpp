@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Platforms such as offscreen make a context where there is a DISPLAY, and crash on showing it.
+// Platforms such as offscreen create a context if there is a DISPLAY, and crash when they show it.
 bool platformHasGl()
 {
     static const QStringList able{"xcb", "wayland", "wayland-egl", "windows", "cocoa"};

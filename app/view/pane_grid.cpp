@@ -32,7 +32,7 @@ Grid gridFor(const QSize& area, int count, double breadth)
     return best;
 }
 
-/// The i-th of so many starts; the first gaps take what does not divide.
+/// The start of the i-th of `parts` parts; the first gaps are wider by the remaining pixels.
 int start(int whole, int parts, int i)
 {
     const int size = length(whole, parts);
@@ -42,7 +42,8 @@ int start(int whole, int parts, int i)
 
 bool hasRoom(const QSize& area, int count, double breadth)
 {
-    constexpr QSize few(200, 150), many(148, 128); // of many each need only be told apart
+    constexpr QSize few(200, 150), many(148, 128); // pixels; many panes need only be
+                                                   // distinguishable
     const QSize cell = cellSize(area, gridFor(area, count, breadth));
     const QSize least = count > 4 ? many : few;
     return cell.width() >= least.width() && cell.height() >= least.height();

@@ -46,7 +46,7 @@ std::optional<std::size_t> Picking::areaAt(const Point& point) const
     return app::areaAt(document_.now(), scene_.lines(), point);
 }
 
-// What has lines is shown; it may be locked.
+// Objects with lines are shown, but may be locked.
 ObjectRanges Picking::objectsIn(const clipping::Window& rectangle, Box box) const
 {
     const ObjectRanges found = box == Box::Contains ? objectsWithin(scene_.lines(), rectangle)
@@ -54,7 +54,7 @@ ObjectRanges Picking::objectsIn(const clipping::Window& rectangle, Box box) cons
     return without(found, document_.now().containers().lockedRanges());
 }
 
-// After most edits nearly all blocks are those of before.
+// Updates the blocks. Most edits leave nearly all of them unchanged.
 void Picking::follow() const
 {
     const SceneLines& lines = scene_.lines();

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr double leastLit = 1.5; // pixels
+constexpr double leastLit = 1.5; // pixels; least width of selected strokes
 
 Plate plate(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
             const PictureOptions& options)
@@ -43,7 +43,7 @@ std::size_t objectsIn(std::span<const ObjectRange> ranges)
     return count;
 }
 
-/// Paints what is selected, whole, whatever of it the window leaves.
+/// Paints the selected objects whole, regardless of the clip windows.
 class Lighting {
 public:
     Lighting(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
@@ -92,7 +92,7 @@ private:
     Style style_;
 };
 
-// Areas stay as faint as ever, or they would drown what is kept.
+// Areas keep the ghost's opacity; otherwise they would hide the kept part.
 void makeGhosts(Plate& plate, const Ghosting& ghosting)
 {
     for (Coat& coat : plate.coats)

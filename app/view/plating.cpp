@@ -18,7 +18,7 @@ bool contains(const clipping::Window& w, const Point& p)
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
 
-// Clips to the view; this is part of drawing, so it is the same method whatever is being shown.
+// Clips to the view. This belongs to drawing, so it always uses the same algorithm.
 std::optional<clipping::Segment> clipToView(const clipping::Segment& s, const clipping::Window& w)
 {
     static const auto clip = clipping::algorithms().front().corrected.clip;
@@ -142,7 +142,7 @@ void Plating::strokeSeen(const clipping::Segment& line, double before)
     chains_.add({line, false, false}, [&] { return style_->dashOffset + before; });
 }
 
-// A single point that a longer line has in common with the window is not drawn.
+// The part of a piece in the view. A single point of a longer line is not drawn.
 std::optional<SeenPart> Plating::partSeen(const clipping::Clipped& piece,
                                           const clipping::Segment& source) const
 {

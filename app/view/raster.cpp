@@ -15,12 +15,12 @@
 namespace app {
 namespace {
 
-// QPainter is fast for lines of at most one pixel and for many single ones with flat or square
-// ends; it takes ten times as long where it has to make an outline of round ends.
-constexpr double roundEndsShow = 3; // device pixels
+// QPainter is fast for lines of at most one pixel and for many single lines with flat or square
+// caps. With round caps it must build outlines, which takes ten times as long.
+constexpr double roundEndsShow = 3; // device pixels; round caps are visible from this width on
 constexpr qsizetype batch = 1024;
-constexpr std::size_t fewPoints = 128; // QPainter is quick with them, whatever they cross
-constexpr std::size_t stretch = 64;    // points of a long thin polyline that are painted at a time
+constexpr std::size_t fewPoints = 128; // QPainter is fast for fewer, whatever they cross
+constexpr std::size_t stretch = 64;    // points of a long thin polyline painted at a time
 
 QColor qColor(const Colour& c) { return QColor(c.red, c.green, c.blue, c.alpha); }
 
@@ -74,7 +74,7 @@ private:
         put(coverage.inked(coat.rule, coat.fill), pixels);
     }
 
-    // The pixels of the image that the chains may cover, if summing takes less time.
+    // The pixels of the image that the polylines may cover, if summation takes less time.
     std::optional<QRect> pixelsToSum(const Plate& plate, std::span<const Chain> chains,
                                      double margin) const
     {
@@ -121,7 +121,7 @@ private:
                                      : roundShows         ? Qt::RoundCap
                                                           : Qt::SquareCap);
         const QPen flat =
-            penFor(ink, Qt::FlatCap); // for chains of which an end was made by the window
+            penFor(ink, Qt::FlatCap); // for polylines of which an end was made by clipping
         for (const Chain& chain : plate.chainsOf(coat)) {
             if (cancelled_())
                 return;
@@ -146,7 +146,7 @@ private:
         flush(pen);
     }
 
-    // Every pixel gets the ink once, however often the stroke crosses itself.
+    // Every pixel is painted once, however often the stroke crosses itself.
     void strokeSummed(std::span<const QPointF> points, const Chain& chain, const Ink& ink,
                       const QRect& pixels)
     {
@@ -157,7 +157,7 @@ private:
             put(coverage.inked(FillRule::NonZero, ink.colour), pixels);
     }
 
-    // Round ends that do not show are square, as QPainter gets them.
+    // Round caps too small to be visible become square, which QPainter paints faster.
     static Ink capped(Ink ink, bool roundShows)
     {
         if (ink.cap == Cap::Round && !roundShows)
@@ -172,7 +172,7 @@ private:
                                                                 : Qt::BevelJoin;
         QPen pen(qColor(ink.colour), ink.width, Qt::SolidLine, cap, join);
         pen.setMiterLimit(ink.miterLimit);
-        if (ink.width * ratio_ <= 1) { // a cosmetic pen's width is in device pixels
+        if (ink.width * ratio_ <= 1) { // the width of a cosmetic pen is in device pixels
             pen.setCosmetic(true);
             pen.setWidthF(ink.width * ratio_);
         }
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    // The caps of the stroke's own ends, where the pen could not make them.
+    // Adds caps at the stroke's own ends, where the pen could not.
     void ends(std::span<const QPointF> points, const Chain& chain, const Ink& ink)
     {
         if (chain.closed)

@@ -61,8 +61,8 @@ void ScenePlating::goTo(std::size_t block)
     objectEnd_ = 0;
 }
 
-// An area may cover the view although none of its lines is near: then its box does, too, if it has
-// all lines of the area.
+// Whether lines in the box can be skipped. An area may cover the view although none of its lines is
+// near; then its box covers the view, too, if it contains all lines of the area.
 bool ScenePlating::skips(const FloatBox& box, std::size_t first, std::size_t end)
 {
     if (!style_->stroke && !style_->fill)
@@ -78,7 +78,8 @@ bool ScenePlating::skips(const FloatBox& box, std::size_t first, std::size_t end
     return true;
 }
 
-// Whether no object has lines on both sides of the beginning of the line.
+// Whether the line is the first of its object, so that no object has lines on both sides of its
+// start.
 bool ScenePlating::beginsObject(std::size_t line) const
 {
     if (line == 0)
@@ -97,7 +98,7 @@ void ScenePlating::enterObjectOf(std::size_t line)
         objectEnd_ = block_->firstOf(object + 1);
     }
     const std::size_t number = lines_.runs()[at_].firstObject + object;
-    if (object_ == number) // it began in the block before
+    if (object_ == number) // it began in the previous block
         return;
     object_ = number;
     plating_.endObject();

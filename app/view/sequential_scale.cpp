@@ -38,7 +38,7 @@ QColor sequentialColour(double share, Ground ground)
 
 QColor readableOn(const QColor& colour)
 {
-    constexpr double even = 0.179; // where black and white contrast alike (WCAG)
+    constexpr double even = 0.179; // luminance at which black and white have equal contrast (WCAG)
     return luminance(colour) > even ? QColor(0x1B1E23) : QColor(Qt::white);
 }
 

@@ -6,8 +6,8 @@
 namespace app {
 namespace {
 
-/// Of the points between two: the one farthest from the line between those two, if that is farther
-/// than `least`; else the first of the two.
+/// The point between `first` and `last` that is farthest from the line between them, if farther
+/// than `least`; otherwise `first`.
 std::size_t farthestBetween(std::span<const Point> polyline, std::size_t first, std::size_t last,
                             double least)
 {

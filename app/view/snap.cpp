@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// The bound nearest to a coordinate that lies within the other axis' reach.
+// The nearer of the bounds low and high, if within `radius`.
 std::optional<double> edge(double at, double low, double high, double radius)
 {
     const double best = std::abs(at - low) <= std::abs(at - high) ? low : high;

@@ -16,11 +16,12 @@
 namespace app {
 namespace {
 
-constexpr std::size_t fewPoints = 128;  // QPainter is quick with them, whatever they cross
-constexpr double shortestPattern = 0.1; // device pixels; a finer one is grey
-constexpr double mostDashes = 1e7;      // of a path; most of more lie off the page
-constexpr double finer = 4;             // how much finer curves are flattened than Qt would
-constexpr int pixelsAtATime = 1 << 24;  // they take 128 MB
+constexpr std::size_t fewPoints = 128;  // QPainter is fast for fewer, whatever they cross
+constexpr double shortestPattern = 0.1; // device pixels; finer dashes look like plain grey
+constexpr double mostDashes = 1e7;      // in a path; a path with more is mostly off the page
+constexpr double finer = 4;             // factor by which curves are flattened more finely than Qt
+                                        // would
+constexpr int pixelsAtATime = 1 << 24;  // these use 128 MB
 
 struct Polyline {
     QPolygonF points; ///< device pixels
@@ -41,7 +42,7 @@ std::vector<Polyline> polylinesOf(const Path& path, const QTransform& toDevice)
     return polylines;
 }
 
-// The pixels of the painter's image that may be covered, if summing takes less time.
+// The pixels of the painter's image that may be covered, if summation takes less time.
 std::optional<QRect> pixelsToSum(std::span<const Polyline> polylines, double margin,
                                  const QPainter& painter)
 {
@@ -60,7 +61,7 @@ std::optional<QRect> pixelsToSum(std::span<const Polyline> polylines, double mar
     return summed ? std::optional(pixels) : std::nullopt;
 }
 
-// In bands, because the pixels of a large picture would need its memory twice again.
+// Sums in bands: the pixels of a whole large picture would need twice its memory again.
 template <class Add>
 void sum(QPainter& painter, const QRect& pixels, FillRule rule, const Colour& colour, Add add)
 {
@@ -76,7 +77,7 @@ void sum(QPainter& painter, const QRect& pixels, FillRule rule, const Colour& co
     painter.restore();
 }
 
-// What the pen passes over: the polylines, or their dashes. Nothing: too many of them.
+// The polylines that the pen draws, divided into dashes; empty if there are too many dashes.
 std::optional<std::vector<Polyline>> drawnParts(std::vector<Polyline> polylines, const Style& style,
                                                 double scale)
 {

@@ -22,7 +22,7 @@ Colour plain(const QColor& colour)
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
 }
 
-/// The page fills the picture, around the clip window; but the window is seen whole.
+/// Lets the page fill the picture around the clip window, but keeps the whole window visible.
 void cover(View& view, const Page& page, const clipping::Window& window)
 {
     const double filling = std::max(view.size.x / page.size.x, view.size.y / page.size.y);
