@@ -7,15 +7,15 @@
 
 namespace app {
 
-/// Appends a point of the drawing, x and y with `between` between them, with the decimals that
-/// `options` ask for and then inside their bounds.
+/// Appends a point of the drawing, with the character `between` between x and y. The number of
+/// decimals and the bounds are those of `options`.
 void appendPoint(std::string& text, const Point& point, char between, const WriteOptions& options);
 
-/// One coordinate of a point: of x (axis 0) or y (axis 1).
+/// Appends one coordinate of a point: x (axis 0) or y (axis 1).
 void appendCoordinate(std::string& text, double value, int axis, const WriteOptions& options);
 
-/// The same as appendPoint for a control point of a curve, which no bounds hold: the curve's own
-/// points are inside when its controls are not.
+/// Like appendPoint, for a control point of a curve. The bounds do not apply: a curve may lie
+/// inside them although its control points do not.
 void appendControl(std::string& text, const Point& point, char between,
                    const WriteOptions& options);
 

@@ -8,7 +8,7 @@ namespace app {
 /// "3 texts and 1 mask cannot be kept." Empty if nothing was lost.
 QString lossSentence(const std::vector<Loss>& report);
 
-/// One line for each entry: what was lost, then what was kept in another way.
+/// One line for each entry of the report: first the losses, then the remarks.
 QStringList lossLines(const std::vector<Loss>& report);
 
 } // namespace app

@@ -11,8 +11,8 @@
 
 class QPainter;
 
-// Whatever can be painted, as a whole file in memory: charts, figures, slides. What is painted goes
-// in with nothing of its own about time or machine, so the same picture is the same bytes.
+// Turns anything that can be painted (charts, figures, slides) into a complete file in memory. The
+// file contains no time and nothing about the machine, so the same picture gives the same bytes.
 
 namespace app {
 
@@ -21,18 +21,18 @@ struct PaintedPage {
     std::function<void(QPainter& painter)> paint;
 };
 
-/// What a file says of itself to those who do not see it.
+/// The title and description in a file, for people who cannot see the picture.
 struct PaintedCaption {
     QString title, description;
 };
 
 QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption);
-/// `scale`: pixels for each logical one, which may be less than 1. Null if there is not enough
-/// memory, or nothing left of it.
+/// `scale`: pixels per logical pixel, may be less than 1. Null if memory is insufficient or the
+/// image would have no pixels.
 QImage imageOf(const PaintedPage& page, double scale);
-/// The same as a file, with the caption; empty where that is null.
+/// The image as a PNG file with the caption; empty if imageOf() would return null.
 QByteArray pngOf(const PaintedPage& page, const PaintedCaption& caption, double scale);
-/// A page for each, as large as it says.
+/// A PDF with one page, of its own size, for each element of `pages`.
 QByteArray pdfOf(std::span<const PaintedPage> pages, const PaintedCaption& caption);
 
 } // namespace app

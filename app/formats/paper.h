@@ -5,11 +5,11 @@
 
 namespace app {
 
-/// How a page lies on paper: in its middle, as large as fits (SVG's xMidYMid meet).
+/// The position of a page on paper: centred, as large as fits (SVG's xMidYMid meet).
 struct Paper {
-    Point millimetres;         ///< the paper's size
-    double millimetresPerUnit; ///< of a user unit
-    Point corner;              ///< the user point at the paper's top left
+    Point millimetres;         ///< the size of the paper
+    double millimetresPerUnit; ///< the size of a user unit
+    Point corner;              ///< the document point at the top left corner of the paper
 };
 Paper paperOf(const Page& page);
 

@@ -7,11 +7,12 @@
 
 namespace app {
 
-/// Reads what is open. A disk or a pipe that fails half-way is a sentence, not a shorter drawing.
+/// Reads an open file. A read error in the middle of it is reported as an error, never as a shorter
+/// drawing.
 Result<Imported> readOpenFile(QFileDevice& file, const Format& format);
 
-/// By the ending of its name, any case. A compressed SVG drawing (.svgz) counts as SVG: the reader
-/// says what to do with it.
+/// The format for a file name extension, in any case. A compressed SVG drawing (.svgz) counts as
+/// SVG: the SVG reader says how to uncompress it.
 const Format* formatToRead(const QString& path);
 
 } // namespace app

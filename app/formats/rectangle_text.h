@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// "-100,-75,100,75": xmin, ymin, xmax and ymax, as the command line takes them. They read back bit
-/// for bit, and are finite.
+/// "-100,-75,100,75": xmin, ymin, xmax and ymax as the command line accepts them. The numbers must
+/// be finite, and read back bit for bit.
 QString rectangleText(const clipping::Window& rectangle);
 
 } // namespace app

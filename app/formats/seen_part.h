@@ -7,10 +7,10 @@
 
 namespace app {
 
-/// Visits the objects of a drawing as they are seen on its page, bottom to top, for painters and
-/// file formats that huge numbers overtax: without what is hidden and fills that have no area, and
-/// what reaches far beyond the page reduced to what is near it (a stroke and a fill then become two
-/// objects). Most come as they are.
+/// Visits the objects of a drawing as they appear on its page, from bottom to top, for painters and
+/// file formats that cannot handle huge numbers. Hidden objects and fills without area are left
+/// out. An object that reaches far beyond the page is reduced to the part near it (its fill and
+/// stroke then become two objects). Most objects are passed unchanged.
 void visitSeen(const Document& document, const std::function<void(const Object&)>& visit);
 
 } // namespace app

@@ -6,10 +6,10 @@
 
 namespace app::csv {
 
-/// What a row can say about a line, in the order of files without a header.
+/// The columns of a row, in the order of files without a header.
 enum Column : std::size_t { X1, Y1, X2, Y2, LayerName, Ink, Width, Source };
 constexpr std::array<std::string_view, 8> columnNames{"x1",    "y1",     "x2",    "y2",
                                                       "layer", "colour", "width", "source"};
-constexpr std::size_t coordinateColumns = 4; ///< the first ones; no row is without them
+constexpr std::size_t coordinateColumns = 4; ///< the first columns, which are required
 
 } // namespace app::csv

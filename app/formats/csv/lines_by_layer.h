@@ -9,23 +9,25 @@
 
 namespace app::csv {
 
-/// Collects lines that come in any order of layers: a document has all of a layer together. Within
-/// a layer they stay in the order in which they came.
+/// Groups lines by layer, as a document stores all lines of a layer together. Lines of the same
+/// layer keep their order.
 class LinesByLayer {
 public:
     LinesByLayer() { none_.styles(); }
 
     StyleIndex style(const Style& style) { return none_.styles().indexOf(style); }
-    /// Lines that come now are on this layer; beyond `Containers::mostLayers`, on the last one.
+    /// Sets the layer of the following lines. Layers beyond `Containers::mostLayers` join the last
+    /// one.
     void turnTo(std::string_view layer);
     void add(const clipping::Segment& line, StyleIndex style);
 
-    std::size_t size() const { return size_; } ///< lines so far
-    int beyond() const { return beyond_; }     ///< lines of layers beyond that
+    std::size_t size() const { return size_; } ///< lines added so far
+    int beyond() const { return beyond_; }     ///< lines of layers beyond the limit
 
-    /// All of them on the page around them. Start with another one then.
+    /// Returns all lines as a document whose page encloses them. The object cannot be used for
+    /// further lines.
     Document take();
-    /// For each object of the document the number that it came as. To be called after `take`.
+    /// For each object of the document, its number in the order of the file. Call after `take`.
     std::vector<std::uint32_t> order();
 
 private:
@@ -37,12 +39,13 @@ private:
 
     std::size_t layerOf(std::string_view name);
 
-    Objects none_; ///< has the styles of all
+    Objects none_; ///< without objects; holds all styles
     std::vector<Layer> layers_;
-    std::map<std::string, std::size_t, std::less<>> found_; ///< layers by their names
-    std::string name_;                                      ///< what `turnTo` was last called with
-    std::size_t layer_ = 0;                                 ///< which is this one
-    bool isBeyond_ = false;                                 ///< not the one asked for
+    std::map<std::string, std::size_t, std::less<>> found_; ///< layer indices by name
+    std::string name_;                                      ///< the last argument of `turnTo`
+    std::size_t layer_ = 0;                                 ///< the current layer
+    bool isBeyond_ = false;                                 ///< the current layer is not the
+                                                            ///< requested one
     std::size_t size_ = 0;
     int beyond_ = 0;
 };

@@ -7,11 +7,11 @@ namespace app::csv {
 
 constexpr std::size_t mostRows = 5'000'000;
 
-/// Lines as a drawing: one row, one object. A first row that is not numbers is a header and names
-/// the columns (x1,y1,x2,y2, and layer, colour, width in any order; `source` is passed over, others
-/// are reported); without one they come in this order. The page is the rectangle around the lines,
-/// a user unit one pixel; the file has no page of its own. The sentence of a failure begins with
-/// the line ("line 12 has ...").
+/// Reads lines as a drawing: one object for each row. A first row that does not start with a number
+/// is a header that names the columns: x1,y1,x2,y2 and optionally layer, colour and width, in any
+/// order; `source` is skipped, other columns are reported. Without a header the columns come in
+/// this order. The page is the rectangle around the lines, with a user unit of one pixel, as the
+/// file has no page. An error sentence begins with the line ("line 12 has ...").
 Result<Imported> read(QIODevice& in);
 
 } // namespace app::csv

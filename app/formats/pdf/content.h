@@ -13,23 +13,24 @@ class Content {
 public:
     explicit Content(const WriteOptions& options) : options_(options) {}
 
-    /// From now on a user unit is `scale` units of the page, y goes down, and the user's origin
-    /// lies at `origin` on the page.
+    /// Sets the coordinate system: a user unit is `scale` units of the page, y goes down, and the
+    /// user origin lies at `origin` on the page.
     void place(double scale, const Point& origin);
 
     void paint(const Object& object);
 
     QByteArray bytes() const { return QByteArray::fromStdString(text_); }
-    std::string resources() const; ///< the page's dictionary of what the stream names
+    std::string resources() const; ///< the page's resource dictionary, with the names that the
+                                   ///< stream uses
 
 private:
     void outline(std::span<const Subpath> subpaths);
     void setAlpha(std::uint8_t alpha);
-    void set(std::string& last, const std::string& now); ///< a state, where it changes
+    void set(std::string& last, const std::string& now); ///< writes a state only if it changes
 
     const WriteOptions& options_;
     std::string text_;
-    std::string alpha_, fill_, stroke_, pen_; ///< what is set
+    std::string alpha_, fill_, stroke_, pen_; ///< the current states
     std::set<int> alphas_;
 };
 

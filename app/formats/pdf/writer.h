@@ -5,10 +5,10 @@
 
 namespace app::pdf {
 
-/// One page of the drawing's size on paper. Strokes are strokes, in user units with all their
-/// digits, curves are curves, dashes are dashes and see-through inks are see-through; the same
-/// drawing gives the same bytes. (QPdfWriter rounds the page to whole points and turns strokes
-/// with alpha into filled outlines.)
+/// Writes one page of the drawing's size on paper. Strokes stay strokes in user units with full
+/// precision, curves stay curves, dashes stay dashes, and translucent colours stay translucent. The
+/// same drawing gives the same bytes. (QPdfWriter rounds the page size to whole points and turns
+/// translucent strokes into filled outlines.)
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
 } // namespace app::pdf

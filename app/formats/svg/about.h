@@ -12,30 +12,30 @@
 
 namespace app::svg {
 
-/// A <title> or <desc> of an element below the root, as XML.
+/// A <title> or <desc>, as XML, of an element below the root.
 struct ElementNote {
-    bool isTitle = false; ///< else a description
+    bool isTitle = false; ///< otherwise a description
     QString text;
 };
 
-/// Gathers what a file says about itself while its tokens pass by: the <title>, <desc> and
-/// <metadata> of the root, the comments around it, and the notes of elements. A prefix is declared
-/// again where the file writer's own root does not, so the text that is gathered from a written
-/// file is the same.
+/// Collects what a file says about itself from its token stream: the <title>, <desc> and <metadata>
+/// of the root, the comments around the root, and the titles and descriptions of elements. Prefixes
+/// that the root element of written files does not declare are declared again, so that a written
+/// file gives the same text when it is read.
 class AboutReader {
 public:
-    /// Every token in turn. Gives the note that ends with it.
+    /// Takes each token in order. Returns the note that ends with this token, if any.
     std::optional<ElementNote> take(const QXmlStreamReader& xml);
 
     About about() const;
-    /// There was more than `mostMetadata` bytes of it: none is kept.
+    /// Whether the texts exceeded `mostMetadata` bytes; then none is kept.
     bool tooLarge() const { return tooLarge_; }
-    /// Titles, descriptions and metadata of elements below the root that say anything. Of these,
-    /// `take` gives all but metadata and what is too large or nested too deeply.
+    /// The number of non-empty titles, descriptions and metadata of elements below the root. `take`
+    /// returns all of them except metadata and notes that are too large or nested too deeply.
     int ofElements() const { return ofElements_; }
 
 private:
-    using Prefix = std::pair<QString, QString>; ///< and its namespace
+    using Prefix = std::pair<QString, QString>; ///< a prefix and its namespace
 
     void open(const QXmlStreamReader& xml);
     std::optional<ElementNote> close(const QXmlStreamReader& xml);
@@ -48,25 +48,27 @@ private:
     void endStart();
     void declare(const QString& prefix, const QString& given);
 
-    int depth_ = 0;        ///< elements that are open
-    int sectionDepth_ = 0; ///< of the title or the like that is open; 2: one of the root
+    int depth_ = 0;        ///< number of open elements
+    int sectionDepth_ = 0; ///< depth of the open title, description or metadata; 2: a child of the
+                           ///< root
     int ofElements_ = 0;
-    std::size_t noteBytes_ = 0; ///< of all notes that were given
-    int skipped_ = 0;           ///< of them, Clearcut's own and what is in them
+    std::size_t noteBytes_ = 0; ///< total size of the notes returned
+    int skipped_ = 0;           ///< number of open elements that are skipped: Clearcut's own and
+                                ///< their content
     bool inStart_ = false;      ///< the last start tag still lacks its ">"
-    bool saysAnything_ = false; ///< the title, description or metadata
+    bool saysAnything_ = false; ///< whether the open title, description or metadata has content
     bool tooLarge_ = false;
-    bool dropped_ = false;  ///< the note is too large, or its markup too deep
-    bool bare_ = false;     ///< the root has no namespace: what has none is SVG's
-    std::size_t begin_ = 0; ///< of the title, description or metadata in its section
+    bool dropped_ = false;  ///< whether the note is too large, or its markup too deep
+    bool bare_ = false;     ///< the root has no namespace, so elements without one count as SVG
+    std::size_t begin_ = 0; ///< where the open title, description or metadata begins in its section
     QString id_;
     std::string comments_, title_, description_, metadata_;
-    std::string note_;                  ///< of an element
-    std::string* section_ = nullptr;    ///< what is being gathered: a note is gathered in note_
-    const std::string* kind_ = nullptr; ///< title_, description_ or metadata_: which of them it is
-    std::vector<Prefix> outer_;      ///< that the root of the file declares
-    std::vector<Prefix> scope_;      ///< that are declared where the text goes on
-    std::vector<std::size_t> marks_; ///< the scope's size outside of each written element
+    std::string note_;                  ///< the note of an element
+    std::string* section_ = nullptr;    ///< the text being collected: note_ for notes
+    const std::string* kind_ = nullptr; ///< which kind it is: title_, description_ or metadata_
+    std::vector<Prefix> outer_;         ///< declared by the root of the file
+    std::vector<Prefix> scope_;         ///< declared at the current position of the text
+    std::vector<std::size_t> marks_;    ///< size of scope_ outside each open element
 };
 
 } // namespace app::svg

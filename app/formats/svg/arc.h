@@ -5,18 +5,18 @@
 
 namespace app::svg {
 
-/// An elliptical arc as path data gives it: the rest of SVG 1.1's F.6 follows from its ends.
+/// An elliptical arc in the parameters of path data; its centre follows by SVG 1.1, F.6.
 struct Arc {
     Point from, to;
-    Point radii;           ///< of any sign and size, as in the file
-    double rotation = 0;   ///< of the first radius, in degrees
-    bool large = false;    ///< the longer of the two ways
-    bool positive = false; ///< with growing angles ("sweep")
+    Point radii;           ///< any sign and size, as in the file
+    double rotation = 0;   ///< rotation of the first radius, in degrees
+    bool large = false;    ///< the longer of the two arcs
+    bool positive = false; ///< towards growing angles ("sweep")
 };
 
-/// Appends the arc as cubic curves of at most a quarter turn each (0.03 % of the radius off at
-/// most), or as a line where a radius is zero. The last one ends at `to` bit for bit; an arc
-/// between equal points is nothing.
+/// Appends the arc as cubic curves of at most a quarter turn each (error at most 0.03 % of the
+/// radius), or as a line if a radius is zero. The last curve ends at `to` bit for bit. An arc
+/// between equal points appends nothing.
 void appendArc(std::vector<PathSegment>& segments, const Arc& arc);
 
 } // namespace app::svg

@@ -7,17 +7,17 @@
 #include <string>
 #include <string_view>
 
-// Attributes as they are written: ` name="value"`, appended to a text.
+// Functions that append attributes in the form ` name="value"` to a text.
 
 namespace app::svg {
 
-/// Characters that XML cannot hold at all are left out.
+/// Escapes text for an attribute value. Characters that XML cannot contain are left out.
 std::string escaped(const QString& text);
 
-/// The same for what stands between tags, where line ends and quotes are themselves.
+/// Escapes text for element content, where line ends and quotes stay as they are.
 std::string escapedContent(const QString& text);
 
-/// `value` is escaped already.
+/// `value` must already be escaped.
 void appendAttribute(std::string& text, std::string_view name, std::string_view value);
 void appendAttribute(std::string& text, std::string_view name, double value);
 void appendAttribute(std::string& text, std::string_view name, std::span<const double> values);

@@ -6,18 +6,18 @@
 
 namespace app::svg {
 
-/// What a clip path leaves of an object, as real objects: the object itself where it is wholly
-/// inside; otherwise the clipped area, filled as before, and above it the stroke as open runs,
-/// whose curves are split and whose dashes go on. The first of them has the particulars. Nothing
-/// where it is wholly outside.
+/// The objects that a clip path leaves of an object: the object itself if it is entirely inside;
+/// otherwise the clipped area, filled as before, and above it the stroke as open runs, with curves
+/// split and dashes continued. The first object keeps the particulars. Empty if the object is
+/// entirely outside.
 struct ClippedObject {
     std::vector<Drawn> objects;
-    bool cut = false;     ///< neither wholly inside nor wholly outside
-    std::size_t work = 0; ///< chords times sides, for the limit
+    bool cut = false;     ///< whether it is neither entirely inside nor entirely outside
+    std::size_t work = 0; ///< chords times sides, for the limit mostClipWork
 };
 
-/// `tolerance` is for curves, in user units. Nothing at all (an empty optional) for paths of so
-/// many curves that flattening them could take too much memory.
+/// `tolerance` is the flattening tolerance in user units. An empty optional for paths with so many
+/// curves that flattening them could need too much memory.
 std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& region,
                                         double tolerance);
 

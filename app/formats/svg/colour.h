@@ -8,15 +8,15 @@
 
 namespace app::svg {
 
-/// Every way to write a colour in SVG and CSS but currentColor, which is no colour yet: names,
-/// transparent, #rgb #rgba #rrggbb #rrggbbaa, rgb() rgba() hsl() hsla() with numbers or percents
-/// and commas, blanks or a slash. Nothing for anything else.
+/// Parses all notations for colours in SVG and CSS: names, transparent, #rgb #rgba #rrggbb
+/// #rrggbbaa, and rgb() rgba() hsl() hsla() with numbers or percentages and commas, blanks or a
+/// slash. Empty for any other text, and for currentColor, which is not a colour yet.
 std::optional<Colour> parseColour(std::string_view text);
 
-/// "0.5" or "50%", between 0 and 1.
+/// Parses "0.5" or "50%"; the result is between 0 and 1.
 std::optional<double> parseOpacity(std::string_view text);
 
-/// The colour, seen through a further opacity.
+/// The colour with its alpha multiplied by `opacity`.
 Colour faded(Colour colour, double opacity);
 
 } // namespace app::svg

@@ -6,28 +6,30 @@
 
 namespace app::svg {
 
-/// Puts objects into layers and groups in the order in which they are painted. A file may nest them
-/// in any way; in a document the first level are layers, and groups hold groups only:
-/// - What lies outside of all layers comes into a layer of its own, "Drawing"; above another layer,
-///   that is a further one, "Drawing (2)".
-/// - A layer in a group becomes a group.
-/// - Containers above the limits dissolve into the one around them.
+/// Collects objects in layers and groups, in painting order. A file may nest them in any way. In a
+/// document the first level consists of layers, and groups contain only groups. Therefore:
+/// - Objects outside all layers get a layer of their own, "Drawing"; above another layer, they get
+/// a further one, "Drawing (2)".
+/// - A layer inside a group becomes a group.
+/// - Containers beyond the limits dissolve into the container around them.
 class ContainerStack {
 public:
-    /// Kept even if nothing is drawn in it. Each `open` needs its `close`, whether the container
-    /// dissolves or not.
+    /// Opens a container; it is kept even if nothing is drawn in it. Each `open` needs a `close`,
+    /// even if the container dissolves.
     void open(Container container);
     void close();
-    void add(Object object); ///< on top of all others
+    void add(Object object); ///< above all previous objects
 
-    /// The document, without clip windows, and what it could not hold. All must be closed.
+    /// Returns the document, without clip windows, and reports what it could not keep. All
+    /// containers must be closed.
     Document take(const Page& page, About about, Report& report);
 
 private:
     struct Open {
         bool dissolved = false;
-        bool inGroup = false; ///< it is a group, or one around it is
-        bool hidden = false;  ///< it would be hidden had it not dissolved, or one around it would
+        bool inGroup = false; ///< whether it or a container around it is a group
+        bool hidden = false;  ///< whether a dissolved container, this one or one around it, was
+                              ///< hidden
     };
     bool dissolves(const Container& container);
     void openDrawing();
@@ -35,12 +37,12 @@ private:
     bool atFirstLevel() const { return builder_.depth() == int(drawingIsOpen_); }
 
     DocumentBuilder builder_;
-    std::vector<Open> open_{{}}; ///< the first stands for the document
+    std::vector<Open> open_{{}}; ///< the first element stands for the document
     std::size_t layers_ = 0, groups_ = 0;
-    int drawings_ = 0; ///< layers for what lies outside of all layers
+    int drawings_ = 0; ///< number of layers for objects outside all layers
     int dissolved_ = 0;
-    bool drawingIsOpen_ = false; ///< the layer for what lies outside of all layers
-    bool mergesLayers_ = false;  ///< there are too many
+    bool drawingIsOpen_ = false; ///< whether the layer for objects outside all layers is open
+    bool mergesLayers_ = false;  ///< whether there are too many layers
 };
 
 } // namespace app::svg

@@ -7,7 +7,7 @@
 
 namespace app::svg {
 
-/// An object while its outline is still worked on: not packed yet.
+/// An object while its outline is still being processed, before it is packed.
 struct Drawn {
     std::vector<Subpath> paths;
     Style style;

@@ -8,19 +8,19 @@
 
 namespace app::svg {
 
-constexpr double pixel = 25.4 / 96; ///< millimetres of a user unit where no viewBox changes it
+constexpr double pixel = 25.4 / 96; ///< millimetres of a user unit without a viewBox
 
-/// What lengths refer to at one place of a drawing.
+/// What the lengths at one place of a drawing are relative to.
 struct Lengths {
-    Point viewport{}; ///< the size that percents are of
+    Point viewport{}; ///< the size that percentages refer to
     double fontSize = 16;
 
-    /// In user units; nothing for what is not a length. `of` is what 100 % means.
+    /// A length in user units; empty if the text is not a length. `of` is what 100 % means.
     std::optional<double> parse(std::string_view text, double of) const;
     std::optional<double> x(std::string_view text) const { return parse(text, viewport.x); }
     std::optional<double> y(std::string_view text) const { return parse(text, viewport.y); }
     std::optional<double> other(std::string_view text) const { return parse(text, diagonal()); }
-    double diagonal() const; ///< what 100 % of a radius or a stroke's width means
+    double diagonal() const; ///< what 100 % means for radii and stroke widths
 };
 
 } // namespace app::svg

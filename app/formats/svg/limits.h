@@ -5,32 +5,34 @@
 
 #include <cstddef>
 
-// How much a drawing may ask for before it is refused in one sentence. Each is far above what real
-// drawings need and low enough that the worst file ends within seconds and about a gigabyte.
+// Limits of a drawing; beyond them the reader refuses the file with one sentence. They are far
+// above the needs of real drawings, and low enough that the worst file ends within seconds and
+// needs about a gigabyte.
 
 namespace app::svg {
 
-/// Elements within elements, `use` followed; recursion is safe. What is written of a document is
-/// never deeper: root, its containers, the group of a style, an object, its title and markup.
+/// Depth of nested elements, following `use`; recursion to this depth is safe. Written documents
+/// never nest deeper: root, containers, style group, object, its title and markup.
 constexpr int deepestNesting = 520;
-constexpr int deepestNote = 10; ///< markup in the title of an object
+constexpr int deepestNote = 10; ///< depth of markup in the title of an object
 static_assert(1 + Containers::deepest + 1 + 1 + 1 + deepestNote <= deepestNesting);
 constexpr std::size_t mostElements = 5'000'000; ///< in the file
-constexpr std::size_t mostBytes = 500'000'000; ///< of what comes out of a pipe, which may never end
+constexpr std::size_t mostBytes = 500'000'000;  ///< bytes read from a pipe, which may never end
 constexpr std::size_t mostText = 1'000'000'000;  ///< bytes of attributes and style sheets
 constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, description and metadata
 constexpr std::size_t mostNotes = 50'000'000;    ///< bytes of titles and descriptions of elements
 constexpr std::size_t mostNames =
-    10'000; ///< different ones of elements and attributes; SVG has 400
+    10'000; ///< different names of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
 constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and dashes together
-constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tried
-constexpr std::size_t mostDashes = 1'000;            ///< of one pattern
+constexpr std::size_t mostDeclarations = 20'000'000; ///< pairs of style rule and element that are
+                                                     ///< tested
+constexpr std::size_t mostDashes = 1'000;            ///< in one pattern
 constexpr std::size_t mostGroups =
-    Containers::mostContainers - Containers::mostLayers; ///< more dissolve
+    Containers::mostContainers - Containers::mostLayers; ///< further groups are dissolved
 constexpr std::size_t mostClipSides = 1'000;         ///< of a convex clip path
-constexpr std::size_t mostClippedCurves = 50'000;    ///< of one path that a clip path cuts
+constexpr std::size_t mostClippedCurves = 50'000;    ///< in one path that a clip path cuts
 constexpr std::size_t mostClipWork = 300'000'000;    ///< chords times sides
-constexpr double largestCoordinate = 1e300;          ///< so that sums and differences stay finite
+constexpr double largestCoordinate = 1e300;          ///< keeps sums and differences finite
 
 } // namespace app::svg

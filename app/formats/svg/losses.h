@@ -3,16 +3,16 @@
 
 #include <QtGlobal>
 
-// Everything that an import can fail to keep, or keeps in another way, as it is counted to people:
-// "1 mask", "2 masks".
+// All kinds of content that an import cannot keep, or keeps in another form, in the words of the
+// report: "1 mask", "2 masks".
 
 namespace app::svg {
 
 struct LossKind {
     const char* one;
     const char* many;
-    bool remark = false;              ///< kept in another way
-    const char* oneInstead = nullptr; ///< what is kept of it, or would be; null: nothing
+    bool remark = false;              ///< kept in another form
+    const char* oneInstead = nullptr; ///< what is kept instead; null: nothing
     const char* manyInstead = nullptr;
 };
 
@@ -87,7 +87,7 @@ inline constexpr LossKind unreadableWindow{
                              "angle ends with rad"),
     QT_TRANSLATE_NOOP("svg", "needed are xmin, ymin, xmax and ymax, or corners, all finite; an "
                              "angle ends with rad")};
-// %1 stands for the texts that were met.
+// %1 stands for the texts found in the file.
 inline constexpr LossKind unknownOperation{
     QT_TRANSLATE_NOOP("svg", "clip window with the unknown operation %1"),
     QT_TRANSLATE_NOOP("svg", "clip windows with the unknown operation %1"), false,

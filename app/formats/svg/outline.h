@@ -7,12 +7,12 @@
 
 namespace app::svg {
 
-/// One row of SVG's basic shapes: <rect>, <circle> ... <path>.
+/// One row of the table of SVG's basic shapes: <rect>, <circle> ... <path>.
 struct OutlineKind {
     std::string_view element;
     Outline (*outline)(const Tree&, Node, const Lengths&); ///< in the element's own coordinates
     bool takesMarkers;
 };
-const OutlineKind* findOutlineKind(std::string_view element); ///< null: it is none of them
+const OutlineKind* findOutlineKind(std::string_view element); ///< null: not a basic shape
 
 } // namespace app::svg

@@ -8,14 +8,14 @@
 
 namespace app::svg {
 
-/// Writes outlines as the shortest element that holds them: <line>, <polyline>, <polygon>, <path>;
-/// absolute coordinates, as relative ones would not read back bit for bit.
+/// Writes an outline as the shortest element that can represent it: <line>, <polyline>, <polygon>
+/// or <path>. Coordinates are absolute, as relative ones would not read back bit for bit.
 class OutlineText {
 public:
     explicit OutlineText(const WriteOptions& options) : options_(options) {}
 
-    /// The element's beginning, with its coordinates and without its end: `<line x1="0" ...`. Gives
-    /// its name. `paths` is not empty.
+    /// Appends the beginning of the element with its coordinates, but without its end: `<line
+    /// x1="0" ...`. Returns the element's name. `paths` must not be empty.
     std::string_view append(std::string& text, const std::vector<Subpath>& paths) const;
     std::string_view appendLine(std::string& text, const Point& from, const Point& to) const;
 

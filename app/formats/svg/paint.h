@@ -8,8 +8,8 @@
 
 namespace app::svg {
 
-/// Follows fills and strokes to plain colours: a gradient is replaced by its first colour and
-/// reported, a pattern by nothing.
+/// Resolves fills and strokes to plain colours: a gradient is replaced by its first colour and
+/// reported; a pattern is removed.
 class Paints {
 public:
     Paints(const Tree& tree, Styles& styles, Report& report)
@@ -17,7 +17,7 @@ public:
     {
     }
 
-    /// What of the style does not depend on a transform: all but widths and dashes, which are
+    /// The style, as far as it does not depend on a transform: only widths and dashes are
     /// multiplied by `scale`.
     Style style(const Properties& properties, double opacity, double scale);
 
@@ -27,7 +27,7 @@ private:
 
     struct Gradient {
         std::optional<Colour> first;
-        bool plain = false; ///< one colour only, so nothing is lost
+        bool plain = false; ///< whether it has a single colour, so that nothing is lost
     };
     const Gradient& gradient(Node node);
 

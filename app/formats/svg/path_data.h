@@ -7,22 +7,23 @@
 
 namespace app::svg {
 
-/// What an attribute "d" or "points" draws.
+/// The outline described by an attribute "d" or "points".
 struct Outline {
     std::vector<Subpath> paths;
-    bool damaged = false; ///< it ends in something that is not understood: what was before is here
+    bool damaged = false; ///< whether the text has an error; `paths` then holds everything before
+                          ///< it
 };
 
-/// The whole grammar of path data. Arcs and quadratic curves become cubic ones. A line without
-/// length alone becomes a path without segments (a dot); moves that draw nothing are left out.
-/// Throws Refused where a coordinate is not finite.
+/// Parses the complete grammar of path data. Arcs and quadratic curves become cubic curves. A
+/// single line of length zero becomes a path without segments (a dot); moves that draw nothing are
+/// dropped. Throws Refused if a coordinate is not finite.
 Outline parsePathData(std::string_view text);
 
-/// The points of a polyline or polygon.
+/// Parses the points of a polyline or polygon.
 enum class Ending : std::uint8_t { Open, Closed };
 Outline parsePoints(std::string_view text, Ending ending);
 
-/// How a path without segments is drawn and kept: see above. Used for <line> as well.
+/// The path of a <line>; a path without segments if it has length zero, as in path data.
 Subpath lineBetween(const Point& from, const Point& to);
 
 } // namespace app::svg

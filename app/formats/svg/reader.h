@@ -5,9 +5,9 @@
 
 namespace app::svg {
 
-/// An SVG drawing as a document: transforms applied, styles computed, <use> drawn out, hidden
-/// things kept hidden. The sentence of a failure begins with the line ("line 212 is not complete
-/// ..."). Ends soon and within the memory that limits.h implies, whatever the file holds.
+/// Reads an SVG drawing as a document: transforms are applied, styles computed, <use> elements
+/// expanded, and hidden objects stay hidden. An error sentence begins with the line ("line 212 is
+/// not complete ..."). Time and memory are bounded by limits.h, whatever the file contains.
 Result<Imported> read(QIODevice& in);
 
 } // namespace app::svg

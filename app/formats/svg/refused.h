@@ -6,16 +6,16 @@
 
 namespace app::svg {
 
-/// Thrown inside the reader where a file cannot be read, and caught at its border. `why` ends with
-/// a full stop and goes on from "line 12 " ("is not complete."), or from the file's name where it
-/// is about the whole file ("it is empty.").
+/// Thrown inside the reader if a file cannot be read, and caught at the reader's border. `why` ends
+/// with a full stop. It continues "line 12 " ("is not complete."), or the file's name if it
+/// concerns the whole file ("it is empty.").
 struct Refused {
     static constexpr qint64 here = 0, wholeFile = -1;
     QString why;
-    qint64 line = here; ///< `here`: the reader puts in the line that it has come to
+    qint64 line = here; ///< `here`: the reader inserts its current line
 };
 
-/// The sentences' translations.
+/// The translation context of the sentences.
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(svg)
 };

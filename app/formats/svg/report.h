@@ -8,19 +8,19 @@
 
 namespace app::svg {
 
-/// Counts what an import meets and cannot keep, or keeps in another way.
+/// Counts the content of a file that an import cannot keep, or keeps in another form.
 class Report {
 public:
     void add(const LossKind& kind, int count = 1);
-    /// One of a kind that names the text that was met.
+    /// Adds one loss of a kind whose sentence quotes `text`.
     void add(const LossKind& kind, std::string_view text);
-    std::vector<Loss> losses() const; ///< in the order in which they were met
+    std::vector<Loss> losses() const; ///< in the order of first occurrence
 
 private:
     struct Counted {
         const LossKind* kind;
         int count;
-        QStringList texts{}; ///< the first different ones, as they are shown
+        QStringList texts{}; ///< the first different texts, shortened for display
     };
     Counted& of(const LossKind& kind);
 

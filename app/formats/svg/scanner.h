@@ -9,10 +9,10 @@ namespace app::svg {
 constexpr std::string_view blanks = " \t\r\n\f";
 
 std::string_view trimmed(std::string_view text);
-/// Only ASCII letters, as CSS and SVG compare their keywords.
+/// Ignores the case of ASCII letters only, as CSS and SVG do for keywords.
 bool equalsIgnoringCase(std::string_view a, std::string_view b);
 
-/// Reads the small languages inside attributes (path data, transforms, points) from the left.
+/// Parses the small languages inside attributes (path data, transforms, points) from left to right.
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : rest_(text) {}
@@ -22,13 +22,14 @@ public:
     bool atEnd() const { return rest_.empty(); }
     char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
     bool take(char c);
-    std::string_view word(); ///< ASCII letters; may be empty
+    std::string_view word(); ///< reads ASCII letters; may be empty
     std::string_view rest() const { return rest_; }
 
-    /// A number at this very place, or nothing and nothing is taken. What is written as a number
-    /// but has no finite value (NaN, 1e400) throws Refused: a drawing never contains such.
+    /// Reads a number that begins exactly here; empty if there is none, and then nothing is
+    /// consumed. Throws Refused for a number without a finite value (NaN, 1e400): a drawing never
+    /// contains one.
     std::optional<double> number();
-    std::optional<bool> flag(); ///< one character, '0' or '1', as arcs have
+    std::optional<bool> flag(); ///< reads one character, '0' or '1', as in arcs
 
 private:
     std::string_view rest_;

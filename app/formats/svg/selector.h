@@ -11,26 +11,26 @@ namespace app::svg {
 
 /// One part of a selector, without combinators: "path.thin#a[d]".
 struct Compound {
-    std::string_view tag, id; ///< "" where any will do
+    std::string_view tag, id; ///< "": matches any
     std::vector<std::string_view> classes;
     struct Attribute {
         std::string_view name, value;
         bool anyValue = false;
     };
     std::vector<Attribute> attributes;
-    char before = ' '; ///< how it is joined to the part on its left: ' ' descendant, '>' child
+    char before = ' '; ///< the combinator with the part on its left: ' ' descendant, '>' child
 };
 
-/// From left to right, never empty.
+/// The parts from left to right; never empty.
 using Selector = std::vector<Compound>;
 
-/// Nothing for what is not understood (":hover", "a + b").
+/// Empty for unsupported selectors (":hover", "a + b").
 std::optional<Selector> parseSelector(std::string_view text);
 
-/// CSS's three numbers in one: ids, classes and attributes, tags.
+/// CSS's three numbers (ids; classes and attributes; tags) packed into one.
 int specificityOf(const Selector& selector);
 
-/// Whether an element is as the part says, without regard to those around it.
+/// Whether an element matches one part, regardless of the elements around it.
 bool matches(const Tree& tree, Node node, const Compound& part);
 
 } // namespace app::svg

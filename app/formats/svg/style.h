@@ -7,21 +7,21 @@
 
 namespace app::svg {
 
-/// What a fill or stroke says, before references are followed.
+/// The value of a fill or stroke before references are resolved.
 struct Paint {
     enum class Kind : std::uint8_t { None, Solid, Current, Reference };
     Kind kind = Kind::None;
-    Colour colour{}; ///< Solid: itself; Reference: what to take if there is no such thing
+    Colour colour{}; ///< Solid: the colour; Reference: the fallback if the reference is not found
     bool hasFallback = false;
     std::string_view reference{}; ///< "url(#gradient)"
 };
 
-/// The properties of an element, as far as Clearcut looks at them. The strings are views into the
-/// tree or the style sheet.
+/// The properties of an element that Clearcut evaluates. The strings are views into the tree or the
+/// style sheet.
 struct Properties {
-    // inherited
+    // inherited from the parent
     Paint fill{Paint::Kind::Solid}, stroke{};
-    Colour colour{}; ///< what currentColor means
+    Colour colour{}; ///< the value of currentColor
     double fillOpacity = 1, strokeOpacity = 1;
     double width = 1, miterLimit = 4, dashOffset = 0;
     std::vector<double> dashes{};
@@ -35,20 +35,20 @@ struct Properties {
     // the element's own
     double opacity = 1;
     bool displayed = true;
-    bool overflowShown = false; ///< what is outside of the element's viewport
+    bool overflowShown = false; ///< whether content outside the element's viewport is visible
     bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
     std::string_view transform{}, clipPath{}, mask{}, filter{}, blending{};
     Paint stopColour{Paint::Kind::Solid};
     double stopOpacity = 1;
 
-    bool longDashes = false; ///< a pattern longer than mostDashes was left out
+    bool longDashes = false; ///< whether a pattern longer than mostDashes was dropped
 
-    /// What children begin with.
+    /// The initial properties of the element's children.
     Properties inherited() const;
 };
 
-/// Computes properties: presentation attributes, then the style sheet's rules, then style="", then
-/// what is !important.
+/// Computes the properties of elements. In order of increasing priority: presentation attributes,
+/// rules of the style sheet, style="", declarations marked !important.
 class Styles {
 public:
     explicit Styles(const Tree& tree);
@@ -67,8 +67,10 @@ private:
 
     const Tree& tree_;
     StyleSheet sheet_;
-    std::unordered_map<std::uint32_t, std::string> uncommented_; ///< values by their offset
-    std::vector<const Property*> byName_;                        ///< of the tree's attribute names
+    std::unordered_map<std::uint32_t, std::string> uncommented_; ///< values without comments, by
+                                                                 ///< offset
+    std::vector<const Property*> byName_;                        ///< for each attribute name of the
+                                                                 ///< tree
 };
 
 } // namespace app::svg

@@ -7,7 +7,7 @@
 
 namespace app::svg {
 
-/// A style as presentation attributes, those only that are not what SVG takes anyhow.
+/// The style as presentation attributes, without those that have SVG's default value.
 std::string styleText(const Style& style);
 
 } // namespace app::svg

@@ -17,37 +17,38 @@ struct Matrix {
         return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
     }
     double determinant() const { return a * d - b * c; }
-    double scale() const;     ///< of lengths, on average: the square root of |determinant|
-    bool keepsShapes() const; ///< no shear and no uneven scaling: strokes stay evenly wide
+    double scale() const;     ///< mean scale of lengths: the square root of |determinant|
+    bool keepsShapes() const; ///< whether there is no shear or uneven scaling, so that strokes keep
+                              ///< an even width
     friend Matrix operator*(const Matrix& outer, const Matrix& inner);
     friend bool operator==(const Matrix&, const Matrix&) = default;
 };
 
 Matrix translation(const Point& by);
 
-/// The list of an attribute or style "transform"; nothing if any part of it is not understood.
+/// Parses the list of an attribute or style "transform"; empty if any part of it is not understood.
 std::optional<Matrix> parseTransform(std::string_view text);
 
-/// A path with all its points mapped.
+/// Maps all points of a path.
 void transform(Subpath& path, const Matrix& matrix);
 
-/// A rectangle as SVG writes it: x, y, width, height.
+/// A rectangle in SVG's form: x, y, width, height.
 struct Box {
     Point min{}, size{};
 };
 
-/// "min-x min-y width height" with positive sizes.
+/// Parses "min-x min-y width height"; the sizes must be positive.
 std::optional<Box> parseViewBox(std::string_view text);
 
-/// What preserveAspectRatio says: how a view box lies in a viewport of another proportion.
+/// The value of preserveAspectRatio: how a view box lies in a viewport of different proportions.
 struct AspectRatio {
     enum class Fit : std::uint8_t { Meet, Slice, Stretch };
     Fit fit = Fit::Meet;
-    Point alignment{0.5, 0.5}; ///< the part of the free space that is left of and above the drawing
+    Point alignment{0.5, 0.5}; ///< share of the free space to the left of and above the drawing
 };
 AspectRatio parseAspectRatio(std::string_view text);
 
-/// Maps the view box into the viewport as preserveAspectRatio says.
+/// The transformation from the view box to the viewport that preserveAspectRatio specifies.
 Matrix viewBoxTransform(const Box& viewBox, const Box& viewport,
                         std::string_view preserveAspectRatio);
 

@@ -13,23 +13,24 @@
 
 namespace app::svg {
 
-/// An element: its place in document order. 0 is the root.
+/// An element, identified by its number in document order; 0 is the root.
 using Node = std::uint32_t;
 constexpr Node noNode = ~Node(0);
 
-/// What an element says about itself, as XML, and in how many elements.
+/// The title and description of an element as XML, and the number of elements that they come from.
 struct Notes {
     QString title, description;
     int count = 0;
 };
 
-/// The elements of a file and their attributes, as compact as they can be: 100,000 lines take
-/// about as much memory as their file. Names are those of SVG's own namespace; those of Inkscape,
-/// Sodipodi, XLink and Clearcut get their usual prefix ("inkscape:label"), all others are "other".
+/// The elements of a file and their attributes, stored compactly: 100,000 lines take about as much
+/// memory as their file. Elements of SVG's namespace have no prefix. Names of Inkscape, Sodipodi,
+/// XLink and Clearcut get their usual prefix ("inkscape:label"); names of other namespaces become
+/// "other".
 class Tree {
 public:
-    /// Throws Refused for what is not well-formed, not SVG or beyond the limits. External entities
-    /// are never fetched.
+    /// Throws Refused if the file is not well-formed, not SVG, or beyond the limits. External
+    /// entities are never fetched.
     static Tree read(QIODevice& in);
 
     Tree(Tree&&) = default;
@@ -40,16 +41,16 @@ public:
         std::uint32_t offset;
     };
 
-    std::size_t size() const { return elements_.size() - 1; } ///< elements
+    std::size_t size() const { return elements_.size() - 1; } ///< the number of elements
     std::string_view name(Node node) const { return names_[elements_[node].name]; }
-    Node parent(Node node) const { return elements_[node].parent; } ///< noNode: it is the root
-    /// One past the last descendant, which is where the next sibling begins.
+    Node parent(Node node) const { return elements_[node].parent; } ///< noNode for the root
+    /// The end of the descendants, which is where the next sibling begins.
     Node end(Node node) const { return elements_[node].end; }
     qint64 line(Node node) const { return elements_[node].line; }
 
-    /// "" if there is none.
+    /// "" if the attribute is missing.
     std::string_view attribute(Node node, std::string_view name) const;
-    bool hasAttribute(Node node, std::string_view name) const; ///< it may be empty
+    bool hasAttribute(Node node, std::string_view name) const; ///< also true for an empty attribute
     const Attribute* begin(Node node) const { return &attributes_[elements_[node].attributes]; }
     const Attribute* last(Node node) const { return &attributes_[elements_[node + 1].attributes]; }
     std::string_view valueOf(const Attribute& attribute) const
@@ -63,29 +64,31 @@ public:
     const std::string& styleSheet() const { return styleSheet_; }
 
     const About& about() const { return about_; }
-    /// What the file says about itself was larger than `mostMetadata`, and is not kept.
+    /// Whether the file's own title, description and metadata exceeded `mostMetadata`; then they
+    /// are not kept.
     bool saysTooMuch() const { return saysTooMuch_; }
-    /// How many titles, descriptions and metadata are those of elements below the root.
+    /// The number of titles, descriptions and metadata of elements below the root.
     int notesOfElements() const { return notesOfElements_; }
-    /// Titles and descriptions of an element below the root, apart from those that are too large.
+    /// The title and description of an element below the root, except those that are too large.
     const Notes& notesOf(Node node) const;
 
-    /// The first element of that id, or noNode.
+    /// The first element with this id, or noNode.
     Node find(std::string_view id) const;
-    /// What "url(#id)", "#id" or "url('#id')" refers to.
+    /// The target of "url(#id)", "#id" or "url('#id')".
     Node findReference(std::string_view reference) const;
 
 private:
     friend class TreeBuilder;
     Tree() = default;
-    const Attribute* findAttribute(Node node, std::string_view name) const; ///< null: none
+    const Attribute* findAttribute(Node node, std::string_view name) const; ///< null if missing
     struct Element {
         std::uint32_t name;
         Node parent, end;
-        std::uint32_t attributes; ///< the first of them; the next element's is the end
+        std::uint32_t attributes; ///< index of the first attribute; the next element's index is the
+                                  ///< end
         std::uint32_t line;
     };
-    std::vector<Element> elements_; ///< and one more, which closes the attributes
+    std::vector<Element> elements_; ///< and a final element, which ends the attributes
     std::vector<Attribute> attributes_;
     std::vector<std::string> names_;
     std::string text_, styleSheet_;

@@ -12,29 +12,29 @@
 
 namespace app::svg {
 
-/// Where an element is drawn: what it gets from those around it.
+/// The context in which an element is drawn, inherited from the elements around it.
 struct Place {
-    Matrix matrix{};         ///< to the document's coordinates
-    Properties properties{}; ///< of the element around it
+    Matrix matrix{};         ///< from the element's to the document's coordinates
+    Properties properties{}; ///< of the parent element
     Lengths lengths{};
-    double opacity = 1;       ///< the product of those around it
-    bool hidden = false;      ///< display="none" around it
+    double opacity = 1;       ///< the product of all opacities around it
+    bool hidden = false;      ///< display="none" on an element around it
     bool repeated = false;    ///< inside a <use>
-    Node use = noNode;        ///< a <use> that draws just this element
+    Node use = noNode;        ///< the <use> that draws this element directly
     int depth = 0;
     std::vector<std::shared_ptr<const ConvexRegion>> clips{}; ///< outermost first
 };
 
-/// Draws the tree into a document: one row of a list for each element that SVG can paint.
+/// Converts the tree into a document. A table has one row for each element that SVG can paint.
 class Walk {
 public:
-    /// `tolerance`, in user units, is what curves are flattened to.
+    /// `tolerance` is the flattening tolerance in user units.
     Walk(const Tree& tree, Report& report, double tolerance);
 
-    /// Everything under the root, as a document of that page. Throws Refused.
+    /// The content of the root as a document with this page. Throws Refused.
     Document drawAll(const Page& page, const Matrix& rootMatrix, const Point& viewport);
 
-    qint64 line() const { return tree_.line(node_); } ///< of the element being drawn
+    qint64 line() const { return tree_.line(node_); } ///< the line of the element being drawn
 
 private:
     struct Row {
@@ -45,7 +45,7 @@ private:
 
     void draw(Node node, const Place& around);
     void drawChildren(Node node, const Place& place);
-    /// The place of an element's content, its own transform and properties applied.
+    /// The context for an element's content, with the element's transform and properties applied.
     Place inside(Node node, const Place& around);
     void reportEffects(const Properties& properties, bool group);
 
@@ -77,12 +77,12 @@ private:
     Paints paints_;
     ContainerStack containers_;
     Node node_ = 0;
-    std::vector<Node> used_;   ///< the targets of the <use>s that are being drawn
-    std::size_t repeated_ = 0; ///< elements drawn through <use>
+    std::vector<Node> used_;   ///< the targets of the <use> elements being drawn
+    std::size_t repeated_ = 0; ///< number of elements drawn through <use>
     std::size_t parts_ = 0;
     std::size_t clipWork_ = 0; ///< chords times sides
     double tolerance_;
-    std::vector<bool> idIsTaken_; ///< by the first element of the file that has it
+    std::vector<bool> idIsTaken_; ///< for the first element with an id: whether the id is in use
     int notesKept_ = 0;
 };
 

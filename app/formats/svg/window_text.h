@@ -7,20 +7,22 @@
 
 #include <string>
 
-// Clip windows as elements of the root's metadata, in their order. What is usual is not said:
+// Clip windows as elements of the root's metadata, in order. Default values are not written:
 //   <clearcut:window xmin="0" ymin="0" xmax="9" ymax="9"/>
 //   <clearcut:window name="Hole" operation="cut-out" visible="no" xmin=… angle="0.5rad"/>
 //   <clearcut:window operation="intersect" corners="0 0 9 0 9 9"/>
-// The first one says keep="outside" of all; without a window, one that has no shape does.
+// The first element carries keep="outside" for all windows; without windows, an element without a
+// shape carries it.
 
 namespace app::svg {
 
-/// "" if there is nothing to say.
+/// "" if everything has its default value.
 std::string textOf(const ClipWindows& windows);
 
-/// Those that Clearcut wrote into a file. What is left out is reported: windows that are inverted,
-/// have a missing or invalid number or an unknown operation, and those above `ClipWindows::most`. So is
-/// an unknown value of keep or visible, which counts as the usual one.
+/// Reads the windows that Clearcut wrote into a file. Windows are dropped and reported if they are
+/// inverted, have a missing or invalid number or an unknown operation, or exceed
+/// `ClipWindows::most`. An unknown value of keep or visible is reported and replaced by the
+/// default.
 ClipWindows readWindows(const Tree& tree, Report& report);
 
 } // namespace app::svg

@@ -5,10 +5,10 @@
 
 namespace app::svg {
 
-/// Writes a document so that read() gives an equal one, bit for bit (unless the precision is
-/// limited): layers as Inkscape's, groups as <g>, runs of objects of one style in an anonymous <g>
-/// that carries the style, the clip windows in the metadata. Nothing, or the sentence that says
-/// what went wrong.
+/// Writes a document so that read() returns an equal one, bit for bit (unless the precision is
+/// limited). Layers are written as Inkscape's layers, groups as <g>, consecutive objects of one
+/// style inside an anonymous <g> with that style, and the clip windows in the metadata. Returns
+/// nothing, or a sentence that says what went wrong.
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
 } // namespace app::svg
