@@ -14,13 +14,14 @@
 
 namespace app {
 
-// Each is defined in the file of its format.
+// Each function is defined in the file of its format.
 Format svgFormat();
 Format csvFormat();
 Format pdfFormat();
 Format pngFormat();
 
-// THE CATALOGUE. To add a format: write its file here, in app/formats/, and name it in both lists.
+// THE CATALOGUE. To add a format, write its file in app/formats/, declare its function above, and
+// add it to the list below.
 std::span<const Format> formats()
 {
     static const std::array all{svgFormat(), csvFormat(), pdfFormat(), pngFormat()};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double dotsPerInch = 96;
 
-/// For who has not got the font.
+/// Adds generic font families, for computers without the font.
 QByteArray withFamilies(const QByteArray& svg)
 {
     static const QRegularExpression family(QStringLiteral("font-family=\"([^\",]*)\""));
@@ -26,7 +26,7 @@ QByteArray withFamilies(const QByteArray& svg)
     return QString::fromUtf8(svg).replace(fixed, mono).replace(family, sans).toUtf8();
 }
 
-/// Whole pixels in place of the generator's rounded millimetres.
+/// Replaces the generator's rounded millimetres by whole pixels.
 QByteArray withSize(QByteArray svg, const QSize& size)
 {
     const qsizetype from = svg.indexOf("<svg width=\""), to = svg.indexOf("viewBox", from);
@@ -37,7 +37,8 @@ QByteArray withSize(QByteArray svg, const QSize& size)
     return svg;
 }
 
-/// The writer puts the time into a file; the same length of blanks keeps the file's table true.
+/// Removes the creation time that the writer adds. Blanks of the same length keep the file's offset
+/// table valid.
 QByteArray withoutTime(QByteArray pdf)
 {
     const qsizetype from = pdf.indexOf("/CreationDate");
@@ -56,13 +57,14 @@ QPageSize paperFor(const QSizeF& size)
 
 QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption)
 {
-    QBuffer buffer; // the generator does not say what a device refused
+    QBuffer buffer; // the generator does not report write errors of a device
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
     generator.setResolution(int(dotsPerInch));
     generator.setSize(page.size.toSize());
     generator.setViewBox(QRectF(QPointF(), page.size));
-    generator.setTitle(caption.title.toHtmlEscaped()); // the generator writes both as they are
+    generator.setTitle(caption.title.toHtmlEscaped()); // the generator does not escape title and
+                                                       // description
     generator.setDescription(caption.description.toHtmlEscaped());
     QPainter painter(&generator);
     page.paint(painter);
@@ -78,7 +80,7 @@ QImage imageOf(const PaintedPage& page, double scale)
     image.setDevicePixelRatio(std::max(scale, 1.0));
     image.fill(Qt::white);
     QPainter painter(&image);
-    if (scale < 1) // which painters do not take for a ratio of pixels
+    if (scale < 1) // Qt ignores device pixel ratios below 1
         painter.scale(scale, scale);
     page.paint(painter);
     return image;

@@ -9,7 +9,7 @@ Paper paperOf(const Page& page)
     const auto size = [&](Length length, double units) { // in user units
         const double ratio = infoOf(length.unit).millimetres / unit;
         return length.value * ratio > 0 ? length.value * ratio
-                                        : units; // as large as the page where it is open
+                                        : units; // an open size equals that of the page
     };
     const Point paper{size(page.width, page.size.x), size(page.height, page.size.y)};
     return {paper * unit, unit, page.min - (paper - page.size) / 2.0};

@@ -21,7 +21,7 @@
 namespace app {
 namespace {
 
-// Beyond them QPainter does not paint, and a picture takes more than 600 MB.
+// QPainter paints nothing on larger images, and they need more than 600 MB.
 constexpr double mostPixelsOfSide = 32'767, mostPixels = 150e6;
 constexpr double millimetresPerInch = 25.4;
 
@@ -46,11 +46,11 @@ QPen penOf(const Style& style, double pixelsPerUnit)
     QPen pen(colourOf(*style.stroke), style.width, Qt::SolidLine, capOf(style.cap),
              joinOf(style.join));
     pen.setMiterLimit(style.miterLimit);
-    constexpr double shortestPattern = 0.1; // pixels; a finer one is grey, and takes for ever
+    constexpr double shortestPattern = 0.1; // pixels; finer dashes look grey and take very long
     const double sum = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
     if (sum * pixelsPerUnit < shortestPattern)
         return pen;
-    QList<qreal> pattern; // in widths
+    QList<qreal> pattern; // in stroke widths
     for (int twice = style.dashes.size() % 2 == 0 ? 1 : 2; twice > 0; --twice)
         for (const double dash : style.dashes)
             pattern << dash / style.width;
@@ -72,7 +72,7 @@ void paint(QPainter& painter, const Object& object, double pixelsPerUnit)
         painter.drawPath(outline);
     if (style.cap == Cap::Butt)
         return;
-    for (const Subpath& path : object.path.subpaths()) // a point shows only its caps
+    for (const Subpath& path : object.path.subpaths()) // of a point only the caps are visible
         if (path.segments.empty())
             painter.drawPoint(QPointF(path.start.x, path.start.y));
 }
@@ -101,7 +101,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
     if (image.isNull())
         return tr("there is not enough memory for the picture. Ask for fewer dpi.");
-    image.fill(Qt::white); // paper
+    image.fill(Qt::white); // white paper
     const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);

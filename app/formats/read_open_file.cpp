@@ -8,7 +8,7 @@ namespace app {
 
 Result<Imported> readOpenFile(QFileDevice& file, const Format& format)
 {
-    auto result = format.read(file); // which takes a read that fails for the end
+    auto result = format.read(file); // treats a read error as the end of the file
     if (file.error() == QFileDevice::NoError)
         return result;
     return Result<Imported>::failure(

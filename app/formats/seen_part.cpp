@@ -22,14 +22,14 @@ bool within(const Path& path, const clipping::Window& window)
     return all;
 }
 
-// The page with itself on every side, and what strokes reach beyond their line.
+// The page, enlarged by its own size on every side and by the reach of strokes beyond their lines.
 clipping::Window surroundings(const Page& page, const Style& style)
 {
     const Point more = page.size + style.width * std::max(1.0, style.miterLimit);
     return {page.min - more, page.min + page.size + more};
 }
 
-// The area of what is filled.
+// The part inside the window of an object's filled area.
 Object areaOf(const Object& object, const clipping::Window& window, double tolerance)
 {
     std::vector<Subpath> parts;
@@ -55,7 +55,7 @@ Object areaOf(const Object& object, const clipping::Window& window, double toler
     return area;
 }
 
-// What is left of the lines, bottom to top.
+// The part inside the window of an object's stroke, bottom to top.
 std::vector<Object> strokeIn(Object object, const clipping::Window& window, double tolerance)
 {
     object.style.fill.reset();

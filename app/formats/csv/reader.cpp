@@ -16,7 +16,7 @@
 namespace app::csv {
 namespace {
 
-constexpr double largest = 1e300; // so that sums and differences stay finite
+constexpr double largest = 1e300; // keeps sums and differences finite
 
 QString tr(const char* text) { return QCoreApplication::translate("csv", text); }
 
@@ -40,16 +40,16 @@ std::optional<double> coordinate(std::string_view field)
     return number && std::abs(*number) <= largest ? number : std::nullopt;
 }
 
-/// A number, but beyond what can be calculated with: its form is not to blame.
+/// Whether a field is a well-formed number, but beyond the range of calculations.
 bool tooLarge(std::string_view field)
 {
-    long double value = 0; // goes on where double ends
+    long double value = 0; // its range exceeds that of double
     const char* const last = field.data() + field.size();
     const auto [end, error] = std::from_chars(field.data(), last, value);
     return error == std::errc{} && end == last && std::isfinite(value) && std::abs(value) > largest;
 }
 
-// #rrggbb or #rrggbbaa.
+// Parses #rrggbb or #rrggbbaa.
 std::optional<Colour> colour(std::string_view text)
 {
     if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    // A header, unless the first field is a number.
+    // Reads a header; false if the first field is a number, so that the row is data.
     bool readHeader(const Record& record)
     {
         if (coordinate(record.fields.front()) || tooLarge(trimmed(record.fields.front()))) {
@@ -163,7 +163,7 @@ private:
         throw Refused{record.line, tr("has %1 where a number is needed.").arg(shown(text))};
     }
 
-    // Most rows have the style of the one before.
+    // Most rows have the style of the previous row.
     StyleIndex styleOf(const Record& record)
     {
         const auto ink = field(record, Ink), width = field(record, Width);
@@ -211,7 +211,7 @@ private:
     std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
     std::size_t mostFields_ = columnNames.size();
     LinesByLayer lines_;
-    std::string ink_, width_; ///< as the last row has them
+    std::string ink_, width_; ///< of the last row
     std::optional<StyleIndex> style_;
     Imported imported_;
 };

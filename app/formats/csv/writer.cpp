@@ -69,7 +69,7 @@ private:
     {
         const auto ink = lineInk(object);
         if (object.hidden() || !ink)
-            return; // nothing is drawn
+            return; // such an object is invisible
         lines_.clear();
         appendSegments(object.path(), tolerance_, lines_);
         std::string rest =
@@ -87,7 +87,7 @@ private:
         }
     }
 
-    // What a row says of its line apart from where it lies.
+    // Everything in a row except the coordinates.
     struct Look {
         ContainerId layer;
         StyleIndex style;
@@ -95,7 +95,7 @@ private:
         friend bool operator==(const Look&, const Look&) = default;
     };
 
-    // ",layer,colour,width"; often the same as of the line before.
+    // ",layer,colour,width"; often the same as for the previous line.
     const std::string& columnsOf(const Look& look)
     {
         if (look_ == look)
@@ -120,7 +120,7 @@ private:
     const WriteOptions& options_;
     const double tolerance_;
     std::string text_;
-    std::vector<clipping::Segment> lines_; ///< of one object
+    std::vector<clipping::Segment> lines_; ///< of the current object
     std::optional<Look> look_;
     std::string columns_;
     bool failed_ = false;

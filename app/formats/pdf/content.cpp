@@ -18,7 +18,8 @@ std::string text(double value)
     return result;
 }
 
-// A square cap on a line without length, which PDF does not paint, as a line that fills it.
+// A line that covers the same area as a square cap at a point, because PDF does not paint square
+// caps of lines without length.
 Object squareAt(const Point& p, const Style& style)
 {
     const Point half{style.width / 2, 0};
@@ -31,8 +32,8 @@ Object squareAt(const Point& p, const Style& style)
 
 std::string stateName(int alpha) { return "/A" + std::to_string(alpha); }
 
-// Dashes and their phase, which PDF wants positive; an odd pattern twice, as poppler loses count of
-// it. What has no length is no pattern.
+// The dash operator with dashes and phase. PDF requires a positive phase. An odd pattern is
+// doubled, because poppler draws it wrongly. A pattern of total length 0 is a solid line.
 std::string dashes(const Style& style)
 {
     std::vector<double> pattern = style.dashes;
@@ -52,13 +53,13 @@ std::string colour(const Colour& c)
 {
     const auto part = [](std::uint8_t value) {
         std::string result;
-        appendNumber(result, value / 255.0, 4, 0, 1); // enough for the same byte
+        appendNumber(result, value / 255.0, 4, 0, 1); // precise enough to give the same byte
         return result;
     };
     return part(c.red) + ' ' + part(c.green) + ' ' + part(c.blue);
 }
 
-// Width, cap, join, miter limit and dashes.
+// The operators for width, cap, join, miter limit and dashes.
 std::string pen(const Style& style)
 {
     return text(style.width) + " w " + std::to_string(int(style.cap)) + " J "
@@ -124,7 +125,7 @@ void Content::outline(std::span<const Subpath> subpaths)
             point(segment.to, segment.curved ? " c\n" : " l\n");
         }
         if (path.segments.empty())
-            point(path.start, " l\n"); // a point: a line without length
+            point(path.start, " l\n"); // a point is a line without length
         if (path.closed)
             text_ += "h\n";
     }

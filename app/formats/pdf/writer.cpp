@@ -13,7 +13,7 @@ namespace app::pdf {
 namespace {
 
 constexpr double pointsPerMillimetre = 72 / 25.4;
-constexpr double largestPage = 14'400; // units; larger pages have larger units
+constexpr double largestPage = 14'400; // units; on larger pages the unit is larger
 
 std::string text(double number)
 {
@@ -22,7 +22,7 @@ std::string text(double number)
     return result;
 }
 
-/// The objects of a PDF file, numbered from 1 in the order in which they are added.
+/// Writes the objects of a PDF file, numbered from 1 in the order in which they are added.
 class Objects {
 public:
     explicit Objects(QIODevice& out) : out_(out) { put("%PDF-1.6\n%\xe2\xe3\xcf\xd3\n"); }
@@ -35,7 +35,7 @@ public:
 
     void addStream(const QByteArray& bytes)
     {
-        constexpr int sizeOfQtHeader = 4; // what follows is a zlib stream, as PDF wants it
+        constexpr int sizeOfQtHeader = 4; // the rest is a zlib stream, as PDF requires
         const QByteArray packed = qCompress(bytes).sliced(sizeOfQtHeader);
         add("<</Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n"
             + packed.toStdString() + "\nendstream");

@@ -13,7 +13,7 @@ namespace {
 const QString svgUri = QStringLiteral("http://www.w3.org/2000/svg");
 const QString ownUri = QStringLiteral("urn:clearcut:1");
 
-// What the writer's own root declares.
+// The prefixes that the root of a written file declares.
 std::vector<std::pair<QString, QString>> writersScope()
 {
     return {
@@ -25,7 +25,7 @@ std::vector<std::pair<QString, QString>> writersScope()
         {QStringLiteral("clearcut"), ownUri}};
 }
 
-// Prefixes that only drawing needs are not carried into the metadata.
+// Whether a namespace is needed only for drawing; its prefixes are not copied into the metadata.
 bool forDrawing(const QString& uri)
 {
     static const auto scope = writersScope();
@@ -156,7 +156,8 @@ std::optional<ElementNote> AboutReader::endSection()
 {
     const bool ofElement = section_ == &note_;
     if (!saysAnything_ && !tooLarge_)
-        section_->resize(begin_); // an empty title, or metadata that held the clip windows alone
+        section_->resize(begin_); // an empty title, or metadata that contained only the clip
+                                  // windows
     *section_ += '\n';
     section_ = nullptr;
     if (!ofElement || !saysAnything_)
@@ -205,7 +206,7 @@ void AboutReader::writeStart(const QXmlStreamReader& xml)
     for (const auto& attribute : xml.attributes())
         appendAttribute(*section_, attribute.qualifiedName().toString().toStdString(),
                         escaped(attribute.value().toString()));
-    if (section_ == &metadata_) // in which elements and attributes say something, too
+    if (section_ == &metadata_) // in metadata, elements and attributes count as content, too
         saysAnything_ = saysAnything_ || depth_ > 2 || !xml.attributes().isEmpty();
     marks_.push_back(outside);
     inStart_ = true;

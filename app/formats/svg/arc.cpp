@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The ellipse as the image of the unit circle, and the part of the circle that is drawn.
+// The ellipse as an image of the unit circle, and the drawn part of the circle.
 struct Ellipse {
     Point centre, axis1, axis2;
     double angle, sweep;
@@ -21,14 +21,15 @@ struct Ellipse {
 
 double angleOf(const Point& p) { return std::atan2(p.y, p.x); }
 
-// SVG 1.1, F.6.5 and F.6.6: from the ends to the centre; radii too small are scaled up.
+// SVG 1.1, F.6.5 and F.6.6: conversion from end points to the centre; radii that are too small are
+// enlarged.
 Ellipse ellipseOf(const Arc& arc)
 {
     const double turn = std::remainder(arc.rotation, 360.0) * pi / 180;
     const double c = std::cos(turn), s = std::sin(turn);
     const Point half = arc.from * 0.5 - arc.to * 0.5;
     double rx = std::abs(arc.radii.x), ry = std::abs(arc.radii.y);
-    // On the unit circle, the ends are `half` and its opposite, seen from the middle between them.
+    // On the unit circle the ends are at `half` and -`half`, relative to their midpoint.
     Point chord{(c * half.x + s * half.y) / rx, (c * half.y - s * half.x) / ry};
     const double length = std::hypot(chord.x, chord.y);
     if (length > 1) {
@@ -70,7 +71,8 @@ void appendArc(std::vector<PathSegment>& segments, const Arc& arc)
     }
     const int count = std::max(1, int(std::ceil(std::abs(ellipse.sweep) / (pi / 2) - 1e-9)));
     const double step = ellipse.sweep / count;
-    const double reach = 4.0 / 3 * std::tan(step / 4); // of the control points along the tangent
+    const double reach = 4.0 / 3 * std::tan(step / 4); // distance of the control points along the
+                                                       // tangent
     Point last = arc.from;
     for (int i = 0; i < count; ++i) {
         const double t0 = ellipse.angle + i * step, t1 = t0 + step;

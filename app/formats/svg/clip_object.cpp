@@ -14,7 +14,8 @@ namespace {
 
 using Position = ConvexRegion::Position;
 
-// Far larger curves than the page need no finer chords than a picture of 4,000 by 4,000 would.
+// Curves much larger than the page are flattened only as finely as a picture of 4,000 by 4,000
+// pixels needs.
 double toleranceFor(const Subpath& path, double tolerance)
 {
     Point min = path.start, max = path.start;
@@ -42,7 +43,7 @@ std::vector<Run> strokeRuns(const Subpath& path, std::span<const Chord> chords,
     return joinRuns(path, chords, parts, bounds, overStart);
 }
 
-// The area of a filled line, but for rounding.
+// Whether the polygon has no area, apart from rounding.
 bool isFlat(const std::vector<Point>& polygon)
 {
     double area = 0, extent = 0;
@@ -89,7 +90,7 @@ std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& 
     const auto isInside = [](Position p) { return p == Position::Inside; };
     const auto isOutside = [](Position p) { return p == Position::Outside; };
     ClippedObject result;
-    result.work = 16; // of looking at the object at all
+    result.work = 16; // the cost of testing the object at all
     for (const Subpath& path : drawn.paths)
         result.work += (1 + path.segments.size()) * region.sides();
     if (std::ranges::all_of(drawn.paths, isInside, at)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clip paths and viewports that hide what is outside of them: both are cut for real.
+// Clip paths, and viewports that hide everything outside them: the content of both is really cut.
 #include "app/document/recipe_outline.h"
 #include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
@@ -15,7 +15,7 @@ void Walk::addClipPath(Node node, Place& place)
     const Node clip = tree_.findReference(reference);
     const bool local = reference.starts_with("url(");
     if (local && (clip == noNode || tree_.name(clip) != "clipPath"))
-        return; // SVG: no such clip path, no clipping
+        return; // SVG: without the clip path there is no clipping
     const auto region = local ? clipRegion(clip, place) : std::nullopt;
     if (region) {
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
@@ -42,12 +42,12 @@ std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
             return std::nullopt;
         paths.insert(paths.end(), drawn->begin(), drawn->end());
         if (paths.size() > 1)
-            return std::nullopt; // several areas: their union need not be convex
+            return std::nullopt; // several areas: their union may not be convex
     }
     return ConvexRegion::of(paths.empty() ? Subpath{} : paths.front(), tolerance_);
 }
 
-// The outline of a child of a clip path; nothing for what draws something else (text).
+// The outline of a child of a clip path; empty for children without an outline (text).
 std::optional<std::vector<Subpath>> Walk::clipOutline(Node node, const Place& base)
 {
     Properties properties = styles_.of(node, base.properties, base.lengths);
@@ -85,7 +85,7 @@ void Walk::addViewportClip(const Box& viewport, Place& place)
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
 }
 
-// What is left of an object; all of it if it cannot be clipped.
+// The objects that a clip region leaves of an object; the whole object if it cannot be clipped.
 std::vector<Drawn> Walk::clipped(Drawn drawn, const ConvexRegion& region)
 {
     auto left = clipObject(drawn, region, tolerance_);
@@ -101,7 +101,7 @@ std::vector<Drawn> Walk::clipped(Drawn drawn, const ConvexRegion& region)
     return std::move(left->objects);
 }
 
-// Clips an object at all that is around it and adds what is left.
+// Clips an object with all clip regions around it, and adds the result.
 void Walk::addClipped(Drawn drawn, const Place& place)
 {
     std::vector<Drawn> objects;
@@ -114,7 +114,8 @@ void Walk::addClipped(Drawn drawn, const Place& place)
     }
     for (Drawn& one : objects) {
         countParts(one);
-        if (!makes(one.particulars.recipe, one.paths)) // transformed, clipped, or edited elsewhere
+        if (!makes(one.particulars.recipe, one.paths)) // it was transformed, clipped, or edited
+                                                       // elsewhere
             one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});

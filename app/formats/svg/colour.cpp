@@ -13,7 +13,7 @@
 namespace app::svg {
 namespace {
 
-std::uint8_t byte(double part) // of 1
+std::uint8_t byte(double part) // part: 0 to 1
 {
     return std::uint8_t(std::lround(std::clamp(part, 0.0, 1.0) * 255));
 }
@@ -58,7 +58,7 @@ std::optional<Parts> parseParts(Scanner& in)
             return std::nullopt;
         parts.value[count] = *number;
         parts.percent[count] = in.take('%');
-        in.word(); // "deg"
+        in.word(); // consumes "deg"
         ++count;
     }
     in.skipBlanks();
@@ -71,7 +71,7 @@ Colour fromRgb(const Parts& p)
     return {part(0), part(1), part(2)};
 }
 
-// CSS Color 3, section 4.2.4
+// CSS Color 3, section 4.2.4.
 Colour fromHsl(const Parts& p)
 {
     const double saturation = std::clamp(p.value[1] / 100, 0.0, 1.0);
@@ -106,7 +106,7 @@ std::optional<Colour> fromName(std::string_view name)
 {
     if (equalsIgnoringCase(name, "transparent"))
         return Colour{0, 0, 0, 0};
-    if (equalsIgnoringCase(name, "rebeccapurple")) // CSS 4; Qt knows SVG's 147
+    if (equalsIgnoringCase(name, "rebeccapurple")) // from CSS 4; Qt knows only SVG's 147 names
         return Colour{0x66, 0x33, 0x99};
     const bool letters = std::ranges::all_of(
         name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });

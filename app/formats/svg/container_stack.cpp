@@ -32,7 +32,7 @@ void ContainerStack::open(Container container)
     builder_.open(std::move(container));
 }
 
-// A last layer is left for what is above the limit and in no other layer.
+// The last layer is reserved for objects beyond the limit that are in no other layer.
 bool ContainerStack::dissolves(const Container& container)
 {
     if (container.kind == Kind::Layer && layers_ + 1 >= Containers::mostLayers) {
@@ -40,7 +40,8 @@ bool ContainerStack::dissolves(const Container& container)
             closeDrawing();
         return mergesLayers_ = true;
     }
-    const bool outside = builder_.depth() == 0; // a layer is opened around a group
+    const bool outside = builder_.depth() == 0; // at the first level a layer is opened around a
+                                                // group
     const bool tooMany = container.kind == Kind::Group && groups_ == mostGroups;
     if (!tooMany && (outside || builder_.canOpen()))
         return false;

@@ -33,8 +33,9 @@ std::vector<Point> cornersOf(const Subpath& path, double tolerance)
     return corners;
 }
 
-// Once around, always turning to the same side: returns that side's sign, or 0. Sides that double
-// back and curves that bend by a rounding error do not count.
+// Returns the sign of the turns if the outline goes round exactly once and always turns to the same
+// side; otherwise 0. Sides that double back, and bends of a curve within rounding error, are
+// ignored.
 int turning(const std::vector<Point>& corners)
 {
     const std::size_t n = corners.size();

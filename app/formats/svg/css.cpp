@@ -10,7 +10,7 @@
 namespace app::svg {
 namespace {
 
-// The end of the block that begins at text[open] == '{', one past its '}'.
+// The end of the block that begins at text[open] == '{': one past its '}'.
 std::size_t endOfBlock(std::string_view text, std::size_t open)
 {
     int depth = 0;
@@ -23,7 +23,8 @@ std::size_t endOfBlock(std::string_view text, std::size_t open)
     return text.size();
 }
 
-// A semicolon or the end, outside of quotes and brackets ("url(data:image/png;base64,...)").
+// The position of a semicolon outside quotes and brackets ("url(data:image/png;base64,...)"), or
+// the end of the text.
 std::size_t endOfDeclaration(std::string_view text)
 {
     char quote = 0;
@@ -43,8 +44,8 @@ std::size_t endOfDeclaration(std::string_view text)
     return text.size();
 }
 
-// One past what begins at text[i] and holds no comment: a string, or url(…) without quotes. `i + 1`
-// where it is anything else.
+// One past the end of a literal that begins at text[i] and cannot contain comments: a string, or
+// url(…) without quotes. `i + 1` if none begins there.
 std::size_t endOfLiteral(std::string_view text, std::size_t i)
 {
     if (text[i] == '"' || text[i] == '\'') {
@@ -65,7 +66,8 @@ std::size_t endOfLiteral(std::string_view text, std::size_t i)
 std::string withoutComments(std::string_view text, int depth)
 {
     std::string result;
-    result.reserve(std::max<std::size_t>(text.size(), 100)); // views of it are kept
+    result.reserve(std::max<std::size_t>(text.size(), 100)); // on the heap, so that views of it
+                                                             // survive a move
     for (std::size_t i = 0; i < text.size();) {
         if (text.substr(i, 2) == "/*") {
             const auto end = text.find("*/", i + 2);
@@ -113,7 +115,7 @@ StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text, 0))
         if (open == rest.npos) {
             break;
         }
-        if (rest[open] == ';') { // "@import ...;"
+        if (rest[open] == ';') { // an at-rule without a block: "@import ...;"
             ignored_ += rest.starts_with('@') && !rest.starts_with("@charset");
             rest.remove_prefix(open + 1);
             continue;
@@ -207,7 +209,7 @@ std::vector<const std::vector<Declaration>*> StyleSheet::matching(const Tree& tr
     }
     if (const auto id = tree.attribute(node, "id"); !id.empty())
         tryThose(byId_, id);
-    std::ranges::sort(found); // rules_ is sorted by specificity, then by place
+    std::ranges::sort(found); // rules_ is sorted by specificity, then by position
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<const std::vector<Declaration>*> bodies;
     for (const auto rule : found) {

@@ -10,7 +10,7 @@
 namespace app::svg {
 namespace {
 
-// The lengths of one element. A value that is there and no length makes the outline damaged.
+// The lengths of one element. An attribute that is not a valid length marks the outline as damaged.
 class Attributes {
 public:
     Attributes(const Tree& tree, Node node, const Lengths& lengths)

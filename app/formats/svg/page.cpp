@@ -12,28 +12,28 @@
 namespace app::svg {
 namespace {
 
-constexpr Length everything{100, Unit::Percent}; // what SVG takes where there is no size
+constexpr Length everything{100, Unit::Percent}; // SVG's default for a missing size
 
 Length readSize(std::string_view text)
 {
     const auto length = parseLength(text);
     if (length && length->value > 0)
         return length->unit == Unit::User ? Length{length->value, Unit::Px} : *length;
-    const auto pixels = Lengths{}.parse(text, 0); // "30em"
+    const auto pixels = Lengths{}.parse(text, 0); // other units such as "30em"
     return pixels && *pixels > 0 ? Length{*pixels, Unit::Px} : everything;
 }
 
-// What the paper may be longer or wider than the view box before that counts: sizes are written
-// with few decimals.
+// The difference between paper and view box that is ignored: sizes are written with few decimals.
 constexpr double slackMillimetres = 0.01;
 
-// The sheet around a view box, in user units; `pixels` is its size. Where the proportions are the
-// same it is the view box itself, to the bit.
+// The sheet around a view box, in user units. `pixels` is the sheet's size. If the proportions are
+// equal, the sheet is the view box itself, bit for bit.
 Box sheetAround(const Box& box, const Point& pixels, const AspectRatio& aspect)
 {
     const Point scale = pixels / box.size;
     const bool meet = aspect.fit == AspectRatio::Fit::Meet;
-    const int free = (scale.x > scale.y) == meet ? 0 : 1; // the direction with another length
+    const int free = (scale.x > scale.y) == meet ? 0 : 1; // the axis along which sheet and view box
+                                                          // differ
     const double size = box.size[1 - free] * (pixels[free] / pixels[1 - free]);
     const double more = size - box.size[free];
     if (!(std::abs(size) <= largestCoordinate)
@@ -51,7 +51,7 @@ void layOut(RootPage& root, const Box& box, const Point& pixels, std::string_vie
     Box sheet = box;
     if (aspect.fit != AspectRatio::Fit::Stretch) {
         sheet = sheetAround(box, pixels, aspect);
-    } else { // beyond what a page can say: y against x
+    } else { // a page has only one scale, so the matrix scales y against x
         const Point scale = pixels / box.size;
         root.matrix.d = scale.y / scale.x;
         sheet.min.y *= root.matrix.d;

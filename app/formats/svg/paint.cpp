@@ -7,7 +7,7 @@
 namespace app::svg {
 namespace {
 
-constexpr int mostGradientLinks = 50; // a gradient may take its colours from another one
+constexpr int mostGradientLinks = 50; // a gradient may take its colours from another gradient
 
 bool isGradient(const Tree& tree, Node node)
 {

@@ -12,7 +12,7 @@
 namespace app::svg {
 namespace {
 
-// A line to its own start, alone, is kept as a point.
+// Turns a path that is only a line to its own start into a point.
 void settle(Subpath& path)
 {
     if (!path.closed && path.segments.size() == 1 && !path.segments.front().curved
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    // One command, or one more set of numbers of the last command.
+    // Reads one command, or one more set of numbers for the last command.
     bool step()
     {
         const char c = in_.peek();
@@ -222,11 +222,11 @@ private:
     Outline outline_;
     Subpath path_;
     Point start_{}, at_{};
-    Point control_{}; ///< the last command's, for the smooth ones
+    Point control_{}; ///< of the last command, for smooth curves
     char command_ = 0, previous_ = 0;
     bool relative_ = false;
-    bool begun_ = false; ///< there was a move
-    bool drawn_ = false; ///< path_ is being drawn
+    bool begun_ = false; ///< whether there was a move
+    bool drawn_ = false; ///< whether path_ is being drawn
 };
 
 } // namespace

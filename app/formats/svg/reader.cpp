@@ -15,7 +15,7 @@
 namespace app::svg {
 namespace {
 
-// Of a file without a page, all that is drawn, with the page.
+// For a file without a page: the rectangle around the page and everything drawn.
 std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& document)
 {
     if (document.objects().empty() || !(root.openX || root.openY))
@@ -51,7 +51,8 @@ Imported import(const Tree& tree)
     return imported;
 }
 
-// A token may be as long as what is read, and a pipe may never end.
+// Reads a pipe to its end, within mostBytes: a pipe may never end, and a single token may be as
+// long as the whole input.
 QByteArray wholePipe(QIODevice& in)
 {
     QByteArray data;

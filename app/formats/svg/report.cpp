@@ -9,7 +9,7 @@ namespace app::svg {
 
 namespace {
 
-// Short, whatever a file says.
+// The text in quotation marks, shortened.
 QString shown(std::string_view text)
 {
     constexpr qsizetype most = 40;

@@ -22,8 +22,8 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
                       .arg(QString::fromUtf8(text.substr(0, end)))};
 }
 
-// std::from_chars does not tell "too large" from "too small"; only the latter has a negative
-// exponent or begins with zeros.
+// Whether a number out of range is too small rather than too large, which std::from_chars does not
+// tell. Only small numbers have a negative exponent or start with zeros.
 bool vanishes(std::string_view number)
 {
     const auto e = number.find_first_of("eE");

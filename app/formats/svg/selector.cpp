@@ -103,7 +103,7 @@ std::optional<Selector> parseSelector(std::string_view text)
             if (trimmed(text).empty())
                 return std::nullopt;
         } else if (!rest.empty() && !apart) {
-            return std::nullopt; // ":hover", "+", "~"
+            return std::nullopt; // unsupported: ":hover", "+", "~"
         }
     }
     return parts.empty() ? std::nullopt : std::optional(std::move(parts));

@@ -10,7 +10,7 @@
 
 namespace app::svg {
 
-// A row of the list of properties. A value that is not understood changes nothing.
+// A row of the table of properties. An invalid value changes nothing.
 struct Styles::Property {
     std::string_view name;
     Setter set;

@@ -9,7 +9,7 @@
 namespace app::svg {
 namespace {
 
-// The opacity goes into an attribute of its own: not every program reads #rrggbbaa.
+// Writes the opacity as a separate attribute, as not every program reads #rrggbbaa.
 void appendPaint(std::string& text, std::string_view name, const std::optional<Colour>& colour)
 {
     if (!colour) {
@@ -25,7 +25,7 @@ void appendPaint(std::string& text, std::string_view name, const std::optional<C
     appendAttribute(text, name, hex);
     if (colour->alpha != 255) {
         std::string alpha;
-        appendNumber(alpha, colour->alpha / 255.0, 3, 0, 1); // enough to read the same byte
+        appendNumber(alpha, colour->alpha / 255.0, 3, 0, 1); // precise enough to give the same byte
         appendAttribute(text, std::string(name) + "-opacity", alpha);
     }
 }

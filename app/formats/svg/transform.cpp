@@ -17,11 +17,11 @@ using Arguments = std::span<const double>;
 
 struct Function {
     std::string_view name;
-    Matrix (*matrix)(Arguments v); ///< v holds six numbers; those not given are 0
-    std::uint8_t fewest, most;     ///< numbers; a single one between them is not legal
+    Matrix (*matrix)(Arguments v); ///< v holds six numbers; missing ones are 0
+    std::uint8_t fewest, most;     ///< how many numbers; only these two counts are legal
 };
 
-// sin and cos that are exact at the quarter turns, so that rotate(90) keeps round coordinates.
+// Sine that is exact at quarter turns, so that rotate(90) keeps round coordinates.
 double sine(double degrees)
 {
     const double turn = std::remainder(degrees, 360.0);
@@ -80,7 +80,7 @@ std::optional<Matrix> parseFunction(Scanner& in)
         if (!number || count == found->most)
             return std::nullopt;
         v[count++] = *number;
-        const auto unit = in.word(); // CSS writes units here
+        const auto unit = in.word(); // CSS allows units here
         if (!unit.empty() && unit != "px" && unit != "deg")
             return std::nullopt;
     }
@@ -91,7 +91,7 @@ std::optional<Matrix> parseFunction(Scanner& in)
     return found->matrix(v);
 }
 
-// "xMidYMin" -> where the free space goes: 0, 1/2 or 1 of it before the drawing.
+// Converts "xMidYMin" to the shares of free space before the drawing: 0, 1/2 or 1 on each axis.
 Point alignment(std::string_view word)
 {
     const auto part = [](std::string_view s) { return s == "Min" ? 0.0 : s == "Max" ? 1.0 : 0.5; };

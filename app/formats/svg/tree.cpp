@@ -37,7 +37,7 @@ void append(std::string& text, QStringView added)
                       Refused::wholeFile};
 }
 
-// What comes from the file, in one line of a sentence.
+// Text from the file on one line, shortened, for use in a sentence.
 QString quotable(QStringView text)
 {
     constexpr qsizetype most = 80;
@@ -45,7 +45,7 @@ QString quotable(QStringView text)
     return line.size() <= most ? line : line.left(most) + u'…';
 }
 
-// The sentence for a file that is not XML to its end.
+// The error for a file that is not well-formed XML to its end.
 Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
 {
     const qint64 line = xml.lineNumber();
@@ -72,12 +72,13 @@ public:
 
     Tree build()
     {
-        while (!xml_.atEnd() && !xml_.hasError()) // where a read fails there is no end
+        while (!xml_.atEnd() && !xml_.hasError()) // after a read error there is no end
             take(xml_.readNext());
         if (xml_.hasError())
             throw whyNot(xml_, tree_.elements_.size());
         tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
-        tree_.attributes_.emplace_back(); // so that the end of the last ones has an address
+        tree_.attributes_.emplace_back(); // so that the end of the last element's attributes has an
+                                          // address
         tree_.elements_.shrink_to_fit();
         tree_.about_ = about_.about();
         tree_.saysTooMuch_ = about_.tooLarge();
@@ -132,7 +133,7 @@ private:
             {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
     }
 
-    // The note's own element is still open.
+    // Call while the note's own element is still open.
     void addNote(const ElementNote& note)
     {
         Notes& notes = tree_.notes_[open_.end()[-2]];

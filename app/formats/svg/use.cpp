@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements that draw others elsewhere (<use>, <symbol>) or in a viewport of their own (<svg>).
+// Elements that draw other elements (<use>, <symbol>) or have a viewport of their own (<svg>).
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/walk.h"
@@ -48,7 +48,8 @@ void Walk::drawNestedSvg(Node node, const Place& around)
     drawViewport(node, node, place);
 }
 
-// `sizes` is the element that says how large the viewport is: a <use> overrides what it draws.
+// `sizes` is the element that defines the size of the viewport: a <use> overrides the element it
+// draws.
 void Walk::drawViewport(Node node, Node sizes, const Place& around)
 {
     const Lengths& lengths = around.lengths;

@@ -13,7 +13,8 @@
 namespace app::svg {
 namespace {
 
-// What is drawn by others and cannot be kept. Everything else draws nothing by itself.
+// Elements that other programs draw and Clearcut cannot keep. All elements not listed draw nothing
+// themselves.
 struct Foreign {
     std::string_view element;
     const LossKind* loss;
@@ -79,7 +80,7 @@ Walk::Walk(const Tree& tree, Report& report, double tolerance)
 
 Document Walk::drawAll(const Page& page, const Matrix& rootMatrix, const Point& viewport)
 {
-    idOf(0); // no object gets the root's
+    idOf(0); // reserves the root's id
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
@@ -156,7 +157,7 @@ void Walk::drawGroup(Node node, const Place& around)
                       around);
 }
 
-// Anonymous ones dissolve: they only give a style to what is in them, or move it.
+// Whether a <g> becomes a group. Anonymous ones dissolve: they only style or move their content.
 bool Walk::isGroup(Node node) const
 {
     return tree_.name(node) == "g"
@@ -171,7 +172,7 @@ void Walk::drawContainer(Node node, Container::Kind kind, Place place, const Pla
     if (name.empty() && kind == Container::Kind::Layer)
         name = tree_.attribute(node, "id");
     Particulars particulars = particularsOf(node);
-    place.hidden = around.hidden; // where the container itself is hidden, its objects need not be
+    place.hidden = around.hidden; // the objects of a hidden container need not be hidden themselves
     containers_.open({.kind = kind,
                       .name = QString::fromUtf8(name),
                       .svgId = std::move(particulars.id),
@@ -183,7 +184,7 @@ void Walk::drawContainer(Node node, Container::Kind kind, Place place, const Pla
     containers_.close();
 }
 
-// What an element says of itself; each is asked for once.
+// The element's own properties; called once for each element.
 Particulars Walk::particularsOf(Node node)
 {
     const Notes& notes = tree_.notesOf(node);
@@ -191,7 +192,7 @@ Particulars Walk::particularsOf(Node node)
     return {.id = idOf(node), .title = notes.title, .description = notes.description};
 }
 
-// Only the first one that is drawn keeps it.
+// The element's id; only the first drawn element with an id keeps it.
 QString Walk::idOf(Node node)
 {
     const auto id = tree_.attribute(node, "id");
@@ -206,7 +207,7 @@ QString Walk::idOf(Node node)
     return QString::fromUtf8(id);
 }
 
-// The first child that draws something and does not ask for what we do not have.
+// Draws the first child that draws something and requires no extension or language.
 void Walk::drawSwitch(Node node, const Place& around)
 {
     const Place place = inside(node, around);
@@ -232,7 +233,7 @@ void Walk::drawOutline(Node node, const Place& around)
     if (drawn.paths.empty() || place.matrix.determinant() == 0)
         return;
     if (!hasArea(drawn.paths))
-        properties.fill = {}; // it would be written without one, too
+        properties.fill = {}; // the writer leaves out such a fill, too
     reportEffects(properties, false);
     drawn.style =
         paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());

@@ -68,7 +68,7 @@ std::optional<double> numberOf(std::string_view text)
     return number && std::abs(*number) <= largestCoordinate ? number : std::nullopt;
 }
 
-// Numbers with blanks between them; nothing unless all are numbers.
+// Parses numbers separated by blanks; empty unless all are valid.
 std::optional<std::vector<double>> numbersOf(std::string_view text)
 {
     std::vector<double> numbers;
@@ -132,7 +132,7 @@ std::optional<WindowOperation> operationOf(std::string_view text)
                                      : std::optional(WindowOperation(found - operations.begin()));
 }
 
-// Whether an attribute says the second of two words, the first being usual.
+// Whether an attribute has the second of two values; the first is the default.
 bool saysSecond(const Tree& tree, Node node, std::string_view attribute,
                 std::array<std::string_view, 2> words, const LossKind& unknown, Report& report)
 {
@@ -160,7 +160,7 @@ std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
     return std::nullopt;
 }
 
-// One without says something of all windows only.
+// Whether the element describes a window; without a shape it only holds values for all windows.
 bool hasShape(const Tree& tree, Node node)
 {
     constexpr std::array<std::string_view, 5> parts{"xmin", "ymin", "xmax", "ymax", "corners"};
@@ -190,10 +190,10 @@ std::string textOf(const ClipWindows& windows)
     std::string text;
     Keep keep = windows.keep;
     for (const ClipWindow& window : windows.list) {
-        if (!isFinite(window.shape)) // it contains nothing, and no number can say it
+        if (!isFinite(window.shape)) // it contains nothing, and SVG cannot represent it
             continue;
         appendWindow(text, window, keep);
-        keep = Keep::Inside; // said once
+        keep = Keep::Inside; // written only once
     }
     if (keep == Keep::Outside)
         text = "<clearcut:window keep=\"outside\"/>";

@@ -21,13 +21,13 @@ constexpr std::size_t bufferSize = 1 << 16;
 std::string lengthText(const Length& length)
 {
     const Unit unit =
-        length.unit == Unit::User ? Unit::Px : length.unit; // SVG's bare numbers are px
+        length.unit == Unit::User ? Unit::Px : length.unit; // bare numbers are px in SVG
     std::string text;
     appendNumber(text, length.value);
     return text += infoOf(unit).suffix;
 }
 
-// SVG fills what does not say otherwise; a line, which has no area, is read without a fill.
+// SVG fills shapes by default. Single lines have no area and are read without a fill.
 bool isFilled(const ObjectView& object) { return object.style().fill && hasArea(object); }
 
 Style writtenStyle(const ObjectView& object)
@@ -88,14 +88,14 @@ private:
             text_.append("<metadata>").append(windows).append("</metadata>\n");
     }
 
-    // XML that stands in a line of its own; nothing for nothing.
+    // Appends XML on a line of its own; nothing for an empty text.
     void appendLine(const QString& xml)
     {
         if (!xml.isEmpty())
             (text_ += xml.toStdString()) += '\n';
     }
 
-    // What a name or id is empty of is left out.
+    // Appends a name or id, unless it is empty.
     bool appendName(std::string_view attribute, const QString& name)
     {
         const std::string value = escaped(name);
@@ -104,7 +104,8 @@ private:
         return !value.empty();
     }
 
-    // Objects and containers in painting order. As deep as containers may be.
+    // Appends a container with its objects and containers in painting order. Recursion is bounded
+    // by Containers::deepest.
     void appendContainer(ContainerId id)
     {
         openContainer(tree()[id]);
@@ -130,7 +131,8 @@ private:
         else
             isNamed = appendName("inkscape:label", container.name) || isNamed;
         if (!isLayer && !isNamed && container.title.isEmpty() && container.description.isEmpty())
-            appendAttribute(text_, "clearcut:group", ""); // else it would be a style's
+            appendAttribute(text_, "clearcut:group", ""); // otherwise it would be read as a group
+                                                          // that only sets a style
         if (container.locked)
             appendAttribute(text_, "sodipodi:insensitive", "true");
         if (!container.visible)
@@ -140,10 +142,10 @@ private:
         appendLine(container.description);
     }
 
-    // Objects of one style that follow each other are in a <g> that has it.
+    // Puts consecutive objects of one style into a <g> with that style.
     void appendRuns(std::size_t first, std::size_t end)
     {
-        std::optional<ObjectView> begin; // of the run
+        std::optional<ObjectView> begin; // first object of the run
         std::string style;
         bool grouped = false;
         const auto endRun = [&] {
@@ -174,7 +176,7 @@ private:
     {
         const Path path = object.path();
         if (path.subpathCount() == 0)
-            return; // SVG has no element for nothing
+            return; // SVG has no element for an empty path
         const auto line = path.singleLine();
         const auto name = line ? outlines_.appendLine(text_, line->a, line->b)
                                : outlines_.append(text_, path.subpaths());
