@@ -59,8 +59,7 @@ void appendNumber(std::string& text, double number, int precision, double low, d
             return;
         }
     }
-    appendTrimmed(text, rounded(number)); // already within the bounds, or no decimal lies between
-                                          // them
+    appendTrimmed(text, rounded(number)); // in bounds, or no decimal lies between them
 }
 
 std::optional<double> parseNumber(std::string_view text)

@@ -96,8 +96,7 @@ private:
     std::size_t bytes_ = 0, limit_ = usualLimit;
     int forgotten_ = 0;
     Clock clock_ = std::chrono::steady_clock::now;
-    std::optional<std::chrono::steady_clock::time_point> lastPush_; ///< empty: the next push merges
-                                                                    ///< with nothing
+    std::optional<std::chrono::steady_clock::time_point> lastPush_; ///< empty: nothing merges
 };
 
 } // namespace app

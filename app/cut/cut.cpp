@@ -19,8 +19,7 @@ constexpr std::size_t chordsAtOnce = 65'536; // chords of whole objects in a bat
 bool notFinite(const Clipped& piece)
 {
     const auto& [a, b] = piece.segment;
-    return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates read from files are far below
-                                                  // overflow
+    return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates are far below overflow
 }
 
 // The chords of many objects in one array, so that one call of the algorithm clips them all.

@@ -175,12 +175,10 @@ private:
     std::span<const Chord> chords_;
     const ClipRegion& region_;
     std::vector<Run> runs_;
-    bool open_ = false; ///< the last part reached the end of its chord, so a part of chord `next_`
-                        ///< continues it
+    bool open_ = false; ///< at its chord's end: chord `next_` may continue the run
     bool startsAtChord0_ = false;
     std::size_t next_ = 0;
-    std::size_t curveSegment_ = path_.segments.size() + 1; ///< this initial value: no curve is
-                                                           ///< being collected
+    std::size_t curveSegment_ = path_.segments.size() + 1; ///< the initial value: no curve
     End curveBegin_{}, curveEnd_{};
     std::size_t measured_ = 0;
     double length_ = 0;

@@ -90,8 +90,7 @@ std::vector<ContainerMark> ContainerSplicing::take(std::vector<ContainerId>& gon
 {
     struct Open {
         std::size_t at;            // index in `left`
-        std::size_t objects, lost; // the objects, and the marks that lost objects, before this
-                                   // container
+        std::size_t objects, lost; // the objects, and the marks that lost some, before it
     };
     std::vector<ContainerMark> left;
     std::vector<Open> open;

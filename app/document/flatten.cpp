@@ -53,8 +53,7 @@ void flatten(const Subpath& path, double tolerance, std::vector<Chord>& chords)
 
 std::size_t chordCount(const Subpath& path, double tolerance)
 {
-    std::size_t count = path.segments.empty() || path.closed; // counts the closing line, or the
-                                                              // single point
+    std::size_t count = path.segments.empty() || path.closed; // the closing line, or the point
     Point last = path.start;
     for (const PathSegment& segment : path.segments) {
         count += segment.curved ? std::size_t(chordCount(last, segment, tolerance)) : 1;

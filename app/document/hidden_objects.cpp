@@ -13,8 +13,7 @@ Containers withoutHidden(Containers containers)
     if (std::ranges::none_of(containers.childrenOf(0), visible))
         return Containers(); // a document has at least one layer
     for (const ContainerId id : containers.inOrder())
-        if (containers.contains(id) && !visible(id)) // may already be removed with a container
-                                                     // around it
+        if (containers.contains(id) && !visible(id)) // else removed with one around it
             containers = containers.removed(id);
     return containers;
 }

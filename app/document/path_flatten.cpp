@@ -19,7 +19,7 @@ static void appendChords(auto reader, double tolerance, std::vector<Chord>& chor
             added();
             last = segment.to;
         }
-        if (segments == 0 || (closed && last != start)) { // closes a subpath like flatten(Subpath)
+        if (segments == 0 || (closed && last != start)) { // as flatten closes a subpath
             chords.push_back({{last, start}, segments, 0, 1});
             added();
         }
@@ -58,8 +58,7 @@ void appendSegments(const Path& path, double tolerance, std::vector<clipping::Se
             to.push_back({last, next});
             last = next;
         }
-        if (size >> 1 == 0 || ((size & 1) && last != start)) // closes a subpath like
-                                                             // flatten(Subpath)
+        if (size >> 1 == 0 || ((size & 1) && last != start)) // as flatten closes a subpath
             to.push_back({last, start});
     }
 }

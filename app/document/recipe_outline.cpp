@@ -24,8 +24,7 @@ struct Outline {
     std::optional<Subpath> operator()(const EllipseRecipe& e) const
     {
         const auto at = [&](const Point& unit) { return e.centre + e.radii * unit; };
-        const auto curve = [&](const Point& a, const Point& b) { // unit directions, a quarter turn
-                                                                 // apart
+        const auto curve = [&](const Point& a, const Point& b) { // directions a quarter turn apart
             return PathSegment{at(b), at(a + b * quarter), at(b + a * quarter), true};
         };
         return Subpath{at({1, 0}),

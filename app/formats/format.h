@@ -34,15 +34,13 @@ struct Imported {
     /// For a file without a page: the rectangle around the page and everything drawn, which is
     /// clipped unless another area is given.
     std::optional<clipping::Window> drawn{};
-    bool lossy() const; ///< whether the report has a loss that is not a remark: then Save becomes
-                        ///< Save as
+    bool lossy() const; ///< has a loss that is not a remark: Save becomes Save as
 };
 
 struct WriteOptions {
     int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
     double dpi = 96;      ///< PNG only
-    double tolerance = 0; ///< user units, for flattening where the format has no curves; 0: the
-                          ///< usual tolerance
+    double tolerance = 0; ///< user units; flattening where the format has no curves; 0: usual
     /// With a limited precision, numbers are rounded and then moved inward, so that the written
     /// decimals lie in this rectangle.
     std::optional<clipping::Window> bounds{};

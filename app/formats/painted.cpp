@@ -63,8 +63,7 @@ QByteArray svgOf(const PaintedPage& page, const PaintedCaption& caption)
     generator.setResolution(int(dotsPerInch));
     generator.setSize(page.size.toSize());
     generator.setViewBox(QRectF(QPointF(), page.size));
-    generator.setTitle(caption.title.toHtmlEscaped()); // the generator does not escape title and
-                                                       // description
+    generator.setTitle(caption.title.toHtmlEscaped()); // the generator does not escape them
     generator.setDescription(caption.description.toHtmlEscaped());
     QPainter painter(&generator);
     page.paint(painter);

@@ -129,8 +129,7 @@ private:
 
     void add(const glm::dvec2& at, Edge edge, const clipping::Window& box)
     {
-        if (edge == Edge::None || clipping::axisOf(edge) > 1) // a published form may return
-                                                              // anything
+        if (edge == Edge::None || clipping::axisOf(edge) > 1) // published forms may say anything
             breakpoints_ << Breakpoint{at};
         else
             breakpoints_ << Breakpoint{at, edge, clipping::levelOf(edge, box),
@@ -180,8 +179,7 @@ private:
         QVarLengthArray<int, 32> order(breakpoints_.size());
         std::iota(order.begin(), order.end(), 0);
         std::ranges::sort(order, [&](int i, int j) {
-            return before(i, j) || (i < j && !before(j, i)); // the first breakpoint represents its
-                                                             // place
+            return before(i, j) || (i < j && !before(j, i)); // the first represents its place
         });
         for (const int i : order) {
             if (places_.isEmpty() || before(places_.last().breakpoint, i))

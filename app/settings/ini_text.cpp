@@ -8,8 +8,7 @@
 namespace app {
 namespace {
 
-constexpr qsizetype longestEscape = 6; // "x00e9" and the character behind it, which must not be a
-                                       // digit
+constexpr qsizetype longestEscape = 6; // "x00e9" and the next character
 
 /// The character of the escape sequence whose backslash ends before `at`; moves `at` behind it.
 std::optional<QChar> unescaped(QStringView text, qsizetype& at)

@@ -9,8 +9,7 @@ namespace {
 
 constexpr qsizetype gap = 2;          // between columns
 constexpr qsizetype narrowText = 24;  // the minimal width of a text column
-constexpr qsizetype mostLeading = 40; // the largest part of a line for the columns that start every
-                                      // block
+constexpr qsizetype mostLeading = 40; // of a line, for the columns that start every block
 constexpr qsizetype unbroken = 1 << 20;
 constexpr QStringView between = u",/"; // coordinates, and the folders of a path
 

@@ -147,8 +147,7 @@ void paintMarker(QPainter& painter, const QRectF& box, const QPainterPath& path,
 {
     const double radius = box.width() / 2;
     const bool hollow = form == clipping::Form::Published;
-    const double scale = hollow ? 0.86 * radius : radius; // half of the outline's width lies
-                                                          // outside
+    const double scale = hollow ? 0.86 * radius : radius; // half the pen is outside
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(hollow ? QPen(colour, radius / 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)

@@ -13,11 +13,9 @@
 
 namespace app {
 
-constexpr double mostCellsPerSide = 512; // more cells would cost more to fill than they save in
-                                         // queries
+constexpr double mostCellsPerSide = 512; // more cells cost more to fill than they save
 constexpr double mostCellsCrossed = 16;  // by a segment, on average: long segments need fewer cells
-constexpr double rounding = 1e-12;       // larger than the rounding errors of distances and
-                                         // positions
+constexpr double rounding = 1e-12;       // above the rounding errors of positions
 
 static_assert(SceneBlock::mostSegments - 1 <= std::numeric_limits<std::uint16_t>::max());
 

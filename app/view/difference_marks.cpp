@@ -21,8 +21,7 @@ constexpr double leastGraded = 1;                  // pixels; every line is at l
 constexpr double tickLength = 8;                   // pixels
 constexpr double tooShort = 6, withRoom = 16;      // pixels; a shorter piece is too short to be
                                                    // seen, or to have room for a tick among many
-constexpr std::size_t severalPieces = 300; // pieces in the view; ticks on all of them would hide
-                                           // everything else
+constexpr std::size_t severalPieces = 300; // in the view; ticks on all of them hide everything else
 
 bool isSeen(const Clipped& piece, const clipping::Window& view)
 {

@@ -13,10 +13,8 @@ namespace app {
 namespace {
 
 constexpr std::size_t pieceLength = 64; // points
-constexpr double longEnough = 2;        // in stroke widths: a segment this long can be divided
-                                        // invisibly
-constexpr double finer = 2;             // Qt flattens round joins this much more finely for
-                                        // QPainter
+constexpr double longEnough = 2;        // in stroke widths: such segments are divided invisibly
+constexpr double finer = 2;             // Qt flattens joins this much finer for QPainter
 
 class Outliner {
 public:

@@ -10,11 +10,9 @@ namespace app {
 namespace {
 
 constexpr double wellSeen = 40;           // pixels
-constexpr double leastOfClipWindow = 0.1; // smallest share of the clip window shown around the
-                                          // piece
+constexpr double leastOfClipWindow = 0.1; // least share of the clip window to show
 constexpr double pieceOfView = 0.2;       // share of the view that a small piece fills
-constexpr double longPieceOfView = 0.8;   // share of the view for a piece longer than the clip
-                                          // window
+constexpr double longPieceOfView = 0.8;   // the same, for one longer than the clip window
 
 double longest(const clipping::Window& w) { return std::max(w.max.x - w.min.x, w.max.y - w.min.y); }
 

@@ -42,8 +42,7 @@ int start(int whole, int parts, int i)
 
 bool hasRoom(const QSize& area, int count, double breadth)
 {
-    constexpr QSize few(200, 150), many(148, 128); // pixels; many panes need only be
-                                                   // distinguishable
+    constexpr QSize few(200, 150), many(148, 128); // pixels; many need only be told apart
     const QSize cell = cellSize(area, gridFor(area, count, breadth));
     const QSize least = count > 4 ? many : few;
     return cell.width() >= least.width() && cell.height() >= least.height();

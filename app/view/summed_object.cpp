@@ -19,8 +19,7 @@ namespace {
 constexpr std::size_t fewPoints = 128;  // QPainter is fast for fewer, whatever they cross
 constexpr double shortestPattern = 0.1; // device pixels; finer dashes look like plain grey
 constexpr double mostDashes = 1e7;      // in a path; a path with more is mostly off the page
-constexpr double finer = 4;             // factor by which curves are flattened more finely than Qt
-                                        // would
+constexpr double finer = 4;             // how much finer than Qt curves are flattened
 constexpr int pixelsAtATime = 1 << 24;  // these use 128 MB
 
 struct Polyline {

@@ -44,8 +44,7 @@ private:
     std::map<std::string, std::size_t, std::less<>> found_; ///< layer indices by name
     std::string name_;                                      ///< the last argument of `turnTo`
     std::size_t layer_ = 0;                                 ///< the current layer
-    bool isBeyond_ = false;                                 ///< the current layer is not the
-                                                            ///< requested one
+    bool isBeyond_ = false;                                 ///< not the requested layer
     std::size_t size_ = 0;
     int beyond_ = 0;
 };

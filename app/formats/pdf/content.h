@@ -20,8 +20,7 @@ public:
     void paint(const Object& object);
 
     QByteArray bytes() const { return QByteArray::fromStdString(text_); }
-    std::string resources() const; ///< the page's resource dictionary, with the names that the
-                                   ///< stream uses
+    std::string resources() const; ///< the page's resource dictionary, for the names in the stream
 
 private:
     void outline(std::span<const Subpath> subpaths);

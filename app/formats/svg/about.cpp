@@ -156,8 +156,7 @@ std::optional<ElementNote> AboutReader::endSection()
 {
     const bool ofElement = section_ == &note_;
     if (!saysAnything_ && !tooLarge_)
-        section_->resize(begin_); // an empty title, or metadata that contained only the clip
-                                  // windows
+        section_->resize(begin_); // an empty title, or metadata with clip windows alone
     *section_ += '\n';
     section_ = nullptr;
     if (!ofElement || !saysAnything_)

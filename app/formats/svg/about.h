@@ -49,12 +49,10 @@ private:
     void declare(const QString& prefix, const QString& given);
 
     int depth_ = 0;        ///< number of open elements
-    int sectionDepth_ = 0; ///< depth of the open title, description or metadata; 2: a child of the
-                           ///< root
+    int sectionDepth_ = 0; ///< depth of the open title or the like; 2: a child of the root
     int ofElements_ = 0;
     std::size_t noteBytes_ = 0; ///< total size of the notes returned
-    int skipped_ = 0;           ///< number of open elements that are skipped: Clearcut's own and
-                                ///< their content
+    int skipped_ = 0;           ///< open elements skipped: Clearcut's own and their content
     bool inStart_ = false;      ///< the last start tag still lacks its ">"
     bool saysAnything_ = false; ///< whether the open title, description or metadata has content
     bool tooLarge_ = false;

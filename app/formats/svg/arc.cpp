@@ -71,8 +71,7 @@ void appendArc(std::vector<PathSegment>& segments, const Arc& arc)
     }
     const int count = std::max(1, int(std::ceil(std::abs(ellipse.sweep) / (pi / 2) - 1e-9)));
     const double step = ellipse.sweep / count;
-    const double reach = 4.0 / 3 * std::tan(step / 4); // distance of the control points along the
-                                                       // tangent
+    const double reach = 4.0 / 3 * std::tan(step / 4); // of control points along the tangent
     Point last = arc.from;
     for (int i = 0; i < count; ++i) {
         const double t0 = ellipse.angle + i * step, t1 = t0 + step;

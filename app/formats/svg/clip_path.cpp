@@ -114,8 +114,7 @@ void Walk::addClipped(Drawn drawn, const Place& place)
     }
     for (Drawn& one : objects) {
         countParts(one);
-        if (!makes(one.particulars.recipe, one.paths)) // it was transformed, clipped, or edited
-                                                       // elsewhere
+        if (!makes(one.particulars.recipe, one.paths)) // transformed, clipped, or edited elsewhere
             one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});

@@ -40,8 +40,7 @@ bool ContainerStack::dissolves(const Container& container)
             closeDrawing();
         return mergesLayers_ = true;
     }
-    const bool outside = builder_.depth() == 0; // at the first level a layer is opened around a
-                                                // group
+    const bool outside = builder_.depth() == 0; // a layer is opened around a group
     const bool tooMany = container.kind == Kind::Group && groups_ == mostGroups;
     if (!tooMany && (outside || builder_.canOpen()))
         return false;

@@ -28,8 +28,7 @@ private:
     struct Open {
         bool dissolved = false;
         bool inGroup = false; ///< whether it or a container around it is a group
-        bool hidden = false;  ///< whether a dissolved container, this one or one around it, was
-                              ///< hidden
+        bool hidden = false;  ///< whether it or a container around it dissolved while hidden
     };
     bool dissolves(const Container& container);
     void openDrawing();

@@ -30,8 +30,7 @@ public:
     clipping::Window bounds() const;
 
 private:
-    double height(std::size_t side, const Point& p) const; ///< signed height above the side,
-                                                           ///< positive inside
+    double height(std::size_t side, const Point& p) const; ///< above the side; inside is positive
     Point crossing(std::size_t side, const Point& a, const Point& b) const;
     clipping::Edge edge(std::size_t side) const;
     const Point& next(std::size_t side) const { return corners_[(side + 1) % corners_.size()]; }

@@ -25,8 +25,7 @@ constexpr std::size_t mostNames =
     10'000; ///< different names of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
 constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and dashes together
-constexpr std::size_t mostDeclarations = 20'000'000; ///< pairs of style rule and element that are
-                                                     ///< tested
+constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tested
 constexpr std::size_t mostDashes = 1'000;            ///< in one pattern
 constexpr std::size_t mostGroups =
     Containers::mostContainers - Containers::mostLayers; ///< further groups are dissolved

@@ -32,8 +32,7 @@ Box sheetAround(const Box& box, const Point& pixels, const AspectRatio& aspect)
 {
     const Point scale = pixels / box.size;
     const bool meet = aspect.fit == AspectRatio::Fit::Meet;
-    const int free = (scale.x > scale.y) == meet ? 0 : 1; // the axis along which sheet and view box
-                                                          // differ
+    const int free = (scale.x > scale.y) == meet ? 0 : 1; // the axis on which they differ
     const double size = box.size[1 - free] * (pixels[free] / pixels[1 - free]);
     const double more = size - box.size[free];
     if (!(std::abs(size) <= largestCoordinate)

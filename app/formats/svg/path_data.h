@@ -10,8 +10,7 @@ namespace app::svg {
 /// The outline described by an attribute "d" or "points".
 struct Outline {
     std::vector<Subpath> paths;
-    bool damaged = false; ///< whether the text has an error; `paths` then holds everything before
-                          ///< it
+    bool damaged = false; ///< the text has an error; `paths` is what precedes the error
 };
 
 /// Parses the complete grammar of path data. Arcs and quadratic curves become cubic curves. A

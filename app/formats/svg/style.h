@@ -67,10 +67,8 @@ private:
 
     const Tree& tree_;
     StyleSheet sheet_;
-    std::unordered_map<std::uint32_t, std::string> uncommented_; ///< values without comments, by
-                                                                 ///< offset
-    std::vector<const Property*> byName_;                        ///< for each attribute name of the
-                                                                 ///< tree
+    std::unordered_map<std::uint32_t, std::string> uncommented_; ///< by the offset of their values
+    std::vector<const Property*> byName_;                        ///< by attribute name of tree_
 };
 
 } // namespace app::svg

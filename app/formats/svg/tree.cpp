@@ -77,8 +77,7 @@ public:
         if (xml_.hasError())
             throw whyNot(xml_, tree_.elements_.size());
         tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
-        tree_.attributes_.emplace_back(); // so that the end of the last element's attributes has an
-                                          // address
+        tree_.attributes_.emplace_back(); // gives the end of the last ones an address
         tree_.elements_.shrink_to_fit();
         tree_.about_ = about_.about();
         tree_.saysTooMuch_ = about_.tooLarge();

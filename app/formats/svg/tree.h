@@ -84,8 +84,7 @@ private:
     struct Element {
         std::uint32_t name;
         Node parent, end;
-        std::uint32_t attributes; ///< index of the first attribute; the next element's index is the
-                                  ///< end
+        std::uint32_t attributes; ///< the first one; the next element's is the end
         std::uint32_t line;
     };
     std::vector<Element> elements_; ///< and a final element, which ends the attributes
