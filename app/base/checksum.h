@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// /// The splitmix64 mixing function: each bit of the result depends on each bit of `x`.
+/// The splitmix64 mixing function: each bit of the result depends on each bit of `x`.
 constexpr std::uint64_t mixed(std::uint64_t x)
 {
     x += 0x9e3779b97f4a7c15;

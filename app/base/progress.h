@@ -12,8 +12,8 @@ struct Progress {
     double secondsLeft; ///< estimated from the time used so far
 };
 
-/// Observes a task from outside; both members are optional. The working thread calls `progress`
-/// after each step (some hundredths of a second).
+/// Stops and observes a task from outside; both members are optional. The working thread calls
+/// `progress` after each step (some hundredths of a second).
 struct Follower {
     std::stop_token stop{};
     std::function<void(const Progress&)> progress{};

@@ -44,8 +44,7 @@ public:
     int index() const { return index_; }             ///< the number of steps that are done
     int count() const { return int(steps_.size()); } ///< done and undone
     void setIndex(int index);                        ///< undoes or redoes until index() is `index`
-    QString text(int step) const;                    ///< of step 0 (the oldest) to count() - 1;
-                                                     ///< empty for any other
+    QString text(int step) const;                    ///< step 0 is the oldest; empty if none
     bool canUndo() const { return macros_ == 0 && index_ > 0; }
     bool canRedo() const { return macros_ == 0 && index_ < count(); }
     QString undoText() const { return canUndo() ? text(index_ - 1) : QString(); }

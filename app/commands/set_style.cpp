@@ -9,8 +9,7 @@ namespace {
 Edit restyled(const Document& document, const ObjectRanges& objects,
               const std::function<void(Style&)>& change)
 {
-    std::unordered_map<StyleIndex, StyleIndex> known; // new style of each old one; many objects
-                                                      // share few styles
+    std::unordered_map<StyleIndex, StyleIndex> known; // the new style of each old style
     return changed(document, objects, [&](ObjectRow& object, StyleTable& styles) {
         const auto [at, isNew] = known.try_emplace(object.style, 0);
         if (isNew) {

@@ -13,8 +13,7 @@ namespace {
 
 using clipping::Clipped;
 
-constexpr std::size_t chordsAtOnce = 65'536; // chords of whole objects in a batch; a single object
-                                             // may have more
+constexpr std::size_t chordsAtOnce = 65'536; // of whole objects; a single object may have more
 
 bool notFinite(const Clipped& piece)
 {

@@ -65,8 +65,7 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
             const ClipRegion& region)
 {
     const Point along = chord.segment.b - chord.segment.a;
-    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares, which could
-                                                                      // overflow
+    const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
     const double s =
         along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
     const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);

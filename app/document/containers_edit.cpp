@@ -102,7 +102,7 @@ std::optional<Containers> Containers::inserted(Container container, ContainerId 
     const auto children = childrenOf(parent);
     assert(at <= children.size());
     std::size_t end = at; // the end of the children that it takes over
-    int height = 0;       // the height of the highest of them
+    int height = 0;       // the largest height among them
     for (; end < children.size() && rangeOf(children[end]).first < range.end; ++end)
         height = std::max(height, heightOf(children[end]));
     if (count_ == mostContainers || depthOf(parent) + 1 + height > deepest)

@@ -42,7 +42,7 @@ bool sameBits(const Style& a, const Style& b)
 std::size_t hashOf(const Style& style)
 {
     static const std::uint64_t seed =
-        QHashSeed::globalSeed(); // random, so that nobody can craft collisions
+        QHashSeed::globalSeed(); // random, so that collisions cannot be crafted
     std::uint64_t hash = seed
                          ^ (std::uint64_t(style.cap) << 4 | std::uint64_t(style.join) << 2
                             | std::uint64_t(style.fillRule));

@@ -17,8 +17,8 @@ public:
 
     const SceneLines& lines() const { return lines_; }
 
-    /// Clips every line; see `SceneClipping`. The variant must not be a misprint. The frame is
-    /// valid until the next call and the next update.
+    /// Clips every line; see `SceneClipping`. The variant must not be a known misprint. The frame
+    /// is valid until the next call and the next update.
     SceneFrame clip(const ClipRegion& region, const Variant& variant);
 
 private:

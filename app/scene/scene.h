@@ -18,8 +18,8 @@ public:
 
     const SceneLines& lines() const { return blocks_.lines(); }
 
-    /// Clips every line; see `SceneClipping`. The variant must not be a misprint. The frame is
-    /// valid until the next call and the next change of the lines.
+    /// Clips every line; see `SceneClipping`. The variant must not be a known misprint. The frame
+    /// is valid until the next call and the next change of the lines.
     SceneFrame clip(const ClipRegion& region, const Variant& variant)
     {
         return blocks_.clip(region, variant);

@@ -150,7 +150,7 @@ QStringList brokenLines(const QString& text, qsizetype width, QStringView after)
     QStringList lines;
     qsizetype begin = 0;
     while (text.size() - begin > width) {
-        qsizetype end = begin, next = begin; // `end` of this line, beginning of the `next`
+        qsizetype end = begin, next = begin; // the line's end; the next line's beginning
         for (qsizetype i = begin; i < text.size() && (i <= begin + width || end == begin); ++i) {
             const bool space = text[i] == u' ';
             const bool fits = space || i < begin + width || end == begin;

@@ -68,7 +68,7 @@ std::vector<Segment> ticksOf(std::span<const Clipped> seen, const PictureOptions
     return ticks;
 }
 
-/// The styles of lines in ascending order; caches the style of the previous line's object.
+/// The styles of lines. Caches the style of the last line's chunk.
 class LineStyles {
 public:
     LineStyles(const StyleTable& styles, const SceneLines& lines) : styles_(styles), lines_(lines)

@@ -12,7 +12,7 @@ struct LossKind {
     const char* one;
     const char* many;
     bool remark = false;              ///< kept in another form
-    const char* oneInstead = nullptr; ///< what is kept instead; null: nothing
+    const char* oneInstead = nullptr; ///< kept instead, or required; null: nothing
     const char* manyInstead = nullptr;
 };
 
