@@ -18,11 +18,10 @@ namespace app {
 /// the set (with Keep::Outside: of its points not in the set):
 /// - pieces end on the border of the window that cuts them, also for a cut-out;
 /// - pieces on both sides of an edge shared by two added windows form one piece;
-/// - a part along the border of a cut-out is removed, a part along the border of an added window is
-/// kept;
+/// - a part along the border of a cut-out is removed, a part along that of an added window kept;
 /// - a cut-out that a line meets in a single point removes nothing from the line;
 /// - a single point of a longer line that is in the set, while its neighbours are not, is a
-/// contact: a piece of length zero.
+///   contact: a piece of length zero.
 /// For a single window these are the rules of `clipping::Uses` (inside) and `clipping::outsideAll`.
 struct ClipRegion {
     struct Step {

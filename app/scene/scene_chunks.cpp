@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-// The end of the chunk that begins at `begin`: where the pen is lifted, or the chunk is full.
+// The end of the stroke that begins at `begin`, or the point at which it fills a chunk.
 std::size_t endOfStroke(std::span<const clipping::Segment> segments, std::size_t begin)
 {
     const std::size_t last = std::min(begin + SceneBlock::mostInChunk, segments.size());

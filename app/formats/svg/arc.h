@@ -5,7 +5,7 @@
 
 namespace app::svg {
 
-/// An elliptical arc in the parameters of path data; its centre follows by SVG 1.1, F.6.
+/// An elliptical arc in the parameters of path data. SVG 1.1, F.6, derives its centre.
 struct Arc {
     Point from, to;
     Point radii;           ///< any sign and size, as in the file

@@ -9,7 +9,7 @@ namespace app::svg {
 /// Collects objects in layers and groups, in painting order. A file may nest them in any way. In a
 /// document the first level consists of layers, and groups contain only groups. Therefore:
 /// - Objects outside all layers get a layer of their own, "Drawing"; above another layer, they get
-/// a further one, "Drawing (2)".
+///   a further one, "Drawing (2)".
 /// - A layer inside a group becomes a group.
 /// - Containers beyond the limits dissolve into the container around them.
 class ContainerStack {

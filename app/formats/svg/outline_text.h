@@ -14,8 +14,8 @@ class OutlineText {
 public:
     explicit OutlineText(const WriteOptions& options) : options_(options) {}
 
-    /// Appends the beginning of the element with its coordinates, but without its end: `<line
-    /// x1="0" ...`. Returns the element's name. `paths` must not be empty.
+    /// Appends the beginning of the element with its coordinates, but without its end:
+    /// `<line x1="0" ...`. Returns the element's name. `paths` must not be empty.
     std::string_view append(std::string& text, const std::vector<Subpath>& paths) const;
     std::string_view appendLine(std::string& text, const Point& from, const Point& to) const;
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
-// The recipe of a path, as an attribute of its element, in user units: clearcut:recipe="rectangle 1
-// 2 30 40" gives its corner and size, "ellipse 5 5 3 2" its centre and radii.
+// The recipe of a path, as an attribute of its element, in user units:
+// clearcut:recipe="rectangle 1 2 30 40" gives its corner and size, "ellipse 5 5 3 2" its centre and
+// radii.
 
 namespace app::svg {
 
