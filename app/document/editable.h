@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// The objects that may be selected and edited: shown, and in no locked layer.
+/// The objects that may be selected and edited: shown, and in no locked container.
 ObjectRanges editableObjects(const Document& document);
 
 } // namespace app

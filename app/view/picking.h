@@ -29,7 +29,7 @@ public:
     /// The pickable objects that a rectangle contains entirely, or touches.
     ObjectRanges objectsIn(const clipping::Window& rectangle, Box box) const;
 
-    /// Whether the object is shown and not on a locked layer.
+    /// Whether the object is shown, and no container around it is locked.
     bool pickable(std::size_t object) const { return document_.now().editable(object); }
 
 private:
