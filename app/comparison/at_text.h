@@ -7,8 +7,7 @@
 
 namespace app {
 
-/// For captions: that algorithms are compared at the page. Empty if there is a clip window, which
-/// goes without saying.
+/// For captions: says that algorithms are compared at the page. Empty if there is a clip window.
 QString atText(const ComparedWindow& window);
 
 } // namespace app

@@ -10,7 +10,7 @@ namespace app {
 /// "12 objects whole, 3 cut, 40 left out. Opened: 2." Counts of 0 are left out.
 QString cutText(const CutCounts& counts);
 
-/// What the cut did not touch, the end of `cutText`: " Left alone on locked layers: 3." or nothing.
+/// What the cut left unchanged, the end of `cutText`: " Left alone on locked layers: 3.", or empty.
 QString leftAloneText(const CutCounts& counts);
 
 } // namespace app

@@ -7,37 +7,38 @@
 
 namespace app {
 
-/// What two of them, A and B, leave of one line that is not the same.
+/// How the results of two variants, A and B, differ for one line.
 struct Difference {
     enum class Kind : std::uint8_t { OnlyA, OnlyB, EndsApart };
 
-    std::uint32_t source; ///< the line: an index into the segments that were compared
-    Kind kind;            ///< only A sees the line, only B does, or both with other ends
-    /// In units in the last place of the largest |coordinate| of line and window: how far the ends
-    /// are apart, or how long the piece is that only one sees (0: a point).
+    std::uint32_t source; ///< index of the line among the compared segments
+    Kind kind;            ///< only A sees the line, only B sees it, or both see it with different
+                          ///< ends
+    /// In ulps of the largest |coordinate| of line and window: the distance between the ends, or
+    /// the length of the piece that only one variant sees (0: a point).
     double ulps;
 
     friend bool operator==(const Difference&, const Difference&) = default;
 };
 
-/// When pieces of the same line are the same: no end off by more ulps than this.
+/// Two pieces of the same line count as equal if their ends are at most this far apart.
 struct Allowance {
     double ulps = 0;
     Ends ends = Ends::InOrder;
 };
 
-/// The lines of which a and b, both ascending by source, leave different things, ascending.
+/// The lines for which a and b (both ascending by source) differ, ascending by source.
 std::vector<Difference> differences(std::span<const clipping::Segment> lines,
                                     const clipping::Window& window,
                                     std::span<const clipping::Clipped> a,
                                     std::span<const clipping::Clipped> b, const Allowance& allowed);
 
-/// The same, clipping first. Takes as long as clipping twice.
+/// The same, but clips the lines first. Takes as long as clipping twice.
 std::vector<Difference> differences(std::span<const clipping::Segment> lines,
                                     const clipping::Window& window, const Variant& a,
                                     const Variant& b, double ulpsAllowed);
 
-/// How many there are of each kind.
+/// The number of differences of each kind.
 struct DifferenceCounts {
     std::size_t onlyA = 0, onlyB = 0, endsApart = 0;
 

@@ -9,18 +9,19 @@
 
 namespace app {
 
-/// What can be said of a line before any arithmetic, and what came of it. Rejected: both ends are
-/// beyond one side of the window. Missed: they are not, and yet nothing is visible.
+/// The class of a line. Inside: both ends are in the window. Rejected: both ends are beyond the
+/// same edge. Cut: any other line with a visible part. Missed: any other line, nothing of it
+/// visible.
 enum class LineClass : std::uint8_t { Inside, Rejected, Cut, Missed };
 
-/// All of them, in the order of every table and chart.
+/// All classes, in the order of every table and chart.
 inline constexpr std::array lineClasses{LineClass::Inside, LineClass::Rejected, LineClass::Cut,
                                         LineClass::Missed};
 
-/// Of a line of which a part is visible, or not.
+/// `visible`: whether a part of the line is visible.
 LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& window, bool visible);
 
-/// By what is truly visible.
+/// The same, with the exact answer to whether a part is visible.
 LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& window);
 
 /// "wholly inside", "rejected at once", "cut", "misses the window".

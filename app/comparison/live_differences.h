@@ -6,52 +6,53 @@
 
 namespace app {
 
-/// A against B.
+/// Which variants are compared: A against B.
 struct Comparison {
     Variant a, b = exactVariant();
-    std::optional<double> ulps{}; ///< that ends may be apart; nothing: as far as both contracts go
+    std::optional<double> ulps{}; ///< allowed distance between ends; empty: what both contracts
+                                  ///< allow together
 
     double allowed() const { return ulps.value_or(contractUlps(a, b)); }
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
-/// What was found among some lines.
+/// The differences found among the first `lines` lines.
 struct Differences {
     clipping::Window window{};
-    std::size_t lines = 0;                   ///< that were compared
+    std::size_t lines = 0;                   ///< number of lines compared so far
     std::vector<Difference> list{};          ///< ascending by line
     std::vector<clipping::Clipped> pieces{}; ///< what A and B leave of these lines
 };
 
-/// Compares these lines too, which come after those that were compared, and adds what is found.
+/// Compares the lines `more`, which follow those compared so far, and adds their differences.
 Differences extended(Differences so, const Comparison& comparison,
                      std::span<const clipping::Segment> more);
-/// The same with the next `count` of all lines, or as many as there are.
+/// The same for the next `count` of all lines, or as many as are left.
 Differences extended(Differences so, const Comparison& comparison, const SceneLines& lines,
                      std::size_t count);
 
-/// What is to be seen of a difference: the pieces that A and B leave of the line.
+/// The rectangle around what A and B show of the line.
 clipping::Window placeOf(const Comparison& comparison, const clipping::Segment& line,
                          const clipping::Window& window);
 
-/// The differences between A and B in an open drawing, while a panel shows them.
+/// The differences between A and B in an open drawing, kept up to date while a panel shows them.
 class LiveDifferences final : public LiveFinding {
     Q_OBJECT
 
 public:
     LiveDifferences(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
-    /// Nothing: no panel shows it, and nothing is computed.
+    /// An empty optional stops the comparison.
     void ask(const std::optional<Comparison>& comparison);
     const std::optional<Comparison>& asked() const { return asked_; }
 
-    /// What was found last. While not up to date, of a drawing that has changed since: a line may
-    /// be gone; or of another window.
+    /// The last result. While not up to date, it belongs to another window or to an earlier state
+    /// of the drawing, so its line numbers may no longer exist.
     const Differences& found() const { return found_; }
 
     static constexpr std::size_t mostAtOnce = 100'000;
-    /// All of it, or what to colour, at that window; nothing if that is not known (yet). Valid
-    /// until the next change.
+    /// All differences, or the pieces to colour, at that window; null or empty if not known (yet).
+    /// Valid until the next change.
     const Differences* at(const clipping::Window& window) const;
     std::span<const clipping::Clipped> piecesAt(const clipping::Window& window) const;
 
@@ -62,7 +63,7 @@ private:
     void forget() override;
 
     std::optional<Comparison> asked_;
-    Differences found_, growing_; ///< growing_: what is being found
+    Differences found_, growing_; ///< growing_: the result in progress
 };
 
 } // namespace app

@@ -9,46 +9,47 @@
 
 namespace app {
 
-/// A result for all lines of an open drawing at the clip window, kept up to date while there is a
-/// question. Few lines are looked at in one go, before the next frame;
-/// many of them between events, some milliseconds at a time, when a series of changes is over.
-/// Painting reads what was found and computes nothing.
+/// A result for all lines of an open drawing at the clip window, kept up to date while a question
+/// is asked. A few lines are examined at once, before the next frame; many lines are examined
+/// between events, some milliseconds at a time, when a series of changes is over. Painting only
+/// reads the result.
 class LiveFinding : public QObject {
     Q_OBJECT
 
 public:
-    /// Where the clip window lies now, in the middle of a gesture too.
+    /// The current place of the clip window, also during a drag.
     void setWindow(const clipping::Window& window);
 
-    /// The result is that of the present lines and window, or there is no question.
+    /// Whether the result belongs to the present lines and window, or no question is asked.
     bool upToDate() const { return upToDate_; }
-    double progress() const; ///< of what is being found: 0 to 1
-    void finish();           ///< now, not soon
+    double progress() const; ///< of the result in progress: 0 to 1
+    void finish();           ///< finishes the result before it returns
 
 signals:
-    void changed();    ///< the question, what was found, or that this is not up to date for a while
-    void begun();      ///< to look at so many lines that it takes a while
-    void progressed(); ///< more lines were looked at
+    void changed();    ///< the question, the result, or that the result is not up to date for a
+                       ///< while
+    void begun();      ///< started to examine so many lines that it takes a while
+    void progressed(); ///< more lines were examined
 
 protected:
     struct Pace {
-        std::size_t atOnce; ///< lines: so many are few
-        std::size_t slice;  ///< lines between two looks at the clock
+        std::size_t atOnce; ///< up to this many lines are examined at once
+        std::size_t slice;  ///< lines between two readings of the clock
     };
     LiveFinding(const EditedDocument& document, const Scene& scene, Pace pace, QObject* parent);
 
-    /// Another question, or none any more: what was found is forgotten.
+    /// A new question (or none, if false): forgets the last result.
     void askAnew(bool something);
 
 private:
-    /// Drops the partial result; the next one is for this window.
+    /// Drops the partial result and starts a new one for this window.
     virtual void start(const clipping::Window& window) = 0;
-    /// Looks at the next `count` lines, which there are.
+    /// Examines the next `count` lines; at least that many are left.
     virtual void look(const SceneLines& lines, std::size_t count) = 0;
-    virtual void keep() = 0;   ///< all lines were looked at: this is what is found
-    virtual void forget() = 0; ///< nothing is found
+    virtual void keep() = 0;   ///< all lines were examined: the partial result becomes the result
+    virtual void forget() = 0; ///< drops the result
 
-    /// The lines and the window that a result is for.
+    /// The lines and the window of a result.
     struct Matter {
         std::uint64_t lines; ///< their revision
         clipping::Window window;
@@ -67,11 +68,11 @@ private:
     const Scene& scene_;
     const Pace pace_;
     clipping::Window window_;
-    std::optional<Matter> foundOf_{};   ///< of which something is found
-    std::optional<std::size_t> seen_{}; ///< lines that were looked at, since the last start
+    std::optional<Matter> foundOf_{};   ///< what the present result is for
+    std::optional<std::size_t> seen_{}; ///< number of lines examined since the last start
     bool asking_ = false;
     bool upToDate_ = true;
-    bool posted_ = false; ///< findAtOnce() will be called
+    bool posted_ = false; ///< a call of findAtOnce() is queued
     QTimer soon_, work_;
 };
 

@@ -5,12 +5,12 @@
 
 namespace app {
 
-/// An outcode as it is written everywhere, one digit for each question of outcodeBits(): "1001".
-/// The bits compare coordinates. So an outcode is the same in a drawing, where y grows downward, as
-/// in a figure, where it grows upward. Words such as "above" say what is seen.
+/// An outcode as it is written everywhere, one digit for each bit of outcodeBits(): "1001". The
+/// bits compare coordinates, so an outcode is the same in a drawing, where y grows downward, and in
+/// a figure, where y grows upward. Words such as "above" say what is seen on screen.
 QString outcodeText(unsigned code);
 
-/// The meaning of the four bits, in their order; the pages define them with the same words.
+/// The meaning of the four bits, in their order; the pages define the bits with the same words.
 QString outcodeBits();
 
 } // namespace app

@@ -12,11 +12,12 @@
 
 namespace app {
 
-/// The panes in which one drawing is clipped side by side: what clips in each, and which of them is
-/// the active one. There is always one. No two show the same, none an exhibit.
+/// The panes in which one drawing is clipped side by side: the variant of each pane, and which pane
+/// is active. There is always at least one pane. No two panes have the same variant, and none has a
+/// known misprint.
 class Panes {
 public:
-    /// As many as are remembered while fewer are shown.
+    /// The number of variants that are remembered while fewer panes are shown.
     static constexpr std::size_t most = 4;
 
     explicit Panes(const Variant& only);
@@ -27,26 +28,28 @@ public:
     const Variant& chosen() const { return choices_[active_]; } ///< of the active pane
     bool showsAll() const { return all_; }
 
-    /// 1 to `most` panes, those that were there before. What was chosen stays so: where it is not
-    /// among them, it takes the last one's place.
+    /// Shows 1 to `most` panes with the remembered variants. The chosen variant stays chosen: if it
+    /// is not among them, it replaces the last one.
     void show(std::size_t count);
-    /// A pane for every algorithm, the exact one first, and one for the published form that loses
-    /// lines which are visible.
+    /// Shows a pane for every algorithm, the exact one first, and one more for the published form
+    /// that loses visible lines.
     void showAll();
 
     void activate(std::size_t pane);
-    /// Another choice for the active pane; a pane that has it already gets the old one. Where all
-    /// are shown each algorithm keeps its place: its pane becomes the active one.
+    /// Gives the active pane another variant; a pane that already has this variant gets the old
+    /// one. With all algorithms shown, each keeps its place: the pane of that algorithm becomes
+    /// active.
     void choose(const Variant& choice);
-    /// Takes a pane away; the last one stays.
+    /// Removes a pane; the last one stays.
     void close(std::size_t pane);
 
-    /// The panes to show where only so many have room: the first ones, and the active one.
+    /// The panes to show if there is room for only `room`: the first ones, and the active one.
     std::vector<std::size_t> shown(std::size_t room) const;
 
     /// For settings: "4 3 exact cohen-sutherland kodituwakku-wijeweera-chamikara:published …".
     QString text() const;
-    /// What such a text says; of one pane only what others there were, not what it chose.
+    /// Reads such a text. If it shows one pane, that pane gets `chosen`, and the rest is
+    /// remembered.
     static std::optional<Panes> fromText(const QString& text, const Variant& chosen);
 
 private:

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-// How far answers about one line are apart, in the unit of the library's contract
+// How far results for one line are apart, in the unit of the library's contract
 // (clipping/README.md, "How far off").
 
 namespace app {
@@ -13,15 +13,15 @@ namespace app {
 /// One unit in the last place of the largest |coordinate| of line and window.
 double ulpFor(const clipping::Segment& line, const clipping::Window& window);
 
-/// Whether a piece must begin where the line does: the contract of corrected forms. Published ones
-/// may turn it round.
+/// Whether a piece must begin at the line's first end, as corrected forms promise. Published forms
+/// may reverse a piece.
 enum class Ends : std::uint8_t { InOrder, EitherWay };
 
-/// The larger distance on an axis between two ends that belong together, in the drawing's units.
-/// Infinite if anything is not a number.
+/// The largest distance on one axis between corresponding ends, in the drawing's units. Infinite if
+/// a coordinate is NaN or infinite.
 double endsApart(const clipping::Segment& one, const clipping::Segment& other, Ends ends);
 
-/// Of a piece: its larger extent on an axis; 0 for a point, infinite as above.
+/// The larger extent of a piece on an axis; 0 for a point, infinite as above.
 double extentOf(const clipping::Segment& piece);
 
 /// "3.5", "1,234", "8.4 × 10¹²", "∞".

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// All there are, in menu order: the forms of each row, then the exhibits.
+/// All variants, in menu order: the forms of each algorithm, then the known misprints.
 std::vector<Variant> variants();
 Variant exactVariant();
 
@@ -18,25 +18,25 @@ QString titleOf(const Variant& variant);
 
 /// For files and the command line: "matthes-drakopoulos", "skala:published", "md-step-2".
 QString keyOf(const Variant& variant);
-/// By such a key; abbreviations in any case do as well. Nothing: there is no such algorithm, form
-/// or exhibit.
+/// Finds a variant by such a key, or by an abbreviation in upper or lower case. Empty if there is
+/// no such algorithm, form or known misprint.
 std::optional<Variant> findVariant(const QString& key);
 
 /// As in `clipping::Uses`.
 std::size_t clipAll(const Variant& variant, std::span<const clipping::Segment> in,
                     const clipping::Window& window, std::span<clipping::Clipped> out);
-/// All that it leaves, in the order of the lines.
+/// All visible pieces, in the order of the lines.
 std::vector<clipping::Clipped> clipped(const Variant& variant,
                                        std::span<const clipping::Segment> in,
                                        const clipping::Window& window);
 std::optional<clipping::Segment> clipped(const Variant& variant, const clipping::Segment& line,
                                          const clipping::Window& window);
 
-/// Only corrected forms promise that a piece runs the way its line does.
+/// Only corrected forms promise that a piece has the direction of its line.
 Ends endsOf(const Variant& one, const Variant& other);
 
-/// What the contract lets both be off together; a published form is held to its row's. An exhibit
-/// too.
+/// By how many ulps the contracts of both together allow results to differ. A published form or a
+/// known misprint is held to the contract of its algorithm.
 double contractUlps(const Variant& one, const Variant& other);
 
 } // namespace app

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What colours mean in a map.
+/// The meaning of a map's colours.
 struct CostLegend {
     Interval range{};            ///< of the cost, from the palest colour to the strongest
     std::vector<double> ticks{}; ///< its ends, and round numbers between, ascending
@@ -14,13 +14,13 @@ struct CostLegend {
         std::uint32_t cheapest; ///< as in CostMap
         std::size_t cells;
     };
-    std::vector<Share> shares{}; ///< of a map of the cheapest: the most first
+    std::vector<Share> shares{}; ///< in a map of the cheapest: the largest share first
 
-    double shareOf(double cost) const; ///< where in the range: 0 to 1
+    double shareOf(double cost) const; ///< position in the range: 0 to 1
 };
 
-/// Of a map with one cell at least. Of times the range leaves out the outermost hundredth: what
-/// something else in the computer took.
+/// The legend of a map with at least one cell. For times, the range leaves out the outermost
+/// hundredth, which other programs disturbed.
 CostLegend legendOf(const CostMap& map);
 
 } // namespace app

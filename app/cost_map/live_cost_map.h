@@ -7,24 +7,24 @@
 
 namespace app {
 
-/// A cost map that is recomputed while its question changes. A coarse map is there as soon as
-/// possible; a fine one follows between events, some milliseconds at a time.
+/// A cost map that is recomputed when its plan changes. A coarse map appears as soon as possible; a
+/// fine one follows between events, some milliseconds at a time.
 class LiveCostMap : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int coarseness = 3; ///< so many cells at the side of the fine map are one
+    static constexpr int coarseness = 3; ///< a coarse cell is this many fine cells wide and high
 
     explicit LiveCostMap(QObject* parent = nullptr);
 
-    /// No plan: the map is not shown, and nothing is computed.
+    /// An empty optional hides the map and stops the computation.
     void ask(const std::optional<CostPlan>& plan);
     const std::optional<CostPlan>& asked() const { return asked_; }
 
-    /// The best map there is: perhaps coarse, or of what was asked before. Null if there is none.
+    /// The best map so far: perhaps coarse, or of the previous plan. Null if there is none.
     const CostMap* map() const { return map_ ? &*map_ : nullptr; }
-    bool upToDate() const; ///< what was asked, fine and whole
-    void finish();         ///< now, not soon
+    bool upToDate() const; ///< the map is that of the plan, fine and whole
+    void finish();         ///< finishes the map before it returns
 
 signals:
     void changed();

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// One row of the catalogue of what a line can cost.
+/// One row of the catalogue of costs of a line.
 struct CostMeasure {
     std::string_view key; ///< on the command line and in files: "divisions"
     QString name;         ///< translated: "Divisions"

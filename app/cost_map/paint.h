@@ -10,31 +10,31 @@ class QPainter;
 
 namespace app {
 
-// Whoever paints text needs a QGuiApplication; its platform may be "offscreen".
+// Painting text needs a QGuiApplication; its platform may be "offscreen".
 
-/// What a cost map is painted with.
+/// The colours and fonts of a cost map.
 struct CostMapLook {
     ChartLook chart;
     QColor window; ///< the outline of the clip window
 };
-/// For files, as chartLook().
+/// The look for files, like chartLook().
 CostMapLook costMapLook(Ground ground);
 
-/// The part of a rectangle that a map fills: as large as fits, in the shape of its area.
+/// The part of `room` that a map fills: the largest rectangle with the proportions of its area.
 QRectF mapPlace(const CostPlan& plan, const QRectF& room);
-/// Between the plane and a map that fills `place`.
+/// Conversion between the plane and a map that fills `place`.
 QPointF onMap(const CostPlan& plan, const QRectF& place, const Point& point);
 Point onPlane(const CostPlan& plan, const QRectF& place, const QPointF& pixel);
 
-/// What is written into a region that has room for it.
+/// Whether labels are written into regions that have room for them.
 enum class RegionLabels : std::uint8_t { None, Shown };
 
-/// Cells (of a tie: stripes of all that tie), labels of regions, the clip window and the fixed end
-/// into a place. Cells that are not computed yet stay as they are.
+/// Paints the cells (stripes for a tie), the labels of regions, the clip window and the fixed end
+/// into `place`. Cells that are not computed yet are not painted.
 void paintMap(QPainter& painter, const QRectF& place, const CostMap& map, const CostMapLook& look,
               RegionLabels labels);
 
-/// The meaning of the colours, from the top of a rectangle down.
+/// Paints the meaning of the colours, from the top of `room` down.
 void paintLegend(QPainter& painter, const QRectF& room, const CostMap& map,
                  const CostMapLook& look);
 double legendHeight(const CostMap& map, double width, const CostMapLook& look);

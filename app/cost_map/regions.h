@@ -5,14 +5,16 @@
 
 namespace app {
 
-/// Cells that hang together and are alike: of one cost, or of the same cheapest algorithms.
+/// Connected cells that are alike: of one cost, or with the same cheapest algorithms.
 struct CostRegion {
     std::size_t cells = 0;
-    int column = 0, row = 0; ///< of the cells farthest from its border, one in the middle
-    int reach = 0;           ///< how far: so many cells in every direction are of the region
+    int column = 0, row = 0; ///< of one of the cells farthest from the region's border, near their
+                             ///< middle
+    int reach = 0;           ///< the region contains this many cells around that cell in every
+                             ///< direction
 };
 
-/// All regions of a whole map, as they begin from its first cell on.
+/// All regions of a whole map, in the order of their first cells.
 std::vector<CostRegion> regionsOf(const CostMap& map);
 
 } // namespace app

@@ -7,25 +7,25 @@
 
 namespace app {
 
-/// The context of what cost maps say.
+/// The translation context of cost maps.
 struct CostMaps {
     Q_DECLARE_TR_FUNCTIONS(CostMaps)
 };
 
-/// "NLN", or of a tie "NLN = SB".
+/// "NLN", or for a tie "NLN = SB".
 QString namesOf(const CostPlan& plan, std::uint32_t cheapest);
 
-/// "MD: operations for each place of End 2", "Fewest operations for each place of End 2".
+/// "MD: operations by where End 2 lies", "Which is cheapest: operations by where End 2 lies".
 QString titleOf(const CostPlan& plan);
 
-/// Of a line that ends there: "32 operations here; cheapest: NLN 18", or "NLN 18 operations is the
-/// cheapest here, MD 32 the dearest".
+/// The cost of the line to `end`: "32 operations here; cheapest: NLN 18", or "Cheapest here: NLN
+/// 18".
 QString costWords(const CostPlan& plan, const Point& end);
 
-/// Where the fixed end and the clip window are, in user units: a sentence.
+/// The positions of the fixed end and the clip window, in user units: a sentence.
 QString placesOf(const CostPlan& plan);
 
-/// What is counted, or how it is timed: sentences. Empty where the measure's name says it.
+/// What is counted, or how time is measured: sentences. Empty where the measure's name says it.
 QString noteOf(const CostMeasure& measure);
 
 } // namespace app

@@ -8,23 +8,23 @@
 
 namespace app {
 
-/// One row of the classes that lines are coloured and counted by.
+/// One of the classes by which lines are coloured and counted.
 struct ErrorClass {
-    double most;  ///< ulps, of either yardstick; of the last two infinite
+    double most;  ///< largest error in ulps, in either unit; infinite for the last two
     QString name; ///< translated: "up to ½ ulp", "wrong"
-    bool isWrong; ///< of the last one: not only inexact
+    bool isWrong; ///< only the last class: wrong, not just inexact
 };
-/// From the best to the worst; the last one is for lines that are wrong.
+/// From the best to the worst; the last class is for wrong lines.
 std::span<const ErrorClass> errorClasses();
 std::size_t errorClassOf(const LineTruth& line, Yardstick yardstick);
-/// From pale to strong on that ground; of what is wrong `wrong`.
+/// From pale to strong on that ground; `wrong` for the class of wrong lines.
 QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong);
 
-/// What was found, summed up.
+/// A summary of the results.
 struct TruthCounts {
     std::vector<std::size_t> classes{}; ///< lines of each class
     std::size_t lost = 0, invented = 0, notFinite = 0, outside = 0, orderMatters = 0;
-    double worst = 0; ///< of those that have no fault
+    double worst = 0; ///< largest error of the lines without a fault
     std::size_t all() const;
 };
 TruthCounts counted(const Truths& truths, Yardstick yardstick);
@@ -33,11 +33,11 @@ TruthCounts counted(const Truths& truths, Yardstick yardstick);
 /// which end comes first."
 QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick);
 
-/// What is to be said of one line: "lost: 300 long …", "3.2 ulps off, outside the window". Without
-/// a period.
+/// The verdict on one line: "lost: 300 long …", "3.2 ulps off, outside the window". Without a
+/// period.
 QString verdictText(const LineTruth& line);
 
-/// "0", "0.13", "3.5", "1,234 ulps"; with the word.
+/// "0", "0.13", "3.5", "1,234 ulps"; with the unit.
 QString errorText(double ulps);
 
 } // namespace app

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// How right an algorithm is about every line of an open drawing, while that is shown.
+/// How exact an algorithm is for every line of an open drawing, kept up to date while it is shown.
 class LiveTruth final : public LiveFinding {
     Q_OBJECT
 
@@ -18,18 +18,18 @@ public:
         Yardstick yardstick = Yardstick::Largest;
         friend bool operator==(const Question&, const Question&) = default;
     };
-    /// No question: nothing is shown, and nothing is computed.
+    /// An empty optional hides the result and stops the computation.
     void ask(const std::optional<Question>& question);
     const std::optional<Question>& asked() const { return asked_; }
 
-    /// What was found last. While not up to date, of a drawing that has changed since, or of
-    /// another window.
+    /// The last result. While not up to date, it belongs to another window or to an earlier state
+    /// of the drawing.
     const Truths& found() const { return found_; }
     const TruthCounts& counts() const { return counts_; }
 
     static constexpr std::size_t mostAtOnce = 10'000;
-    /// What to colour, by errorClasses(), at that window; empty if nothing was asked, or if it is
-    /// not known (yet). Valid until the next change.
+    /// The pieces to colour, one list for each of errorClasses(), at that window; empty if nothing
+    /// was asked, or if it is not known (yet). Valid until the next change.
     std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window) const;
 
 private:
@@ -40,9 +40,10 @@ private:
     void measure();
 
     std::optional<Question> asked_;
-    Truths found_, growing_; ///< growing_: what is being found
-    TruthCounts counts_;     ///< of what was found, by the yardstick that was asked for
-    std::vector<std::vector<clipping::Clipped>> pieces_; ///< the same, by error class
+    Truths found_, growing_; ///< growing_: the result in progress
+    TruthCounts counts_;     ///< of the result, by the yardstick that was asked for
+    std::vector<std::vector<clipping::Clipped>> pieces_; ///< the pieces of the result, by error
+                                                         ///< class
 };
 
 } // namespace app

@@ -8,53 +8,53 @@
 #include <array>
 #include <vector>
 
-// How right an algorithm is about each line, against exact arithmetic.
+// How exact an algorithm is for each line, against exact arithmetic.
 
 namespace app {
 
-/// Of an end that an algorithm returned, against the true one.
+/// The error of an end that an algorithm returned.
 struct EndTruth {
-    /// The distance on the worse axis, in units in the last place of the largest |coordinate| of
-    /// line and window (ulps.h), as the library's contract counts.
+    /// The larger distance from the true end on an axis, in units in the last place of the largest
+    /// |coordinate| of line and window (ulps.h), the unit of the library's contract.
     double ulps = 0;
-    double ownUlps = 0;   ///< the same in units of that coordinate itself
-    bool outside = false; ///< of the window, by however little
+    double ownUlps = 0;   ///< the same in ulps of the coordinate itself
+    bool outside = false; ///< outside the window, by however little
 };
 
-/// What is wrong with whether the line is visible.
+/// A wrong visibility, or an end that is not finite.
 enum class Fault : std::uint8_t { None, Lost, Invented, NotFinite };
 
-/// What an algorithm does with one line.
+/// How exact an algorithm is for one line.
 struct LineTruth {
-    std::uint32_t source;           ///< the line: an index into the segments that were judged
-    Fault fault = Fault::None;      ///< NotFinite: an end is no number
-    bool orderMatters = false;      ///< from its other end the line is cut elsewhere, or not seen
-    std::array<EndTruth, 2> ends{}; ///< of the piece that was returned; nothing if there is a fault
+    std::uint32_t source;           ///< index of the line among the judged segments
+    Fault fault = Fault::None;      ///< NotFinite: an end is NaN or infinite
+    bool orderMatters = false;      ///< swapped ends give another piece or visibility
+    std::array<EndTruth, 2> ends{}; ///< of the returned piece; zeros if there is a fault
     double lost = 0;                ///< Lost, Invented: the larger extent of the piece, in ulps
-    clipping::Segment piece{};      ///< what was returned, or of a line that is lost what is true
+    clipping::Segment piece{};      ///< the returned piece; for a lost line, the true piece
 
     bool outside() const { return ends[0].outside || ends[1].outside; }
-    /// Not only inexact.
+    /// Wrong, not only inexact.
     bool isWrong() const { return fault != Fault::None || outside(); }
 };
 
-/// In what errors are measured.
+/// The unit in which errors are measured.
 enum class Yardstick : std::uint8_t { Largest, Own };
-/// Of the worse end; of a line with a fault infinite.
+/// The error of the worse end; infinite for a line with a fault.
 double errorOf(const LineTruth& line, Yardstick yardstick);
 
-/// What was found among some lines.
+/// The results for the first `lines` lines.
 struct Truths {
     clipping::Window window{};
-    std::size_t lines = 0;         ///< that were judged
-    std::vector<LineTruth> list{}; ///< ascending by line: those of which anybody sees something
+    std::size_t lines = 0;         ///< number of lines judged so far
+    std::vector<LineTruth> list{}; ///< ascending: those visible to the algorithm or in truth
 };
-/// Judges these lines too, which come after those that were judged.
+/// Judges the lines `more`, which follow those judged so far, and adds their results.
 Truths extended(Truths so, const Variant& variant, std::span<const clipping::Segment> more);
-/// The same with the next `count` of all lines, or as many as there are.
+/// The same for the next `count` of all lines, or as many as are left.
 Truths extended(Truths so, const Variant& variant, const SceneLines& lines, std::size_t count);
 
-/// Of one line; empty if nothing of it is visible.
+/// The result for one line; empty if the line is visible neither to the algorithm nor in truth.
 std::optional<LineTruth> truthOf(const Variant& variant, const clipping::Segment& line,
                                  const clipping::Window& window);
 

@@ -7,20 +7,20 @@
 
 namespace app {
 
-/// One column of the list of lines that were judged.
+/// One column of the list of judged lines.
 struct TruthColumn {
     QString heading;
-    QString meaning; ///< of what is in it, a sentence
+    QString meaning; ///< what the column shows, a sentence
     QString (*text)(const LineTruth& line);
-    double (*key)(const LineTruth& line); ///< what rows are sorted by, and then by line
-    bool number;                          ///< stands to the right
+    double (*key)(const LineTruth& line); ///< rows are sorted by this key, then by line
+    bool number;                          ///< aligned to the right
 };
 std::span<const TruthColumn> truthColumns();
 
-/// The column of the errors, and the worst first, are how the list begins.
+/// The index of the column of errors. The list is first sorted by it, the worst first.
 constexpr int errorColumn = 2;
 
-/// The rows sorted by a column: indices into the list. Equal ones are ascending by line.
+/// The rows sorted by a column: indices into the list. Equal rows are ascending by line.
 std::vector<std::uint32_t> sortedBy(std::span<const LineTruth> list, const TruthColumn& column,
                                     Qt::SortOrder order);
 

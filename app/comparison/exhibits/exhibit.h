@@ -10,19 +10,20 @@
 
 namespace app {
 
-/// A way to clip that was printed by mistake, shown so that people find the fault. It is no
-/// row of the library's catalogue, and keeps nothing of its contract but that it ends.
+/// A known misprint: a clipping algorithm as it was misprinted, shown so that people find the
+/// error. It is not in the library's catalogue. Of the library's contract it keeps only that it
+/// ends.
 struct Exhibit {
     QString key;         ///< "md-step-2"
-    QString name;        ///< translated, as is what follows: "MD with Step 2 as printed"
-    QString whatIsWrong; ///< what was printed, what it should read, what comes of it
-    const clipping::Algorithm* meant; ///< what it should have been
+    QString name;        ///< translated, like the next text: "MD with Step 2 as printed"
+    QString whatIsWrong; ///< what was printed, what it should be, and the consequence
+    const clipping::Algorithm* meant; ///< the correct algorithm
     /// As in `clipping::Uses`.
     std::size_t (*clipAll)(std::span<const clipping::Segment> in, const clipping::Window& window,
                            std::span<clipping::Clipped> out);
 };
 
-/// Every one, in menu order.
+/// All known misprints, in menu order.
 const std::vector<Exhibit>& exhibits();
 
 } // namespace app
