@@ -5,12 +5,12 @@
 
 namespace app {
 
-/// One row of the catalogue of what can be told of variants and a scene beside their times.
+/// One row of the catalogue of analyses of variants on a scene, other than their times.
 struct Analysis {
     QString key;     ///< "operations"
-    QString name;    ///< translated, as is what follows
+    QString name;    ///< translated, like the next text
     QString meaning; ///< one sentence
-    /// Nothing if it was stopped.
+    /// Empty if it was stopped.
     std::optional<Table> (*table)(const ExperimentOptions& options,
                                   std::span<const Variant> variants, const Follower& follower);
 };

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// The numbers that are clipped.
+/// The number type of the lines that are clipped.
 enum class Precision : std::uint8_t { Double, Single };
 
 /// "double", "single".
@@ -21,21 +21,21 @@ struct Clipping {
     std::size_t threads = 1; ///< at most mostThreads
 };
 
-/// Some lines of an experiment, and where what is visible of them goes.
+/// Some lines of an experiment, and a buffer for their visible pieces.
 class Block {
 public:
     explicit Block(const Clipping& how);
 
-    /// So many other lines, written by `fill`. With single precision, lines and window become what
-    /// is nearest to them in float.
+    /// Replaces the lines by `count` lines written by `fill`. With single precision, lines and
+    /// window are rounded to the nearest float.
     void refill(std::size_t count, const std::function<void(std::span<clipping::Segment>)>& fill);
     std::span<const clipping::Segment> lines() const { return lines_; }
     const clipping::Window& window() const { return how_.window; }
 
-    /// Clips them, which is what is timed, and says how many are visible. The variant has a
-    /// form of this precision.
+    /// Clips the lines and returns how many are visible. Only this call is timed. The variant must
+    /// have a form of this precision.
     std::size_t clip(const Variant& variant);
-    /// So many pieces of what was clipped last.
+    /// The first `count` pieces of the last clipping.
     std::span<const clipping::Clipped> pieces(std::size_t count);
 
 private:

@@ -8,49 +8,49 @@
 
 namespace app {
 
-/// One row of what can be measured: tables of the paper, a scene of the catalogue, a drawing.
+/// One thing that can be measured: tables of the paper, a scene of the catalogue, or a drawing.
 struct Subject {
-    QString key;                      ///< "table1", "all"; of a scene: its own
-    QString name;                     ///< translated, as is what follows
+    QString key;                      ///< "table1", "all"; for a scene: the scene's key
+    QString name;                     ///< translated, like the next text
     QString meaning;                  ///< one sentence
     std::vector<PaperTable> papers{}; ///< the tables that it repeats; empty: one scene
-    ExperimentOptions options{};      ///< of a scene: which, where, and how many lines
+    ExperimentOptions options{};      ///< for a scene: which, where, and how many lines
 };
 
-/// The paper's tables together and one by one, then every scene.
+/// All tables of the paper together, each table, then every scene.
 std::vector<Subject> subjects();
 
-/// The lines that a document shows in its page, to be clipped at the window that is compared;
-/// nothing if it shows none.
+/// The visible lines of a document's page, clipped at the compared window; empty if there are none.
 std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lines,
                                       const Document& document);
 
-/// What a person asks for.
+/// The settings of an experiment that a person chooses.
 struct Choice {
     Subject subject;
-    std::optional<std::uint64_t> lines{}; ///< none: as many as the paper or the drawing has
-    std::optional<std::size_t> runs{};    ///< none: usualRounds
+    std::optional<std::uint64_t> lines{}; ///< empty: as many as the paper or the drawing has
+    std::optional<std::size_t> runs{};    ///< empty: usualRounds
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
     std::vector<clipping::Form> forms{clipping::Form::Published};
-    std::vector<const clipping::Algorithm*> algorithms{}; ///< of a scene; the paper has its own
+    std::vector<const clipping::Algorithm*> algorithms{}; ///< for a scene; a table of the paper has
+                                                          ///< its own
     EaselMaker easel = nullptr;                           ///< null: nothing is drawn
-    bool explained = true; ///< by class, operations and accuracy, too
+    bool explained = true; ///< also explained by class, operations and accuracy
 };
 
 constexpr std::uint64_t mostLines = 4'000'000'000, mostRuns = 10'000;
 
-/// The same as a plan, or a sentence that says what is missing.
+/// The plan for a choice, or a sentence that says what is missing.
 Result<Plan> planOf(const Choice& choice);
 
-/// Which of the algorithms have none of the forms, and so take no part; empty: all take part.
+/// Which algorithms have none of the chosen forms and so are left out; empty: none are.
 QString leftOutText(const Choice& choice);
 
-/// Thirty thousand lines, as often as it takes to tell who differs: some seconds.
+/// The choice with 30,000 lines and as many runs as the tests for differences need: some seconds.
 Choice quick(Choice choice);
 
-/// "Run: 23,100,000 lines to clip, about 2 minutes." `pace` is what things took here divided by
-/// what was thought.
+/// "Run: 23,100,000 lines to clip, about 2 minutes." `pace`: measured ÷ estimated time of earlier
+/// runs on this machine.
 QString effortText(const Plan& plan, double pace = 1);
 
 /// "Quick run: about 6 s."

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// On what, and with what, something was measured: names and what they stand for, in the order in
-/// which they are printed ("processor", "compiler", "flags", "clearcut" ...).
+/// The machine and the software of a measurement: names and values, in the order in which they are
+/// printed ("processor", "compiler", "flags", "clearcut" ...).
 std::vector<std::pair<QString, QString>> circumstances();
 
 } // namespace app

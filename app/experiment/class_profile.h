@@ -6,31 +6,31 @@
 
 namespace app {
 
-/// What lines of one class cost: an experiment on them alone.
+/// The times of lines of one class: an experiment on these lines alone.
 struct ClassTimes {
     ClassLines of; ///< without the lines
     Record record; ///< no timings if the scene has no such lines
 };
 
-/// Why an algorithm is fast for one scene and slow for another: each class by itself, clipping
-/// only, in the order of lineClasses.
+/// Why an algorithm is fast for one scene and slow for another: the times of each class alone,
+/// clipping only, in the order of lineClasses.
 struct ClassProfile {
     ExperimentOptions options; ///< the scene as a whole
     std::vector<ClassTimes> classes;
 };
 
-/// How many lines of each class are timed, if the scene has them: a tenth of the lines, 100,000 at
-/// most.
+/// How many lines of each class are timed, if the scene has that many: a tenth of the lines, at
+/// most 100,000.
 std::size_t mostOfAClass(const ExperimentOptions& options);
 
-/// Up to mostOfAClass lines of each class of the scene; `runs`, `seed` and the field are the
-/// options'. Nothing if it was stopped. Progress goes from 0 to 1 over all classes.
+/// Times up to mostOfAClass lines of each class of the scene; `options` give runs, seed and field.
+/// Empty if it was stopped. Progress goes from 0 to 1 over all classes.
 std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                                          std::span<const Variant> variants,
                                          const Follower& follower = {});
 
-/// One row a variant: median nanoseconds a line of each class, and what a line of the scene
-/// costs if each costs what its class does.
+/// A row for each variant: median nanoseconds per line of each class, and the mean of these
+/// weighted by the shares of the classes in the scene.
 Table classTable(const ClassProfile& profile);
 
 } // namespace app

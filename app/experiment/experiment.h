@@ -16,45 +16,47 @@ struct ExperimentOptions {
     Field field{};
     std::uint64_t lines = 1'000'000; ///< at least one
     std::size_t runs = 10;           ///< at least one
-    std::size_t warmUps = 1;         ///< whole runs that do not count, at least one
+    std::size_t warmUps = 1;         ///< whole runs that are not counted, at least one
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
-    EaselMaker easel = nullptr;              ///< rasterEasel or another; null: nothing is drawn
+    EaselMaker easel = nullptr;              ///< makes the draw target, e.g. rasterEasel; null:
+                                             ///< nothing is drawn
     Precision precision = Precision::Double; ///< single: corrected forms only
     std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
-    Clock clock = processorClock();          ///< of the wall if there are more threads than one
+    Clock clock = processorClock();          ///< the wall clock if there are several threads
 };
 
-/// What drawing is timed with: the options' clock, unless others draw for the thread.
+/// The clock for drawing: that of the options, or the wall clock if the draw target draws
+/// elsewhere.
 Clock drawClock(const ExperimentOptions& options, const Easel& easel);
 
-/// What one variant needed and found. Times are nanoseconds a line, one number a run.
+/// What one variant needed and found. Times are nanoseconds per line, one number per run.
 struct Timing {
     Variant variant;
-    std::vector<double> generate; ///< the same for all variants: the lines are made once for all
+    std::vector<double> generate; ///< the same for all variants: the lines are made only once
     std::vector<double> clip;
-    std::vector<double> draw; ///< zeros where nothing is drawn
+    std::vector<double> draw; ///< zeros if nothing is drawn
     Findings found{};
-    std::uint64_t pixels = 0; ///< checksum of all that was drawn; 0 where nothing is
+    std::uint64_t pixels = 0; ///< checksum of everything drawn; 0 if nothing is drawn
 };
 
-/// One row of the catalogue of what can be told of a timing.
+/// One row of the catalogue of measures of a timing.
 struct Measure {
     QString key;     ///< "clip"
     QString name;    ///< "Clipping only", translated
     QString meaning; ///< one sentence
     std::vector<double> (*times)(const Timing& timing);
-    bool draws; ///< whether it tells nothing without an easel
+    bool draws; ///< whether it needs a draw target
 };
 
-/// Clipping, drawing, and their sum with the making of the lines, which is what the paper timed.
+/// Clipping, drawing, and the sum of generation, clipping and drawing, which the paper timed.
 std::vector<Measure> measures();
 
-/// The paper's experiment, made fair: the lines of a scene, all clipped at its window by every
-/// variant in every run, and drawn if there is an easel. The lines come in blocks of a million,
-/// so that memory stays under 200 MB. The variants take turns block by block, and who begins
-/// changes from block to block and from run to run. The first warm-up tells what they find.
-/// Nothing if it was stopped.
+/// The paper's experiment, made fair: all lines of a scene are clipped at its window by every
+/// variant in every run, and drawn if there is a draw target. The lines come in blocks of a
+/// million, so that memory stays under 200 MB. The variants take turns block by block, and the
+/// first variant changes from block to block and from run to run. The first warm-up provides the
+/// findings. Empty if it was stopped.
 std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
                                               std::span<const Variant> variants,
                                               const Follower& follower = {});

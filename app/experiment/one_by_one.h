@@ -8,22 +8,22 @@ namespace app {
 // `exact` clips many lines at once, with the processor's vectors. The other algorithms clip one
 // line after another. To compare like with like, experiments time `exact` in both ways.
 
-/// The row `exact`, called line by line. It is of experiments alone, not of the catalogue.
+/// The algorithm `exact`, called line by line. It is only for experiments, not in the catalogue.
 const clipping::Algorithm& exactOneByOne();
 
-/// The row that a table of an experiment names, by key or as the paper does; null if there is none.
+/// The algorithm that a table of an experiment names, by key or as in the paper; null if unknown.
 const clipping::Algorithm* timedAlgorithm(const QString& name);
 
-/// These, with exactOneByOne after `exact` where it takes part.
+/// These variants, with exactOneByOne inserted after `exact` if `exact` is among them.
 std::vector<Variant> withOneByOne(std::span<const Variant> variants);
 
-/// These without exactOneByOne: for what does not depend on how lines are called.
+/// These variants without exactOneByOne: for results that do not depend on batches.
 std::vector<Variant> withoutOneByOne(std::span<const Variant> variants);
 
-/// One sentence for a table or chart with these in it; empty where `exact` takes no part.
+/// One sentence for a table or chart of these variants; empty without `exact`.
 QString batchText(std::span<const Variant> variants);
 
-/// The same for a record, with both times where it has them.
+/// The same for a record, with both times if it has both.
 QString batchText(const Record& record);
 
 } // namespace app

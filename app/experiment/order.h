@@ -9,11 +9,11 @@
 
 namespace app {
 
-/// The order of the lines, block by block of a million: as they come, at random, or those of one
-/// class (line_class.h) together, which spares the processor from guessing.
+/// The order of the lines in each block of a million: as generated, at random, or sorted by class
+/// (line_class.h), which makes branches predictable for the processor.
 enum class Order : std::uint8_t { AsTheyCome, Shuffled, ByClass };
 
-/// How an order is called: one row each, in the enum's order.
+/// The names of an order: one row each, in the enum's order.
 struct OrderName {
     std::string_view key;   ///< on the command line
     std::string_view words; ///< in tables and for people: "by class"

@@ -7,12 +7,12 @@
 
 namespace app {
 
-/// The space and the window of the experiment in the paper.
+/// The space and the window of the paper's experiment.
 constexpr clipping::Window paperSpace{{-960, -720}, {960, 720}};
 constexpr clipping::Window paperWindow{{-100, -75}, {100, 75}};
 
-/// The paper's random lines, both ends anywhere in the space: an endless sequence that depends on
-/// the seed and the space alone, the same on every machine.
+/// The paper's random lines, both ends anywhere in the space: an unlimited sequence that depends
+/// only on the seed and the space, the same on every machine.
 class PaperScene {
 public:
     explicit PaperScene(std::uint64_t seed, const clipping::Window& space = paperSpace)

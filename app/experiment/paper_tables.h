@@ -10,33 +10,34 @@ namespace app {
 /// "Table 1", "Table 2".
 QString numberOf(const PaperTable& paper);
 
-/// "lines of the scene “Long”" where lines are not made as the paper's; empty where they are.
+/// "lines of the scene “Long”" if the lines are not generated as in the paper; otherwise empty.
 QString otherLinesText(const ExperimentOptions& options);
 
-/// One sentence where ours is not the work that the paper timed: by another measure than the total,
-/// with other lines, or with fewer or more of them. Empty where it is the same.
+/// One sentence if our work differs from the paper's: another measure than the total, other lines,
+/// or another number of lines. Empty if it is the same.
 QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
                       const Measure& measure);
 
-/// The algorithms of a table of the paper in one form, in its order.
+/// The algorithms of a table of the paper in one form, in the table's order.
 std::vector<Variant> variantsOf(const PaperTable& paper, clipping::Form form);
 
-/// What we measured, as the paper prints it: a row a run and one of averages, in seconds for all
-/// lines, a column an algorithm, CS to Prop. The record's variants are those of the table.
+/// Our measurements in the paper's layout: a row for each run and one for averages, in seconds for
+/// all lines, a column for each algorithm, CS to Prop. The record's variants are those of the
+/// table.
 Table paperLayout(const PaperTable& paper, const Record& record, const Measure& measure);
 
-/// The same numbers of the paper itself.
+/// The paper's own numbers in the same layout.
 Table paperLayout(const PaperTable& paper);
 
 /// The paper's averages and ours, how much faster the proposed method is by both definitions, and
-/// the ranks and letters, which the paper's runs get by the same tests as ours.
+/// the ranks and letters. The paper's runs are tested in the same way as ours.
 Table againstPaper(const PaperTable& paper, const Record& record, const Measure& measure);
 
-/// What the paper's own runs say of who differs, taken as if run r of every algorithm was made in
-/// the same round.
+/// Which algorithms differ significantly in the paper's own runs, if run r of every algorithm is
+/// paired with run r of the others.
 Ranking rankingOf(const PaperTable& paper);
 
-/// The sentence that says so.
+/// The sentence that states this assumption.
 QString paperPairingText();
 
 } // namespace app

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Why, in plain sentences, one for each table of an explanation: what a line of the commonest
-/// class costs, who does with the fewest operations, and who is wrong.
+/// Explains the times in plain sentences, one for each table of an explanation: the cost of a line
+/// of the most frequent class, the algorithm with the fewest operations, and the wrong results.
 QStringList reasons(const Explanation& explanation);
 
 } // namespace app

@@ -7,37 +7,38 @@
 
 namespace app {
 
-/// What was measured, how, and on what: all that tables, charts and reports show.
+/// What was measured, how, and on which machine: everything that tables, charts and reports show.
 struct Record {
     ExperimentOptions options;
-    QString easel; ///< what drew, and by which clock if by another; empty where nothing was drawn
+    QString easel; ///< the draw target, with its clock if that is another; empty if nothing was
+                   ///< drawn
     std::vector<std::pair<QString, QString>> circumstances;
     std::vector<Timing> timings;
 };
 
-/// Nothing if it was stopped.
+/// Empty if it was stopped.
 std::optional<Record> recorded(const ExperimentOptions& options, std::span<const Variant> variants,
                                const Follower& follower = {});
 
-/// One summary a timing, in their order.
+/// One summary for each timing, in their order.
 std::vector<Summary> summaries(const Record& record, const Measure& measure);
 
 std::vector<Variant> variantsOf(const Record& record);
 
-/// The runs of each timing, which are paired by round, and what they say of who differs.
+/// The runs of each timing, paired by round, and the ranking that follows from them.
 std::vector<std::vector<double>> runsOf(const Record& record, const Measure& measure);
 Ranking rankingOf(const Record& record, const Measure& measure);
 
-/// What is true of all lines: scene, how many, seed, space and window.
+/// Facts about the lines: scene, number, seed, space and window.
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);
 
-/// What is true of all numbers of the record: of the lines, and runs, clock, machine ...
+/// Facts about all numbers of the record: those of the lines, and runs, clock, machine ...
 std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
-/// One row a variant: what it needed, its place among the others, and what it found.
+/// A row for each variant: its times, its rank, and its findings.
 Table timesTable(const Record& record, const Measure& measure);
 
-/// One row a variant, measure and run: seconds for all lines.
+/// A row for each variant, measure and run: seconds for all lines.
 Table runsTable(const Record& record, std::span<const Measure> measures);
 
 } // namespace app

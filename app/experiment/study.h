@@ -8,75 +8,74 @@
 
 namespace app {
 
-/// One experiment that is to be made. For a table of the paper the variants are the table's, in
-/// one form.
+/// One experiment to be made. For a table of the paper the variants are the table's, in one form.
 struct PlannedTrial {
-    std::optional<PaperTable> paper; ///< the table that it repeats, if it does
+    std::optional<PaperTable> paper; ///< the table that it repeats, if any
     ExperimentOptions options;
     std::vector<Variant> variants;
 };
 
-/// A trial for each of these tables and forms; without `lines`, as many as each table has.
+/// A trial for each of these tables and forms; without `lines`, with as many as each table has.
 std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
                                       std::span<const clipping::Form> forms,
                                       const ExperimentOptions& options,
                                       std::optional<std::uint64_t> lines);
 
-/// What explains times: what a line of each class costs, the arithmetic, and the truth of results.
+/// What explains the times: the times of each class, the operation counts, and the accuracy.
 struct Explanation {
     ClassProfile classes;
     OperationProfile operations;
     std::vector<Accuracy> accuracies;
 };
 
-/// All that is to be measured in one go, by the window or the command line.
+/// All that is measured in one session, by the window or the command line.
 struct Plan {
     std::vector<PlannedTrial> trials;
-    std::vector<Measure> measures;           ///< what is told of their times
-    std::optional<PlannedTrial> explained{}; ///< what is explained after them, if anything
+    std::vector<Measure> measures;           ///< those that are reported
+    std::optional<PlannedTrial> explained{}; ///< what is explained afterwards, if anything
 };
 
-/// Each trial runs as often as its variants need (usualRounds).
+/// Sets the runs of each trial to the number that its variants need (usualRounds).
 void takeUsualRuns(Plan& plan);
 
-/// One experiment that was made.
+/// One completed experiment.
 struct Trial {
     std::optional<PaperTable> paper;
     Record record;
 };
 
-/// All that was measured in one go: what tables, charts, and reports tell.
+/// All results of one session: what tables, charts and reports show.
 struct Study {
     std::vector<Measure> measures;
     std::vector<Trial> trials;
     std::optional<Explanation> explanation{};
 };
 
-/// About how long it takes on a usual machine.
+/// Roughly how long it takes on a typical machine.
 double roughSeconds(const Plan& plan);
 
-/// Nothing if it was stopped. Where nothing was visible, the time of drawing alone is not told: it
-/// was none, and nothing is so many times as long.
+/// Empty if it was stopped. If nothing was visible, the measure of drawing alone is left out,
+/// because its times are zero and have no ratio.
 std::optional<Study> study(const Plan& plan, const Follower& follower = {});
 
-/// "Table 1, as published", "Near miss": to tell the trials of a study apart.
+/// "Table 1, as published", "Near miss": distinguishes the trials of a study.
 QString nameOf(const Trial& trial);
 
-/// Whether the paper's own numbers are set beside ours.
+/// Whether the paper's own numbers are shown beside ours.
 enum class Against : std::uint8_t { Nothing, Paper };
 
-/// What a trial says by one measure: the paper's layout for a table of the paper, else a row a
-/// variant.
+/// The results of a trial by one measure: in the paper's layout for a table of the paper, otherwise
+/// a row for each variant.
 std::vector<Table> tablesOf(const Trial& trial, const Measure& measure, Against against);
 
 /// Times by class, operations, accuracy.
 std::vector<Table> tablesOf(const Explanation& explanation);
 
-/// Every table of a study, as `tablesOf` has them, the paper's own numbers among them; and for a
-/// table of the paper the row a variant, too.
+/// Every table of a study, as the other `tablesOf` give them, the paper's own numbers included; for
+/// a table of the paper also the table with a row for each variant.
 std::vector<Table> tablesOf(const Study& study);
 
-/// On what, and with what, it was measured: names and what they stand for.
+/// The machine and software of the measurement: names and values.
 Table circumstancesTable(const Study& study);
 
 } // namespace app

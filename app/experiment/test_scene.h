@@ -17,32 +17,32 @@ struct Field {
     clipping::Window window = paperWindow;
 };
 
-/// Whether the window has an area and the space has room on all four sides of it, as every scene
-/// of the catalogue needs.
+/// Whether the window has an area and the space has room on all four sides of the window, as every
+/// scene of the catalogue needs.
 bool hasRoom(const Field& field);
 
-/// Writes the next lines of a scene, which go on for ever. How many it is asked for at a time does
-/// not change them, so ten million need no more memory than a block of them.
+/// Writes the next lines of an unlimited scene. The lines do not depend on how many are requested
+/// at a time, so ten million need no more memory than one block.
 using LineSource = std::function<void(std::span<clipping::Segment>)>;
 
-/// One row of the catalogue of scenes: lines that depend on the field and the seed alone, the same
+/// One row of the catalogue of scenes: lines that depend only on the field and the seed, the same
 /// on every machine.
 struct TestScene {
-    QString key;     ///< on the command line and in files; never changes
-    QString name;    ///< translated, as is what follows
+    QString key;     ///< for the command line and files; never changes
+    QString name;    ///< translated, like the next text
     QString meaning; ///< one sentence
     std::function<LineSource(const Field& field, std::uint64_t seed)> begin;
-    std::uint64_t lines = 0; ///< how many different ones there are; 0: no end of them
+    std::uint64_t lines = 0; ///< the number of different lines; 0: unlimited
 };
 
 /// Every scene, in the order of every menu and table; the first is the paper's.
 std::vector<TestScene> testScenes();
 std::optional<TestScene> findTestScene(QStringView key);
 
-/// The lines of a drawing as a scene, again and again in their order, whatever the seed. They are
-/// not empty. It shares them with the drawing.
+/// The lines of a drawing as a scene, repeated in their order, independent of the seed. There must
+/// be at least one line. The scene shares them with the drawing.
 TestScene drawingScene(const QString& name, const SceneLines& lines);
-/// The same of any lines.
+/// The same for any lines.
 TestScene repeatedScene(const QString& name, std::vector<clipping::Segment> lines);
 
 } // namespace app

@@ -5,18 +5,18 @@
 
 namespace app {
 
-/// Clips many segments of numbers T, as `clipAll` of the catalogue's rows.
+/// Clips many segments of number type T, like `clipAll` of the catalogue's algorithms.
 template <class T>
 using ClipAllOf = std::size_t (*)(std::span<const clipping::BasicSegment<T>> in,
                                   const clipping::BasicWindow<T>& window,
                                   std::span<clipping::BasicClipped<clipping::BasicSegment<T>>> out);
 
-/// How many threads this machine can really run; one where the library was built without oneTBB.
+/// The number of threads that this machine can run; 1 if the library was built without oneTBB.
 std::size_t mostThreads();
 
-/// What `clipAll` does, with the same result, on so many threads (at most mostThreads): each clips
-/// its own part of the lines, and the pieces are moved together. The row `exact` has a way of its
-/// own, the library's clipAllInParallel.
+/// Does what `clipAll` does, with the same result, on `threads` threads (at most mostThreads): each
+/// clips its own part of the lines, then the pieces are moved together. `exact` uses the library's
+/// clipAllInParallel instead.
 template <class T>
 std::size_t clipInThreads(std::size_t threads, ClipAllOf<T> clipAll,
                           std::span<const clipping::BasicSegment<T>> in,

@@ -10,10 +10,10 @@
 
 namespace app {
 
-/// Every form that these algorithms have, the corrected ones first.
+/// Every form of these algorithms, the corrected forms first.
 std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms);
 
-/// Every one of them in one form, without those that do not have it.
+/// The algorithms that have this form, in this form.
 std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms,
                                 clipping::Form form);
 

@@ -13,7 +13,7 @@ struct RaceFrame {
     clipping::Window window{};
 
     bool sameAs(const RaceFrame& other) const { return is(other.lines, other.window); }
-    /// It is of the very same lines, at this window.
+    /// Whether the frame has these very lines and this window.
     bool is(const SceneLines& ofThese, const clipping::Window& atThis) const
     {
         return lines.revision() == ofThese.revision() && window == atThis;
@@ -24,46 +24,48 @@ struct RaceFrame {
 struct RaceRow {
     Variant variant;
     std::vector<double> milliseconds{}; ///< for all lines, of the last rounds, the newest last
-    std::size_t ofThisFrame = 0;        ///< how many of them: those at the end
-    std::size_t visible = 0;            ///< lines
+    std::size_t ofThisFrame = 0;        ///< number of these that belong to the current frame: the
+                                        ///< last ones
+    std::size_t visible = 0;            ///< number of visible lines
     DifferenceCounts differences{};     ///< A is the variant, B `exact`
-    double operations = 0; ///< a line: comparisons, additions, multiplications, divisions
+    double operations = 0; ///< per line: comparisons, additions, multiplications, divisions
 
-    /// Of the rounds of this frame, or of all of them as long as those are too few to say anything:
-    /// the times, as many for every row of a race, and their summary.
+    /// The times of this frame's rounds, or of all rounds while those are too few; the same number
+    /// for every row of a race. And their summary.
     std::span<const double> times() const;
     Summary summary() const { return summaryOf(times()); }
 };
 
-/// All variants clip the same frame, round by round, each in turn and each into the same buffer;
-/// who begins changes from round to round. A round is made of many short steps, so that between
-/// them a window can answer. What is truly visible is what the row `exact` says. One thread.
+/// All variants clip the same frame, round by round, one after the other and into the same buffer;
+/// the first variant changes from round to round. A round consists of many short steps, so that a
+/// window can respond between them. The reference for visibility is the algorithm `exact`. One
+/// thread.
 class Race {
 public:
-    static constexpr std::size_t length = 40; ///< rounds that are remembered
-    /// Lines whose arithmetic is counted, evenly spread: in the first round for findings
-    /// of a frame, and in the second one, if there is one. Fewer lines are all counted.
+    static constexpr std::size_t length = 40; ///< number of rounds that are remembered
+    /// The number of lines whose operations are counted, evenly spread: in a frame's first round
+    /// for findings, and in its second one. If there are fewer lines, all are counted.
     static constexpr std::size_t quickSample = 256, thoroughSample = 16384;
 
-    /// Of at least one.
+    /// `variants` has at least one element.
     explicit Race(const std::vector<Variant>& variants, Clock clock = processorClock());
 
-    /// What a round is for: only times, or also what has not been found out of this frame yet,
-    /// which takes a sixth more; until then rows keep what was found before.
+    /// The purpose of a round: only times, or also the findings that this frame lacks, which takes
+    /// a sixth longer. Until then rows keep the earlier findings.
     enum class Purpose : std::uint8_t { Times, Findings };
-    /// Begins a round. Times of another number of lines are forgotten. No round is under way.
+    /// Begins a round. Forgets times of another number of lines. No round may be running.
     void begin(const RaceFrame& frame, Purpose purpose = Purpose::Findings);
     bool running() const { return racing_; }
-    /// One variant's turn on some of the lines, which takes some milliseconds. True: it was the
-    /// round's last one.
+    /// One variant's turn on some of the lines, which takes some milliseconds. Returns true after
+    /// the last step of a round.
     bool step();
-    /// Gives up the round under way, of which nothing is kept.
+    /// Stops the running round and discards its results.
     void drop() { racing_ = false; }
 
-    /// After the last round that was finished, in the order of the variants.
+    /// The state after the last finished round, in the order of the variants.
     const std::vector<RaceRow>& rows() const { return rows_; }
-    const RaceFrame& frame() const { return frame_; } ///< of the last round that was begun
-    std::size_t rounds() const { return rounds_; }    ///< finished ones, of this frame
+    const RaceFrame& frame() const { return frame_; } ///< of the last round that was started
+    std::size_t rounds() const { return rounds_; }    ///< finished rounds of this frame
 
 private:
     std::size_t blocks() const { return blocks_.size(); }
@@ -76,19 +78,19 @@ private:
     void finish();
 
     Clock clock_;
-    std::vector<RaceRow> rows_, next_; ///< next_: what the round under way finds
-    std::vector<double> nanoseconds_;  ///< of the round under way
+    std::vector<RaceRow> rows_, next_; ///< next_: results of the running round
+    std::vector<double> nanoseconds_;  ///< of the running round
     RaceFrame frame_;
-    std::vector<std::span<const clipping::Segment>> blocks_; ///< of its lines, one at least
+    std::vector<std::span<const clipping::Segment>> blocks_; ///< of the frame's lines; at least one
     std::size_t rounds_ = 0;
-    std::size_t looks_ = 0; ///< rounds for findings among them
-    std::size_t begun_ = 0; ///< rounds of all frames: whose turn it is to begin
-    std::size_t turn_ = 0;  ///< of the round under way
+    std::size_t looks_ = 0; ///< number of the frame's rounds for findings
+    std::size_t begun_ = 0; ///< rounds of all frames; determines the first variant
+    std::size_t turn_ = 0;  ///< of the running round
     Purpose purpose_ = Purpose::Findings;
     bool racing_ = false;
     std::vector<clipping::Segment> sample_;
-    std::vector<clipping::Clipped> found_; ///< in all lines; sources count in their block
-    std::vector<clipping::Clipped> truth_; ///< in the block that is judged
+    std::vector<clipping::Clipped> found_; ///< in all lines; sources are relative to their block
+    std::vector<clipping::Clipped> truth_; ///< in the current block
 };
 
 } // namespace app

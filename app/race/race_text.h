@@ -8,10 +8,10 @@
 namespace app {
 
 /// "No significant difference of 1 % or more: MD and LB", by the tests of an experiment; empty if
-/// every row differs from every other; a sentence while there are too few rounds to tell.
+/// every pair differs; a sentence while there are too few rounds for a test.
 QString groupsText(std::span<const RaceRow> rows);
 
-/// "0.42 ms" as everywhere, but below 0.1 ms "30.1 µs", so that small times tell something.
+/// "0.42 ms" as everywhere, but below 0.1 ms "30.1 µs", which keeps significant digits.
 QString shortTimeText(double milliseconds);
 
 /// "9,969 lines, rotated order, 1 thread"; "312 lines: too few to time".
