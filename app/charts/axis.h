@@ -7,16 +7,16 @@ namespace app {
 
 /// A linear scale with round marks.
 struct Axis {
-    Interval range;            ///< what the panel shows
+    Interval range;            ///< the range that the panel shows
     std::vector<double> ticks; ///< round numbers within it, ascending
-    int decimals;              ///< that they need
+    int decimals;              ///< of the ticks
 };
 
-/// The axis of a panel with `ticks` marks at most. Bars start at zero. Where a few of them would
-/// leave no room for all the others, the axis ends before theirs do.
+/// The axis of a panel with at most `ticks` ticks. Bars start at zero. If a few very long bars
+/// would leave no room for the others, the axis ends before these bars do (they are broken).
 Axis axisOf(const Chart& chart, std::size_t panel, double ticks);
 
-/// Whether that is so in any panel.
+/// Whether a bar is broken in any panel.
 bool isBroken(const Chart& chart);
 
 } // namespace app

@@ -10,49 +10,51 @@
 
 namespace app {
 
-// A chart as plain data: a row a variant, from the top down, with bars or boxes in one panel or
-// in several side by side. chart_paint.h paints it, chart_file.h writes it.
+// A chart as plain data: a row for each variant, from the top down, with bars or boxes in one panel
+// or in several side by side. chart_paint.h paints it, chart_file.h writes it.
 
-/// A bar from zero, of parts one after the other. The n-th part has the n-th pattern
-/// (pattern.h); the first is solid.
+/// A bar from zero that consists of consecutive parts. The n-th part has the n-th pattern
+/// (pattern.h); the first pattern is solid.
 struct Bar {
     std::vector<double> parts;
-    std::optional<Interval> whiskers{}; ///< where its end lies with 95 % confidence
-    QString text{};                     ///< at its end
+    std::optional<Interval> whiskers{}; ///< 95 % confidence interval of the bar's end
+    QString text{};                     ///< at the bar's end
     double length() const;
 };
 
-/// Many measurements of one thing: quartiles, the median, and the outliers one by one. Whiskers go
-/// to the last number that is within 1.5 times the quartiles' distance of its quartile.
+/// A box plot of many measurements: quartiles, the median, and single outliers. A whisker ends at
+/// the last number within 1.5 interquartile ranges of its quartile.
 struct Box {
     Interval whiskers, quartiles;
     double median;
     std::vector<double> outliers{};
 };
-Box boxOf(std::span<const double> numbers); ///< of at least one, all finite
+Box boxOf(std::span<const double> numbers); ///< of at least one number, all finite
 
-/// Nothing where there is no such number.
+/// monostate: there is no such number.
 using Figure = std::variant<std::monostate, Bar, Box>;
 
 struct ChartRow {
-    Variant variant{}; ///< colour and marker, hollow if published; no algorithm: text's, and none
+    Variant variant{}; ///< colour and marker, hollow if published; without an algorithm: the text
+                       ///< colour, and no marker
     QString name;      ///< "CS"
-    QString note{};                ///< "as published"; left out where space is short
+    QString note{};    ///< "as published"; left out if space is short
     QString value{};               ///< "23.9 ns", left of the panel
-    std::vector<Figure> figures;   ///< one a panel
-    std::optional<double> other{}; ///< what the bar is compared with: a hollow marker below it
-    QStringList numbers{};         ///< one a column
-    QString detail{};              ///< all that is known of it, a line a fact: shown on hover
+    std::vector<Figure> figures;   ///< one for each panel
+    std::optional<double> other{}; ///< the value the bar is compared with: a hollow marker below
+                                   ///< the bar
+    QStringList numbers{};         ///< one for each column
+    QString detail{};              ///< all details, one fact per line: shown on hover
 };
 
-/// Rows that do not differ significantly, each from each other, from the top down: a bracket.
+/// Rows of which no two differ significantly, from the top down: shown as a bracket.
 struct RowGroup {
-    std::vector<std::size_t> rows; ///< two at least
+    std::vector<std::size_t> rows; ///< at least two
     QString letter{};
 };
 
-/// What the legend shows beside a text.
-struct LegendBar { ///< a piece of a bar
+/// The symbol beside a text of the legend.
+struct LegendBar { ///< a part of a bar
     std::size_t pattern = 0;
     clipping::Form form = clipping::Form::Corrected;
 };
@@ -65,25 +67,26 @@ struct LegendEntry {
 
 struct Panel {
     QString heading{};
-    QString unit{};       ///< of its axis: "nanoseconds a line"
-    bool fromZero = true; ///< boxes may leave zero out
+    QString unit{};       ///< of the axis: "nanoseconds a line"
+    bool fromZero = true; ///< only for boxes may this be false
 };
 
 struct Chart {
-    QString key;        ///< of its file's name: "table1-clip"
+    QString key;        ///< part of the file's name: "table1-clip"
     QString title;      ///< "Clipping only, lowest median = 1"
     QString subtitle{}; ///< "Scene “Long”, 1,000,000 lines"
     std::vector<LegendEntry> legend{};
-    std::vector<Panel> panels{Panel{}}; ///< one at least
-    bool oneScale = true;               ///< of all panels
-    QStringList columns{};              ///< headings of the numbers at the right
+    std::vector<Panel> panels{Panel{}}; ///< at least one
+    bool oneScale = true;               ///< the same scale in all panels
+    QStringList columns{};              ///< headings of the numbers on the right
     std::vector<ChartRow> rows;
-    std::vector<RowGroup> groups{};    ///< a row may be in several; none holds another
-    std::optional<double> reference{}; ///< a line through all rows, such as 1
+    std::vector<RowGroup> groups{};    ///< a row may be in several groups; no group contains
+                                       ///< another
+    std::optional<double> reference{}; ///< a line through all rows, e.g. at 1
     QStringList notes{};               ///< sentences below
 };
 
-/// All that it says, in words: for who cannot see it.
+/// The chart's content in words, for people who cannot see it.
 QString textOf(const Chart& chart);
 
 } // namespace app

@@ -8,31 +8,32 @@
 
 namespace app {
 
-/// Where everything of a chart is. What is told but not needed is left out where space is short:
-/// first notes beside names, then values, then columns of numbers.
+/// The position of every part of a chart. If space is short, optional parts are left out: first
+/// notes beside names, then values, then columns of numbers.
 struct ChartLayout {
     double unit; ///< size of a logical pixel
     QRectF title, subtitle;
     struct LegendPlace {
         QRectF symbol, text;
     };
-    std::vector<LegendPlace> legend; ///< one an entry
-    QRectF headings;     ///< some lines, on the last of which they end; empty if there are none
-    double headingWidth; ///< of a panel: over what stands at the ends of its bars too
+    std::vector<LegendPlace> legend; ///< one for each entry
+    QRectF headings;     ///< some lines, aligned to the last one; empty if there are no headings
+    double headingWidth; ///< of a panel, including the texts at the ends of its bars
     bool notes, values;  ///< whether they are shown
     double nameLeft, nameRight, valueRight;
-    std::vector<QRectF> rows;         ///< over the whole width; they touch
-    double barMiddle, laneMiddle;     ///< below the top of a row
+    std::vector<QRectF> rows;         ///< over the whole width; adjacent rows touch
+    double barMiddle, laneMiddle;     ///< distances from the top of a row
     double thickness;                 ///< of a bar
-    std::vector<QRectF> panels;       ///< over all rows, without the text at the ends of bars
-    std::vector<double> columnRights; ///< of those that are shown
-    double bracket;                   ///< left of the first lane of the brackets of groups
-    double bracketLane;               ///< how far lanes are apart: the next bracket's left
-    std::vector<std::size_t> lanes;   ///< one a group: those beside each other have their own
-    QRectF ticks;                     ///< a line
-    QRectF units;                     ///< a line; empty without units
-    QRectF sentences;                 ///< what sentencesOf says
-    std::vector<Axis> axes;           ///< one a panel
+    std::vector<QRectF> panels;       ///< over all rows, without the texts at the ends of bars
+    std::vector<double> columnRights; ///< right edges of the columns that are shown
+    double bracket;                   ///< left edge of the first lane of group brackets
+    double bracketLane;               ///< distance between lanes, from bracket to bracket
+    std::vector<std::size_t> lanes;   ///< the lane of each group; overlapping groups are in
+                                      ///< different lanes
+    QRectF ticks;                     ///< one line of text
+    QRectF units;                     ///< one line of text; empty without units
+    QRectF sentences;                 ///< the place of sentencesOf
+    std::vector<Axis> axes;           ///< one for each panel
 
     double x(std::size_t panel, double value) const;
     double bottom() const { return sentences.bottom(); }
@@ -40,18 +41,18 @@ struct ChartLayout {
 
 ChartLayout layoutOf(const Chart& chart, const QRectF& area, const ChartLook& look);
 
-/// The chart's notes, and what its layout adds to them.
+/// The chart's notes, and the notes that its layout needs.
 QStringList sentencesOf(const Chart& chart);
 
-/// The height in which nothing is squeezed, and the least one.
+/// The height without compression, and the least possible height.
 double naturalHeight(const Chart& chart, double width, const ChartLook& look);
 double leastHeight(const Chart& chart, double width, const ChartLook& look);
 
-/// The fonts beside the usual one.
+/// The fonts other than the body font.
 QFont semiBoldFont(const ChartLook& look);
 QFont captionFont(const ChartLook& look);
 
-/// From where to where a number of an axis is written: below its tick, but apart from the numbers
+/// The horizontal extent of a number on an axis: below its tick, without overlap with the numbers
 /// of the next panel.
 Interval tickLabel(const ChartLayout& layout, std::size_t panel, double tick,
                    const ChartLook& look);

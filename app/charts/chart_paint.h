@@ -10,13 +10,13 @@ class QPainter;
 
 namespace app {
 
-// Whoever paints text needs a QGuiApplication; its platform may be "offscreen".
+// Painting text needs a QGuiApplication; its platform may be "offscreen".
 
-/// Paints the chart into the area, from its top, without filling the ground. Below leastHeight
-/// (chart_layout.h) it goes beyond the area's bottom.
+/// Paints the chart from the top of the area, without filling the background. If the area is lower
+/// than leastHeight (chart_layout.h), the chart extends beyond the bottom.
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const ChartLook& look);
 
-/// The row under a point of a chart that was painted into that area.
+/// The row at a point of a chart that was painted into that area.
 std::optional<std::size_t> rowAt(const QPointF& point, const QRectF& area, const Chart& chart,
                                  const ChartLook& look);
 

@@ -7,13 +7,13 @@ class QPainter;
 
 namespace app {
 
-/// Where a figure is painted: its row's middle, in a panel of a layout.
+/// The place of a figure: the middle of its row, in a panel of a layout.
 struct FigurePlace {
     const ChartLayout& layout;
     const ChartLook& look;
     std::size_t panel;
     double middle;
-    QColor colour; ///< the row's
+    QColor colour; ///< the row's colour
     clipping::Form form;
 };
 
@@ -25,9 +25,9 @@ struct BarFill {
     QColor colour;
 };
 
-/// A bar as it looks, in a rectangle of its own: for the legend.
+/// Paints a bar that fills a rectangle: for the legend.
 void paintBar(QPainter& painter, const QRectF& area, const BarFill& fill, double unit);
-/// A box without numbers: for the legend.
+/// Paints a box without numbers: for the legend.
 void paintBoxSymbol(QPainter& painter, const QRectF& area, const QColor& colour, double unit);
 
 } // namespace app

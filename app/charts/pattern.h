@@ -11,19 +11,19 @@ class QPainter;
 
 namespace app {
 
-/// How a part of a bar is filled, told apart without colour: a tint of the bar's colour, and lines
-/// on it.
+/// The fill of a part of a bar, distinguishable without colour: a tint of the bar's colour, and
+/// lines on it.
 struct Pattern {
-    double tint;                ///< opacity of the colour below the lines
-    std::vector<double> angles; ///< of the lines, degrees from the x axis; none: no lines
+    double tint;                ///< opacity of the colour behind the lines
+    std::vector<double> angles; ///< of the lines, degrees from the x axis; empty: no lines
     double distance = 4;        ///< between lines, in logical pixels
 };
 
-/// In the order of a bar's parts, again from the start after the last.
+/// In the order of a bar's parts, repeated after the last.
 std::span<const Pattern> patterns();
 
-/// Fills the rectangle. Lines are real lines, cut at its edges, so that every format keeps them.
-/// `unit` is the size of a logical pixel.
+/// Fills the rectangle. The lines are clipped vector lines, so that every format keeps them. `unit`
+/// is the size of a logical pixel.
 void paintPattern(QPainter& painter, const QRectF& area, const Pattern& pattern,
                   const QColor& colour, double unit);
 

@@ -9,27 +9,28 @@
 
 namespace app {
 
-/// What was measured, from the lowest median to the highest: bars in times of the lowest, with
-/// their 95 % confidence; brackets join what does not differ significantly. With a table of the
-/// paper, its averages in times of its lowest, as hollow markers and a second column; bars are in
-/// times of the lowest of the algorithms that it has, then. One that comes in both forms is
-/// compared in its corrected one.
+/// The results from the lowest median to the highest: bars relative to the lowest, with 95 %
+/// confidence intervals; brackets join rows that do not differ significantly. With a table of the
+/// paper, also the paper's averages relative to their lowest, as hollow markers and a second
+/// column; bars are then relative to the lowest of the table's algorithms. If an algorithm has both
+/// forms, the corrected form is compared.
 Chart chartOf(const Record& record, const Measure& measure,
               const std::optional<PaperTable>& paper = {});
 
-/// How the single runs lie: a box a variant, in the order of the medians, nanoseconds a line.
+/// The distribution of the single runs: a box for each variant, in the order of medians, in
+/// nanoseconds per line.
 Chart boxPlotOf(const Record& record, const Measure& measure);
 
-/// The chart that the paper draws of a table: its own averages in seconds, from low to high, with
-/// brackets of what its runs do not tell apart, which the paper does not say.
+/// The paper's own chart of a table: its averages in seconds, from low to high. Brackets, which the
+/// paper does not have, join algorithms whose runs do not differ significantly.
 Chart chartOf(const PaperTable& paper);
 
-/// Comparisons, additions, multiplications and divisions a line of the scene (what promisedOf
-/// counts), as parts of one bar, the fewest first.
+/// Comparisons, additions, multiplications and divisions per line of the scene (as in promisedOf),
+/// as parts of one bar, the fewest first.
 Chart chartOf(const OperationProfile& profile);
 
-/// Nanoseconds a line of each class, a panel a class, all on one scale; in the order of what a line
-/// of the scene costs.
+/// Nanoseconds per line of each class, a panel for each class, all on one scale, ordered by the
+/// cost of a line of the scene.
 Chart chartOf(const ClassProfile& profile);
 
 } // namespace app

@@ -12,17 +12,18 @@ class QPainter;
 
 namespace app {
 
-/// How a number went lately, in the height of a line of text.
+/// The recent values of a number, in the height of a line of text.
 struct Sparkline {
     std::vector<double> numbers; ///< the oldest first
-    std::size_t places;          ///< how many there is room for: they stand at the right end
+    std::size_t places;          ///< the number of values that fit; values are aligned to the right
 };
 
-/// Where a number is in an area that shows 40 % above and below the median; what is farther off
-/// lies on its edge.
+/// The y of a number in an area that spans 40 % above and below the median; numbers beyond are
+/// placed on its edge.
 double sparklineY(const QRectF& area, double number, double median);
 
-/// A line, a dot at the last number, and a band between the quartiles. Nothing without numbers.
+/// Paints a line, a dot at the last number, and a band between the quartiles. Paints nothing
+/// without numbers.
 void paint(QPainter& painter, const QRectF& area, const Sparkline& line, const QColor& colour);
 
 } // namespace app

@@ -6,14 +6,15 @@
 
 namespace app {
 
-/// The bars of a trial by one measure, from low to high, beside the paper's if it repeats a table
-/// of it, and how the single runs lie. No two charts of a study have the same key.
+/// The bars of a trial by one measure, from low to high, beside the paper's if the trial repeats a
+/// table of the paper, and the distribution of the single runs. All charts of a study have
+/// different keys.
 std::vector<Chart> chartsOf(const Trial& trial, const Measure& measure);
 
 /// Times by class, and operations.
 std::vector<Chart> chartsOf(const Explanation& explanation);
 
-/// Every chart of a study, those that the paper draws of its own tables among them.
+/// Every chart of a study, including the paper's charts of its own tables.
 std::vector<Chart> chartsOf(const Study& study);
 
 } // namespace app

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// The context of what charts say.
+/// The translation context of charts.
 struct Charts {
     Q_DECLARE_TR_FUNCTIONS(Charts)
 };
@@ -19,18 +19,18 @@ struct Charts {
 ChartRow rowFor(const Variant& variant);
 /// "Cohen-Sutherland, as published".
 QString fullName(const Variant& variant);
-/// "23.9 ns": as many decimals as times in milliseconds have.
+/// "23.9 ns": with as many decimals as times in milliseconds.
 QString nanosecondsText(double nanoseconds);
-/// The chart with the note that all of its rows share, if there is one, said once: below its title.
+/// Moves a note that all rows share to a line below the chart's title.
 Chart withSharedNote(Chart chart);
 
 /// "Scene “Long”, 1,000,000 lines".
 QString sceneText(const ExperimentOptions& options);
 
-/// The groups of two things or more, where row r shows thing order[r].
+/// The groups of at least two things, if row r shows thing order[r].
 std::vector<RowGroup> groupsOf(const Ranking& ranking, std::span<const std::size_t> order);
 
-/// Sentences below a chart: what brackets mean, or that there were too few runs to tell.
+/// Sentences below a chart: the meaning of brackets, or that there were too few runs for a test.
 QStringList groupNotes(const Ranking& ranking);
 
 } // namespace app

@@ -6,16 +6,16 @@
 #include <array>
 #include <vector>
 
-// The corners and the edges of the window as Skala numbers them.
+// The corners and the edges of the window in Skala's numbering.
 
 namespace app {
 
-/// Edge k joins corner k to the next; corner 0 is (xmin, ymin).
+/// Edge k joins corner k to the next corner; corner 0 is (xmin, ymin).
 inline constexpr std::array edgesFromCorners{clipping::Edge::Bottom, clipping::Edge::Right,
                                              clipping::Edge::Top, clipping::Edge::Left};
 
-/// The edges whose two corners lie on different sides of a line. Bit k of the pattern: corner k
-/// lies on its left.
+/// The edges whose two corners lie on different sides of a line. Bit k of `pattern`: corner k lies
+/// to the left of the line.
 inline std::vector<clipping::Edge> crossedEdges(unsigned pattern)
 {
     std::vector<clipping::Edge> crossed;

@@ -3,16 +3,16 @@
 
 #include "app/overlays/overlay.h"
 
-// The families of overlays: a file each. An algorithm's row (app/teaching/teaching.h) names its
-// own, or has the default.
+// The kinds of overlays, one file each. An algorithm's row (app/teaching/teaching.h) names its own
+// overlay, or has the default.
 
 namespace app {
 
-/// What a family is given: all numbers are finite, and the window's min <= max.
+/// The input of an overlay: all numbers are finite, and the window has min <= max.
 struct Seeing : OverlaySubject {
-    clipping::Trace trace{}; ///< of the line, if there is one
+    clipping::Trace trace{}; ///< of the line, if any
 
-    /// How this form runs on another line.
+    /// The trace of this variant for another line.
     clipping::Trace traceOf(const clipping::Segment& other) const
     {
         return clipping::usesOf(*variant.algorithm, variant.form)->trace(other, window);
@@ -29,7 +29,7 @@ Overlay pushOverlay(const Seeing& seeing);      ///< Kodituwakku…, Matthes-Dra
 Overlay cellOverlay(const Seeing& seeing);      ///< Slater-Barsky
 Overlay turnOverlay(const Seeing& seeing);      ///< Exact
 
-/// The default overlay of any algorithm: the edges, and where its steps cut the line.
+/// The default overlay of any algorithm: the edges, and the points where its steps cut the line.
 Overlay traceOverlay(const Seeing& seeing);
 
 } // namespace app

@@ -9,86 +9,87 @@
 #include <optional>
 #include <vector>
 
-// What an algorithm sees of the plane around the clip window: plain data, made of what the library
-// computes, painted by whoever has a screen. All points are the drawing's.
+// An algorithm's view of the plane around the clip window: plain data, computed by the library,
+// painted by the user interface. All points are in drawing coordinates.
 
 namespace app {
 
-/// Lit: the line that is looked at has to do with it.
+/// Lit: relevant to the line under the pointer.
 enum class Emphasis : std::uint8_t { Quiet, Lit };
 
-/// A convex piece of the plane, cut to what is seen of it.
+/// A convex piece of the plane, clipped to the visible part.
 struct OverlayArea {
-    std::vector<Point> corners{}; ///< in order; none: nothing of it is seen
-    QString label{};              ///< "1001", "LT"; empty: what ends there is not visible
-    std::uint32_t strong = 0;     ///< the characters of the label that stand out; bit 0: the first
+    std::vector<Point> corners{}; ///< in order; empty: nothing of it is visible
+    QString label{};              ///< "1001", "LT"; empty: lines that end there are not visible
+    std::uint32_t strong = 0;     ///< the characters of the label that are emphasized; bit 0: the
+                                  ///< first
     Emphasis emphasis = Emphasis::Quiet;
-    bool pointed = false; ///< the pointer is there, by what the library computes of its place
+    bool pointed = false; ///< the pointer is in this area, by the library's own computation
     enum class Ground : std::uint8_t { Clear, Hatched };
     Ground ground = Ground::Clear;
 };
 
-/// A straight line, cut to what is seen of it.
+/// A straight line, clipped to the visible part.
 struct OverlayLine {
     clipping::Segment segment{};
     enum class Kind : std::uint8_t {
         Border, ///< of a half-plane or of areas
         Ray,    ///< from an end through a corner
-        Move    ///< the way an end is moved, from a to b
+        Move    ///< the path of a moved end, from a to b
     };
     Kind kind = Kind::Border;
     QString label{};
-    Point outwards{}; ///< the side that is not kept, as a direction; {0, 0}: it has no such side
+    Point outwards{}; ///< direction of the discarded side; {0, 0}: there is no such side
     Emphasis emphasis = Emphasis::Quiet;
 };
 
-/// A point, with a word.
+/// A point with a word.
 struct OverlayMark {
     Point at{};
     enum class Symbol : std::uint8_t { End, Filled, Hollow, Plus, Minus, Diamond };
-    Symbol symbol = Symbol::End; ///< End: of the line itself
+    Symbol symbol = Symbol::End; ///< End: an end of the line itself
     QString label{};
     Emphasis emphasis = Emphasis::Quiet;
 };
 
-/// The line from its first end, t = 0, to its second, t = 1.
+/// The line as an axis from its first end, t = 0, to its second, t = 1.
 struct OverlayAxis {
     struct Tick {
         double t;     ///< any number
-        bool enters;  ///< else it leaves
-        QString edge; ///< "left": as it is seen
+        bool enters;  ///< otherwise the line leaves there
+        QString edge; ///< "left": as seen on screen
         Emphasis emphasis;
     };
-    std::vector<Tick> ticks{}; ///< none where the line runs along an edge's line
-    double from = 0, to = 1;   ///< what is visible is between them; nothing if from > to
+    std::vector<Tick> ticks{}; ///< empty if the line lies on an edge's line
+    double from = 0, to = 1;   ///< the visible part is between them; empty if from > to
 };
 
-/// A parameter in four digits: between 0 and 1 that is more than a screen has pixels.
+/// A parameter with four digits, which is finer than the pixels of a screen.
 QString parameterText(double t);
 
 struct OverlayTable {
     QStringList heading{};
-    std::vector<QStringList> rows{}; ///< as many cells as the heading has
+    std::vector<QStringList> rows{}; ///< as many cells as the heading
     std::optional<std::size_t> lit{};
 };
 
-/// All that is shown; in this order, one over the other.
+/// The content of an overlay, painted in this order.
 struct Overlay {
     std::vector<OverlayArea> areas{};
     std::vector<OverlayLine> lines{};
     std::vector<OverlayMark> marks{};
     std::optional<OverlayAxis> axis{};
     std::optional<OverlayTable> table{};
-    QString caption{}; ///< one or two sentences: what is shown, or what to do to see more
+    QString caption{}; ///< one or two sentences: what is shown, or how to see more
 };
 
-/// What is looked at.
+/// The subject of an overlay.
 struct OverlaySubject {
     Variant variant{};
     clipping::Window window{};
-    std::optional<clipping::Segment> line{}; ///< nothing: only the pointer is looked at
+    std::optional<clipping::Segment> line{}; ///< empty: only the pointer is shown
     std::optional<Point> pointer{};
-    clipping::Window seen{}; ///< the part of the drawing that the screen shows
+    clipping::Window seen{}; ///< the part of the drawing that is on the screen
     YAxis y = YAxis::Down;
 };
 

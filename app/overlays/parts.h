@@ -5,60 +5,60 @@
 
 #include <array>
 
-// What several families show.
+// Parts that several overlays share.
 
 namespace app {
 
 inline constexpr std::array windowEdges{clipping::Edge::Left, clipping::Edge::Right,
                                         clipping::Edge::Bottom, clipping::Edge::Top};
 
-/// The nine regions that outcodes tell apart, each with a name; the pointer's is pointed at.
+/// The nine outcode regions, each with a name; the region under the pointer is marked.
 std::vector<OverlayArea> regionsNamed(const Seeing& seeing,
                                       QString (*name)(unsigned code, YAxis y));
-/// Each with its outcode (app/comparison/outcode_text.h), whose set bits stand out.
+/// The same with outcodes (app/comparison/outcode_text.h) as names; set bits are emphasized.
 std::vector<OverlayArea> outcodeRegions(const Seeing& seeing);
 /// The borders of the regions: the lines of the window's edges.
 std::vector<OverlayLine> regionBorders(const Seeing& seeing);
 
-/// The two ends of the line, each with its name and a word more.
+/// The two ends of the line, each with its name and an additional word.
 std::vector<OverlayMark> endMarks(const clipping::Segment& line, const QString& ofA,
                                   const QString& ofB);
 
-/// The bit of an outcode that says: beyond this edge.
+/// The outcode bit of an edge.
 constexpr unsigned bitOf(clipping::Edge edge) { return 1U << (unsigned(edge) - 1); }
-/// Outcodes of both ends.
+/// The outcodes of both ends.
 struct CodePair {
     unsigned a, b;
 };
 CodePair codesOf(const Seeing& seeing);
-/// Both ends' codes, AND and OR; lit is the row that decides, if one does.
+/// Both ends' codes, AND and OR; the row that decides, if any, is lit.
 OverlayTable codeTable(const Seeing& seeing);
-/// What the codes of both ends decide, in words.
+/// The decision that the codes of both ends allow, in words.
 QString codeWords(const Seeing& seeing);
 
-/// One end was moved to an edge.
+/// The move of one end to an edge.
 struct EndMove {
     bool ofB;
     clipping::Edge edge;
     Point from, to;
 };
-/// Every move of a trace, in order; what is done in several steps is one.
+/// Every move of a trace, in order; a move in several steps is one move.
 std::vector<EndMove> movesOf(const clipping::Trace& trace, const clipping::Segment& line);
-/// The ways that ends were moved, as far as they are seen.
+/// The visible parts of the paths of moved ends.
 std::vector<OverlayLine> moveLines(const Seeing& seeing, std::span<const EndMove> moves);
-/// A mark with a number and the edge at the end of each.
+/// A mark with a number and the edge at the end of each move.
 std::vector<OverlayMark> moveMarks(const Seeing& seeing, std::span<const EndMove> moves);
 
-/// The infinite line of an edge, as far as it is seen; nothing: it is not.
+/// The visible part of an edge's infinite line; empty if it is not visible.
 std::optional<OverlayLine> border(clipping::Edge edge, const Seeing& seeing);
 
-/// "left", "top": as it is seen.
+/// "left", "top": as seen on screen.
 QString edgeName(clipping::Edge edge, YAxis y);
-/// "L", "T": as it is seen.
+/// "L", "T": as seen on screen.
 QString edgeLetter(clipping::Edge edge, YAxis y);
 /// "End 1", "End 2".
 QString endName(bool ofB);
-/// What to do to see more; for a caption.
+/// How to see more; for a caption.
 QString pointAtALine();
 
 } // namespace app

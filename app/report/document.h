@@ -10,7 +10,7 @@ class QTextDocument;
 
 namespace app {
 
-/// A report as rich text for pages of that many dots per inch, with charts painted as vectors.
+/// A report as rich text for pages of `dotsPerInch`, with charts painted as vectors.
 std::unique_ptr<QTextDocument> documentOf(const Report& report, int dotsPerInch);
 
 /// The colours of such a document.

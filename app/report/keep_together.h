@@ -6,11 +6,11 @@ class QTextDocument;
 
 namespace app {
 
-/// Says that a paragraph belongs to what follows it: a heading, the title of a table.
+/// Keeps a paragraph (a heading, the title of a table) on the page of the next one.
 void setBelongsToNext(QTextBlockFormat& format);
 
-/// Ends pages of a document that has a page size earlier where a heading would stand alone at the
-/// foot of one, or a single row of a table at the foot or at the top.
+/// Moves page breaks of a document that has a page size, so that no heading is alone at the foot of
+/// a page, and no single row of a table at its foot or top.
 void keepTogether(QTextDocument& document);
 
 } // namespace app

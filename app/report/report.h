@@ -8,42 +8,42 @@
 
 namespace app {
 
-/// A part of a report, shown in this order. What is empty is left out.
+/// A part of a report, shown in this order. Empty parts are left out.
 struct ReportSection {
     QString title;
-    QStringList sentences{}; ///< a paragraph each
+    QStringList sentences{}; ///< one paragraph each
     QString code{};          ///< lines to copy
     std::vector<Chart> charts{};
     std::vector<Table> tables{};
 };
 
-/// Something to read, print and keep: plain data.
+/// A report to read, print and keep: plain data.
 struct Report {
     QString title;
-    QStringList summary{}; ///< sentences for who reads nothing else
+    QStringList summary{}; ///< sentences for readers who read nothing else
     std::vector<ReportSection> sections;
 };
 
-/// A field of a table as people read it: numbers with a real minus.
+/// A field of a table as it is displayed: numbers with a real minus.
 QString readable(const QString& field, bool numeric);
 
-/// One row of the catalogue of what a report can be.
+/// One row of the catalogue of report formats.
 struct ReportFormat {
-    QString key;  ///< "html": of --report, and the ending of a file's name
+    QString key;  ///< "html": value of --report, and the file's ending
     QString name; ///< "Web page", translated
-    /// Writes one file that needs no other. Nothing, or why it could not be done. Needs a
-    /// QGuiApplication, for the fonts of charts.
+    /// Writes one self-contained file. Empty, or why it failed. Needs a QGuiApplication for the
+    /// fonts of charts.
     std::optional<QString> (*write)(const Report& report, QIODevice& out);
 };
 
 /// Every format, in menu order.
 std::vector<ReportFormat> reportFormats();
 
-/// The one that a file's name asks for by its ending, or nothing.
+/// The format of a file's ending, or empty.
 std::optional<ReportFormat> reportFormatOf(const QString& path);
 
-/// Writes the file that the ending of its name asks for; an existing one is replaced only by a
-/// whole new one. Nothing, or the sentence that names the file and says what to do.
+/// Writes a file in the format of its ending; replaces an existing file only by a complete new one.
+/// Empty, or a sentence that names the file and says what to do.
 std::optional<QString> writeReport(const Report& report, const QString& path);
 
 } // namespace app

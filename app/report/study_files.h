@@ -9,24 +9,24 @@
 
 namespace app {
 
-/// One row of the catalogue of what a study can be written as.
+/// One row of the catalogue of file formats of a study.
 struct StudyFile {
     enum class Group : std::uint8_t { Tables, Charts, Report };
     Group group;
     QString name;   ///< "CSV", translated
     QString ending; ///< of the file's name
-    /// The files that `write` makes of `path`: that one, or one a table or chart.
+    /// The files that `write` creates for `path`: that file, or one for each table or chart.
     std::function<QStringList(const Study& study, const QString& path)> paths;
-    /// Writes what was asked for at `path`, replacing what is there only by whole new files; all of
-    /// them, or the sentence that says what is wrong. Where each table or chart is a file of its
-    /// own, "times.csv" becomes "times-table1-clip-published.csv" and so on.
+    /// Writes the study to `path`, replacing existing files only by complete new ones. Returns all
+    /// files, or a sentence that says what failed. If each table or chart has a file of its own,
+    /// "times.csv" becomes "times-table1-clip-published.csv" and so on.
     std::function<Result<QStringList>(const Study& study, const QString& path)> write;
 };
 
-/// Tables in every format but text, then charts, then reports.
+/// Tables in every format except text, then charts, then reports.
 std::vector<StudyFile> studyFiles();
 
-/// Writes one table to a file, and nothing else. Nothing, or the sentence that says what is wrong.
+/// Writes one table to a file. Empty, or a sentence that says what failed.
 std::optional<QString> writeTable(const Table& table, const TableFormat& format,
                                   const QString& path);
 

@@ -6,13 +6,13 @@
 
 namespace app {
 
-/// Everything that a study says, for people who never read the paper: what came out, why it
-/// is so, charts and tables of each trial beside the paper's own, how it was measured, and how to
-/// measure it again.
+/// All results of a study, for people who have not read the paper: the outcome, the reasons, charts
+/// and tables of each trial beside the paper's own, how it was measured, and how to repeat the
+/// measurement.
 Report reportOf(const Study& study);
 
-/// The command line that makes the same study again, and its report: "clearcut bench --paper ...".
-/// A drawing is named without its folder.
+/// The command that repeats the study and writes its report: "clearcut bench --paper ...". A
+/// drawing is named without its folder.
 QString commandToRepeat(const Study& study);
 
 } // namespace app

@@ -7,15 +7,15 @@
 
 class QPainter;
 
-// The picture of one step of a walk: for the microscope, for pages and for files.
+// The picture of one step of a trace: for the microscope, for pages and for files.
 
 namespace app {
 
-/// Paints a step into frame.picture(): the window orange, the lines that its edges lie on with
-/// their names, the edge of this step blue and hatched beyond, what is left of the line strong,
-/// what is discarded dashed, ends as circles, cuts as diamonds with their coordinates, a cut that
-/// is only weighed hollow. A step that the walk does not have: window and line alone. Nothing is
-/// painted outside the picture but half a stroke, whatever the numbers are.
+/// Paints a step into frame.picture(): the window orange, the infinite lines of its edges with
+/// their names, the edge of this step blue and hatched beyond, the remaining part of the line
+/// strong, discarded parts dashed, ends as circles, cuts as diamonds with their coordinates,
+/// candidate cuts hollow. For a step that the trace does not have: only window and line. Nothing is
+/// painted outside the picture by more than half a stroke, whatever the numbers are.
 void paintStep(QPainter& painter, const WalkStep& at, const FigureFrame& frame,
                const FigureColours& colours);
 

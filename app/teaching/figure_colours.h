@@ -7,13 +7,13 @@
 
 namespace app {
 
-/// What a figure is painted with: the program's own colours, each with its one meaning.
+/// The colours of a figure: the program's own colours, each with a single meaning.
 struct FigureColours {
-    QColor paper;             ///< what it is painted on
-    QColor text, muted, rule; ///< text: what is left of the line; muted: what is discarded
-    QColor border;            ///< the lines that the edges lie on
-    QColor window;            ///< the clip window, and nothing else
-    QColor lit, onLit, tint;  ///< what this step is about; text on it; its ground in lists
+    QColor paper;             ///< the background
+    QColor text, muted, rule; ///< text: the remaining part of the line; muted: discarded parts
+    QColor border;            ///< the infinite lines of the edges
+    QColor window;            ///< only the clip window
+    QColor lit, onLit, tint;  ///< the subject of this step; text on it; its background in lists
 };
 FigureColours figureColours(Ground ground);
 

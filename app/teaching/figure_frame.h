@@ -9,35 +9,35 @@
 
 namespace app {
 
-/// How a figure lies in its picture.
+/// The position and scale of a figure in its picture.
 struct FigureFrame {
     QSizeF size;           ///< of the picture, in its own units: logical pixels
-    clipping::Window seen; ///< what of the drawing fills it, in the picture's proportions
+    clipping::Window seen; ///< the part of the drawing that fills it, in the picture's proportions
     YAxis y = YAxis::Up;
-    QFont font;        ///< with a pixel size; strokes, marks and distances go with it
-    QRectF reserved{}; ///< labels keep clear of this part of the picture
+    QFont font;                ///< with a pixel size; strokes, marks and distances scale with it
+    QRectF reserved{};         ///< labels do not cover this part of the picture
     bool windowIsPage = false; ///< the line is clipped at the page: there is no clip window
 
     QRectF picture() const { return {QPointF(), size}; }
-    /// Where a point of the drawing is in the picture. Always finite: what is very far away is only
-    /// somewhere far away.
+    /// Converts a point of the drawing to the picture. Always finite: the result for a very distant
+    /// point is only some distant point.
     QPointF at(const Point& point) const;
-    /// The way back.
+    /// The inverse.
     Point pointAt(const QPointF& place) const;
-    /// Where the part of a line that can be seen is; nothing if none of it can.
+    /// The part of a line inside the picture; empty if none of it is.
     std::optional<QLineF> part(const clipping::Segment& line) const;
-    /// Whether a point is in the picture; false for what is no point.
+    /// Whether a point is in the picture; false for NaNs and infinities.
     bool shows(const Point& point) const;
     /// The size of a stroke's unit: 1 with a font of 13 pixels.
     double unit() const { return font.pixelSize() / 13.0; }
 };
 
-/// Shows window and line with room for labels, the same at every step. Of a line that is much
-/// longer than the window only the part near it is seen.
+/// Shows window and line with room for labels, the same at every step. For a line that is much
+/// longer than the window, only the part near the window is shown.
 FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
 
-/// The same, but a line that would be a mere dot beside its window fills a good part of the
-/// picture, with the edges that it crosses; unless then nothing of the window could be seen.
+/// The same, but a line that is tiny compared with its window fills a good part of the picture,
+/// with the edges that it crosses, unless nothing of the window would be visible then.
 FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
 
 } // namespace app

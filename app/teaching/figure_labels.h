@@ -5,30 +5,30 @@
 
 namespace app {
 
-/// A label of a figure, and where it is.
+/// A label of a figure and its place.
 struct FigureLabel {
     enum class Tone : std::uint8_t { Plain, Lit, Window, Edge, LitEdge };
     Tone tone;
     QString head, detail;            ///< detail: a second line; may be empty
     QRectF box;                      ///< with its padding
-    std::optional<QPointF> leader{}; ///< the mark that it lies apart from: a thin line joins them
+    std::optional<QPointF> leader{}; ///< the label's mark, if it is distant: a thin line joins them
 };
 
-/// The labels of a step: inside the picture, none over another, a mark or the line. One for which
-/// there is no room is left out, the least telling ones first.
+/// The labels of a step: inside the picture, without overlap with each other, a mark or the line.
+/// Labels without room are left out, the least important ones first.
 std::vector<FigureLabel> figureLabels(const Specimen& specimen, const Walk& walk,
                                       const StepScene& scene, const FigureFrame& frame);
 
 /// The fonts of a label's two lines.
 QFont headFont(const FigureFrame& frame, FigureLabel::Tone tone);
 QFont detailFont(const FigureFrame& frame);
-/// What is around the text of a label.
+/// The padding around the text of a label.
 QMarginsF paddingOf(const FigureFrame& frame, FigureLabel::Tone tone);
 
-/// Where an edge's line runs through the picture; nothing if it cannot be seen.
+/// The part of an edge's infinite line inside the picture; empty if it is not visible.
 std::optional<QLineF> edgeLine(clipping::Edge edge, const Specimen& specimen,
                                const FigureFrame& frame);
-/// The window as it is seen; a line or a point where it has no size.
+/// The window in the picture; a line or a point if it has no size.
 QRectF windowBox(const Specimen& specimen, const FigureFrame& frame);
 
 } // namespace app

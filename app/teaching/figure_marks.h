@@ -15,19 +15,19 @@ struct FigureMark {
     Shape shape;
     Tone tone;
     Point point;          ///< of the drawing
-    QPointF place;        ///< in the picture; of an end outside of it: at the border
-    double angle;         ///< of a far end: where it lies, in degrees as QLineF has them
-    QString head, detail; ///< its label's two lines; both empty: it has none
+    QPointF place;        ///< in the picture; for an end outside the picture: on its border
+    double angle;         ///< of a far end: its direction in degrees, as in QLineF
+    QString head, detail; ///< the two lines of its label; both empty: no label
 };
 
 /// The radius of a mark, in the picture's units.
 double radiusOf(const FigureMark& mark, const FigureFrame& frame);
 
-/// All marks of a step: the ends first, then the cuts in their order, then what may be a cut.
+/// All marks of a step: first the ends, then the cuts in order, then candidate cuts.
 std::vector<FigureMark> figureMarks(const Specimen& specimen, const StepScene& scene,
                                     const FigureFrame& frame);
 
-/// "−9.0625, 75": six digits each.
+/// "−9.0625, 75": six significant digits each.
 QString pointText(const Point& point);
 
 } // namespace app

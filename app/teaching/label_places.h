@@ -8,25 +8,25 @@
 #include <span>
 #include <vector>
 
-// Where labels of a figure go, one after the other, the most telling first.
+// The places of a figure's labels, chosen one after the other, the most important first.
 
 namespace app {
 
-/// What a label must not cover, and what it rather should not.
+/// What a label must not cover, and what it should not cover if possible.
 struct LabelObstacles {
     QRectF inside;               ///< labels stay within
-    std::vector<QRectF> boxes;   ///< marks and labels that are placed already
+    std::vector<QRectF> boxes;   ///< marks and labels that have their places already
     std::vector<QLineF> lines;   ///< never covered
-    std::vector<QLineF> avoided; ///< covered only where there is no other place
+    std::vector<QLineF> avoided; ///< covered only if there is no other place
 };
 
-/// The best of the places, the first ones being liked most; nothing if all are taken.
+/// The best of the places, with a preference for the first ones; empty if all are taken.
 std::optional<QRectF> freePlace(std::span<const QRectF> places, const LabelObstacles& obstacles);
 
 /// Places for a label of this size around a mark of that radius, nearest first.
 std::vector<QRectF> placesAround(const QPointF& mark, double radius, const QSizeF& label);
 
-/// Places all over an area, those nearest to a point first.
+/// Places all over an area, the nearest to a point first.
 std::vector<QRectF> placesWithin(const QRectF& area, const QPointF& near, const QSizeF& label);
 
 } // namespace app

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Computed anew at each call, in the time of a few traces. Numbers that nothing can be done with
-/// (not finite, a window turned inside out) give a caption that says so.
+/// Computes the overlay anew at each call, in the time of a few traces. For invalid numbers (not
+/// finite, or an inverted window) the overlay has only a caption that says so.
 Overlay overlayOf(const OverlaySubject& subject);
 
 } // namespace app

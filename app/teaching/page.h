@@ -10,17 +10,17 @@ namespace app {
 
 /// The page of an algorithm in resources/algorithms/KEY.md.
 struct AlgorithmPage {
-    QString markdown; ///< all of it; what the row says of itself where there is no page
-    QStringList code; ///< its first pseudo-code, without numbers
+    QString markdown; ///< the whole page; without a page, the description in the algorithm's row
+    QStringList code; ///< its first pseudo-code, without line numbers
 };
-/// A page takes the pseudo-code of a form from the library: where it says {published code} or
-/// {corrected code} on a line of its own.
+/// Reads a page, in which a line {published code} or {corrected code} is replaced by the library's
+/// pseudo-code of that form.
 AlgorithmPage pageOf(const clipping::Algorithm& algorithm);
 
-/// The pseudo-code of a form without numbers: line 1 of a trace is the first.
+/// The pseudo-code of a form without line numbers: line 1 of a trace is the first.
 QStringList codeOf(const Variant& variant);
 
-/// The numbered lines of the first block of code that has any.
+/// The numbered lines of the first code block that has any.
 QStringList pseudoCode(const QString& markdown);
 
 } // namespace app

@@ -6,24 +6,24 @@
 
 #include <QImage>
 
-// The figure on an algorithm's page: ![words](figure:KEY) in its markdown. The program paints it
-// from the library's own trace.
+// The figure on an algorithm's page: ![words](figure:KEY) in its markdown. It is painted from the
+// library's own trace.
 
 namespace app {
 
-/// The line of the figure (from the row of teaching.h) in the paper's window, y up.
+/// The figure's line (from the row of teaching.h) in the paper's window, y up.
 Specimen pageSpecimen(const clipping::Algorithm& algorithm);
-/// Its step: the last one with the row's mark; the last of all if there is none.
+/// The figure's step: the last one with the row's mark, or the last of all if there is none.
 std::size_t stepOf(const PageFigure& figure, const Walk& walk);
-/// "Step 11 of 13: End 2 lies above the window …": what stands below it; empty: an algorithm that
-/// tells no step has no figure.
+/// The caption "Step 11 of 13: End 2 lies above the window …"; empty: an algorithm without steps
+/// has no figure.
 QString pageFigureCaption(const clipping::Algorithm& algorithm);
 
-/// The figure, `width` logical pixels wide and 9/16 of it high, with so many device pixels for
-/// each; a null image where no step is told.
+/// The figure, `width` logical pixels wide and 9/16 of that high, with `devicePixels` device pixels
+/// for each logical one; a null image if there are no steps.
 QImage pageFigure(const clipping::Algorithm& algorithm, Ground ground, int width,
                   double devicePixels);
-/// The same for a viewer that asks for "figure:KEY"; a null image where the key is none.
+/// The same for the address "figure:KEY"; a null image if there is no such key.
 QImage pageFigure(const QString& address, Ground ground, int width, double devicePixels);
 
 } // namespace app

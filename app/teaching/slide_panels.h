@@ -9,8 +9,8 @@
 
 class QPainter;
 
-// What stands beside the picture on a slide. Each is painted from the top of its area and returns
-// how far down it came.
+// The panels beside the picture of a slide. Each is painted from the top of its area; its function
+// returns the y where it ends.
 
 namespace app {
 
@@ -23,14 +23,15 @@ SlideFonts slideFonts();
 QFont sized(QFont font, double factor);
 QFont bold(QFont font);
 
-/// The pseudo-code with the step's line lit, and as many lines around it as there is room for. Long
-/// lines are broken, never cut.
+/// Paints the pseudo-code with the step's line lit, and as many lines around it as there is room
+/// for. Long lines are wrapped, never cut.
 double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
                  const FigureColours& colours);
-/// The variables with the changed ones lit; where there is no room for all, those first.
+/// Paints the variables with the changed ones lit; if there is no room for all, the changed ones
+/// first.
 double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
                       const FigureColours& colours);
-/// How many operations there were until now, of how many.
+/// Paints the operations so far, and their total.
 double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
                        const FigureColours& colours);
 

@@ -8,28 +8,29 @@ namespace app {
 /// A place where the line was cut.
 struct CutPoint {
     Point at;
-    int end = 1;                                ///< which end came there: 1 or 2
-    clipping::Edge edge = clipping::Edge::None; ///< None: of no edge, as with wrong cuts
+    int end = 1;                                ///< the end that was moved there: 1 or 2
+    clipping::Edge edge = clipping::Edge::None; ///< None: not on an edge, as for wrong cuts
     std::size_t step = 0;                       ///< index of the moment
     bool stands = true;                         ///< false: the same end was cut again later
 };
 
-/// What a step shows, in the drawing's coordinates.
+/// The picture of a step, in the drawing's coordinates.
 struct StepScene {
     enum class State : std::uint8_t { Working, Accepted, Rejected };
     State state = State::Working;
-    clipping::Segment left{};                 ///< not if it is rejected
+    clipping::Segment left{};                 ///< the remaining part; not valid if the line is
+                                              ///< rejected
     std::vector<clipping::Segment> discarded; ///< by earlier steps
     std::vector<clipping::Segment> discardedNow;
-    std::vector<CutPoint> cuts{}; ///< until now, in their order
+    std::vector<CutPoint> cuts{}; ///< so far, in order
     std::optional<Point> candidate{};
-    clipping::Edge edge = clipping::Edge::None; ///< what this step is about
+    clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
     std::size_t step = 0;
 
     bool isNow(const CutPoint& cut) const { return cut.step == step; }
 };
 
-/// Of a walk without moments or a step that it does not have: the line as it was given.
+/// For a step that the walk does not have: the original line.
 StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step);
 
 } // namespace app

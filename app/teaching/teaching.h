@@ -7,39 +7,38 @@
 
 #include <span>
 
-// How an algorithm is taught: a file in tellers/ and a line in tellers/catalogue.cpp. An
-// algorithm without a row of its own is taught by the defaults, which need its trace and its
-// pseudo-code only.
+// How an algorithm is explained: a file in tellers/ and a line in tellers/catalogue.cpp. An
+// algorithm without a row uses the defaults, which need only its trace and its pseudo-code.
 
 namespace app {
 
-/// A line in the paper's window (y up) that tells something about an algorithm, and the step of its
-/// corrected form that is shown on its page.
+/// A typical line for an algorithm in the paper's window (y up), and the step of the corrected form
+/// that its page shows.
 struct PageFigure {
     clipping::Segment line{{-160, -30}, {70, 130}}; ///< the default: cut at two edges
-    Mark mark = Mark::Cut;                          ///< the last step of this kind
+    Mark mark = Mark::Cut;                          ///< the last step with this mark
 };
 
-/// One row. All but the key is optional.
+/// One row. Everything except the key is optional.
 struct Teaching {
     std::string_view key; ///< of the algorithm
-    /// How a step is said; empty: as generalSentence says it.
+    /// The sentence of a step; if it is empty, that of generalSentence is used.
     QString (*sentence)(const Telling& telling) = generalSentence;
-    std::string_view parameter{}; ///< the value that says how far along the line a cut may be
-    std::array<std::string_view, 2> middle{}; ///< or the two that are the point itself
-    Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< what it sees of the plane
+    std::string_view parameter{}; ///< the value that is the parameter of a candidate cut
+    std::array<std::string_view, 2> middle{}; ///< or the two values that are its coordinates
+    Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< the algorithm's view of the plane
     PageFigure figure{};
-    /// The units of its variables where they are not the usual ones (value_unit.cpp); `published`:
-    /// where the published code uses a name for something else. A number without a unit is bare.
+    /// The units of variables that differ from the usual ones (value_unit.cpp); `published`: names
+    /// that the published code uses differently. A number without a unit is dimensionless.
     std::span<const VariableUnit> variables{}, published{};
 };
 
-/// The rows that there are.
+/// All rows.
 std::span<const Teaching> teachings();
-/// The row of an algorithm; one without a row has the defaults.
+/// The row of an algorithm; the defaults if it has none.
 Teaching teachingOf(const clipping::Algorithm& algorithm);
 
-/// A step's sentence by such a row; never empty.
+/// A step's sentence by that row; never empty.
 QString sentenceOf(const Teaching& teaching, const Telling& telling);
 
 } // namespace app

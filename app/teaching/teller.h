@@ -7,29 +7,28 @@
 #include <optional>
 #include <span>
 
-// How a step is put into words: by a row's own sentences (teaching.h), or by those for any
-// algorithm.
+// How a step is described in words: by the sentences of a row (teaching.h), or by the general ones.
 
 namespace app {
 
-/// What a sentence can be made of.
+/// The data of a sentence.
 struct Telling {
     const Specimen& specimen;
     const clipping::Step& step;
-    const clipping::Step* before;          ///< null: it is the first
-    std::span<const Variable> variables{}; ///< all that are known by now
+    const clipping::Step* before;          ///< null: this is the first step
+    std::span<const Variable> variables{}; ///< all known so far
     clipping::Edge edge() const { return step.edge; }
     /// "the top edge".
     QString edgeText() const { return edgeWords(step.edge, specimen.y); }
-    /// A value that the step tells; nothing: it tells none of that name.
+    /// A value of this step; empty if the step has no value of that name.
     std::optional<double> value(std::string_view name) const;
-    /// A variable's value by now; nothing: it has none yet.
+    /// The current value of a variable; empty if it has none yet.
     std::optional<double> known(std::string_view name) const;
-    /// Whether the test held; false for what is no test.
+    /// Whether the test held; false if the step is not a test.
     bool holds() const { return step.holds; }
 };
 
-/// The default sentence of a step: the lit line of the pseudo-code, with the numbers of its
+/// The default sentence of a step: the current line of the pseudo-code, with the values of its
 /// variables: "At the left edge, is x1 < xmin? −160 < −100: yes."
 QString generalSentence(const Telling& telling);
 

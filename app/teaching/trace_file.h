@@ -9,28 +9,28 @@
 
 #include <span>
 
-// A trace as files: for slides and papers, for scripts. The same trace is the same bytes.
+// A trace as files: for slides and papers, for scripts. Equal traces give equal bytes.
 
 namespace app {
 
-/// What is written.
+/// What is exported.
 struct TraceExport {
     Specimen specimen;
     Walk walk;
-    std::optional<std::size_t> only{}; ///< one step alone: an index into walk.moments
+    std::optional<std::size_t> only{}; ///< only this step: an index into walk.moments
     SlideParts parts = SlideParts::All;
     Ground ground = Ground::Light;
-    double scale = 1; ///< pixels of a picture for each of the slide's
-    /// The steps, in their order; of a walk without any: 0, the line and the window.
+    double scale = 1; ///< pixels of the image for each pixel of the slide
+    /// The steps in order; for a walk without steps: 0, which shows the line and the window.
     std::vector<std::size_t> steps() const;
 };
 
-/// The slide of one step. To be painted while `trace` is there.
+/// The slide of one step. `trace` must outlive the result.
 PaintedPage slidePage(const TraceExport& trace, std::size_t step);
 
-/// One row of the catalogue of what a trace can be saved as.
+/// One row of the catalogue of file formats of a trace.
 struct TraceFormat {
-    std::string_view key, ending; ///< "text", ".txt" without its point; mostly the same
+    std::string_view key, ending; ///< "text", ".txt" without its dot; usually equal
     QString name;                 ///< "SVG drawings, one for each step", translated
     enum class Files : std::uint8_t { One, OneAStep };
     Files files;
@@ -41,28 +41,28 @@ struct TraceFormat {
 
 /// Every format, in menu order.
 std::span<const TraceFormat> traceFormats();
-/// By its key or ending; null if there is none.
+/// Finds a format by its key or ending; null if there is none.
 const TraceFormat* findTraceFormat(QStringView word);
 
-/// What a file of it is called, without its ending: "matthes-drakopoulos", "skala-published".
+/// The file's name without its ending: "matthes-drakopoulos", "skala-published".
 QString traceStem(const TraceExport& trace);
 
-/// The files that would be written to a name: NAME itself if it is one file, NAME-01.svg and so on
-/// if it is one a step; in a folder they are called as the algorithm is.
+/// The files that would be written to `target`: the target itself if there is only one file, or
+/// NAME-01.svg and so on if each step has its own; in a folder they are named after the algorithm.
 QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, const QString& target);
 
-/// Those of the numbered files that are there already and would be overwritten.
+/// The numbered files that exist already and would be overwritten.
 QStringList existingOf(const QStringList& paths);
 
-/// The bytes of each of the files; nothing if there is not enough memory.
+/// The bytes of each file; empty if there is not enough memory.
 std::optional<std::vector<QByteArray>> traceBytes(const TraceExport& trace,
                                                   const TraceFormat& format);
 
-/// Writes each file; an existing one is replaced only by a whole new one. Nothing, or the sentence
-/// that says which file could not be written.
+/// Writes each file; replaces an existing file only by a complete new one. Empty, or a sentence
+/// that names the file that could not be written.
 std::optional<QString> writeTrace(const QStringList& paths, std::span<const QByteArray> bytes);
 
-// How the formats that are no mere painting are written, each in a file of its own.
+// Formats that are not pictures, one file each.
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps);
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps);
 QByteArray traceGif(const TraceExport& trace, std::span<const std::size_t> steps);

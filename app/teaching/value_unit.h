@@ -3,31 +3,29 @@
 
 #include "app/comparison/variants.h"
 
-// In which unit the numbers are that algorithms tell of their steps, by the names of their
-// variables.
+// The units of the numbers that algorithms report in their steps, by variable name.
 
 namespace app {
 
 enum class ValueUnit : std::uint8_t {
     Bare,        ///< a ratio or a share: the same in every unit
-    Length,      ///< of the drawing
+    Length,      ///< a length in the drawing
     Area,        ///< a product of two lengths
-    X,           ///< a place on the x axis, counted from the origin
-    Y,           ///< a place on the y axis
-    FixedLength, ///< a length that is another one where places are counted from another origin
-    FixedArea,   ///< such a product
-    Turned       ///< of a plane that the algorithm has turned: no place in the drawing
+    X,           ///< an x coordinate, relative to the origin
+    Y,           ///< a y coordinate, relative to the origin
+    FixedLength, ///< a length that changes if the origin changes
+    FixedArea,   ///< a product of such lengths
+    Turned       ///< a coordinate in a rotated plane, not in the drawing
 };
 
-/// A variable that steps tell, and the unit of its numbers.
+/// A variable in a trace, and the unit of its numbers.
 struct VariableUnit {
     std::string_view name;
     ValueUnit unit;
 };
 
-/// The unit of a number (clipping::ValueKind::Number) of this name that a form tells: as the
-/// algorithm's row says (app/teaching/teaching.h), else the usual one of this name, if there is
-/// one.
+/// The unit of a number (clipping::ValueKind::Number) of this name in a form's trace: from the
+/// algorithm's row (app/teaching/teaching.h), otherwise the usual unit of this name, if any.
 std::optional<ValueUnit> unitOfValue(const Variant& variant, std::string_view name);
 
 } // namespace app

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// What the timeline shows of a step.
+/// The symbol of a step on the timeline.
 enum class Mark : std::uint8_t { Look, Compare, Divide, Cut, Accept, Reject, GiveUp };
 
 /// A variable after a step.
@@ -19,42 +19,42 @@ struct Variable {
     QString name; ///< as in the pseudo-code: "x1", "t"
     double value = 0;
     clipping::ValueKind kind = clipping::ValueKind::Number;
-    std::optional<double> before{}; ///< its value one step earlier; nothing: it is new
+    std::optional<double> before{}; ///< its value one step earlier; empty: the variable is new
     bool changed() const
     {
         return !before || !(*before == value || (*before != *before && value != value));
     }
 };
 
-/// One step, as people read it.
+/// One step as people read it.
 struct Moment {
     Mark mark = Mark::Look;
     int line = 0;                    ///< of the pseudo-code, from 1; 0: none
     QString sentence;                ///< what happens, in plain words
-    std::vector<Variable> variables; ///< all that are known by now; those of End 1 and 2 first
-    clipping::Segment left{};        ///< what is left of the line, if it is not rejected
-    clipping::Edge edge = clipping::Edge::None; ///< the edge that it is about
-    std::optional<Point> candidate{}; ///< where the line may be cut: of a parameter just found
+    std::vector<Variable> variables; ///< all known so far; those of End 1 and 2 first
+    clipping::Segment left{};        ///< the remaining part of the line, if it is not rejected
+    clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
+    std::optional<Point> candidate{};           ///< a candidate cut, from a parameter just computed
     clipping::OperationCounts cost{}; ///< since the start
-    std::optional<bool> answer{};     ///< of a test
+    std::optional<bool> answer{};     ///< the result of a test
 };
 
-/// A whole trace, as people read it. The steps are the library's own, so they cannot drift from
-/// what it does.
+/// A whole trace as people read it. The steps are the library's own, so that they always match its
+/// computation.
 struct Walk {
     QStringList code;              ///< the pseudo-code
-    std::vector<Moment> moments{}; ///< none where there is nothing to trace: see `refusal`
+    std::vector<Moment> moments{}; ///< empty if there is no trace: see `refusal`
     clipping::Outcome outcome = clipping::Outcome::Invisible;
-    std::optional<clipping::Segment> visible{}; ///< what the form's clip returns, bit for bit
+    std::optional<clipping::Segment> visible{}; ///< the result of the form's clip, bit for bit
     QString refusal{}; ///< why there are no steps: "x1 is not a number", "the window …"
 };
 Walk walkOf(const Specimen& specimen);
 
-/// The shortest text that is the number, with a real minus: "−9.0625".
+/// The shortest text that reads back as the number, with a real minus: "−9.0625".
 QString exactText(double value);
-/// Six digits at most, for sentences.
+/// At most six significant digits, for sentences.
 QString shortText(double value);
-/// What a variable holds, for people: bits as an outcode, a truth as yes or no.
+/// A variable's value for people: bits as an outcode, a truth value as yes or no.
 QString valueText(const Variable& variable);
 
 } // namespace app

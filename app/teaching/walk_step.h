@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// A step of a specimen's walk, for the length of a call.
+/// A step of a specimen's walk; the references must outlive the call.
 struct WalkStep {
     const Specimen& specimen;
     const Walk& walk;
