@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// What a command runs in: a QGuiApplication for one that paints, which takes the display if there
-/// is one and works without, and a QCoreApplication for all others.
+/// The application object of a command: a QGuiApplication for a command that paints, which uses a
+/// display if there is one and works without, and a QCoreApplication for all others.
 std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, int& argc,
                                                  char** argv);
 

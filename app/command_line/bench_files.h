@@ -6,20 +6,20 @@
 
 namespace app {
 
-/// The options of `bench` that name files to write beside the tables: --report and --charts.
+/// The options of `bench` for files besides the tables: --report and --charts.
 std::vector<Option> fileOptions();
 
-/// A file that is to be written, and how: known before the work.
+/// A file to be written and its format, known before the measurement.
 struct BenchFile {
     StudyFile kind;
     QString path;
 };
 
-/// What they ask for; throws WrongUsage where the ending of a name says nothing, and Failure where
-/// its folder is missing.
+/// The files that these options name; throws WrongUsage for an unknown ending of a name, and
+/// Failure if a folder is missing.
 std::vector<BenchFile> filesGiven(const Given& given);
 
-/// Writes them, and says which on standard error; throws Failure.
+/// Writes the files and reports their names on standard error; throws Failure.
 void writeFiles(const std::vector<BenchFile>& files, const Study& study);
 
 } // namespace app

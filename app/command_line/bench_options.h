@@ -6,27 +6,27 @@
 
 namespace app {
 
-/// The options of `bench` that say what is measured.
+/// The options of `bench` that define what is measured.
 std::vector<Option> experimentOptions();
 
-/// What --measure names: times, and analyses.
+/// The parsed --measure: times and analyses.
 struct Wanted {
     std::vector<Measure> measures;
     std::vector<Analysis> analyses;
 };
 Wanted wantedGiven(const Given& given, const QString& otherwise);
 
-/// What they ask for; throws WrongUsage, or Failure where a drawing cannot be read or nothing can
-/// draw as it is asked. The easel is made only if `wanted` draws.
+/// The parsed options; throws WrongUsage, or Failure if a drawing cannot be read or the requested
+/// draw target does not work. The draw target is created only if `wanted` draws.
 ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted);
 
-/// What --precision says; throws WrongUsage beside options that need double.
+/// The parsed --precision; throws WrongUsage together with options that need double.
 Precision precisionGiven(const Given& given);
 
-/// The forms that --form names: both, the corrected one first, unless it names one.
+/// The forms of --form: both, the corrected one first, unless it names one.
 std::vector<clipping::Form> formsGiven(const Given& given);
 
-/// The algorithms and forms they name: both forms unless --form names one.
+/// The variants that the options name: both forms unless --form names one.
 std::vector<Variant> variantsGiven(const Given& given);
 
 } // namespace app

@@ -6,17 +6,17 @@
 
 namespace app {
 
-/// The options of `bench` that name the paper's tables.
+/// The options of `bench` for the paper's tables.
 std::vector<Option> paperOptions();
 
-/// What the options of `bench` ask to be measured, one trial a table of the paper and form, or one
-/// on a scene; throws as experimentGiven. Analyses are left to the caller.
+/// The plan that the options of `bench` describe: one trial for each table of the paper and form,
+/// or one on a scene; throws like experimentGiven. Analyses are left to the caller.
 Plan planGiven(const Given& given, const Wanted& wanted);
 
-/// Whether the paper's own numbers are asked for.
+/// Whether the paper's own numbers are requested.
 Against againstGiven(const Given& given);
 
-/// What explains the trials of such a plan, on as many lines as the first of them.
+/// What explains the trials of such a plan, on as many lines as the first trial.
 PlannedTrial explanationOf(const Plan& plan);
 
 } // namespace app

@@ -13,8 +13,8 @@
 
 namespace app {
 
-/// The arguments of a command, taken apart by its table of options. Each question throws WrongUsage
-/// if what was given does not fit.
+/// The parsed arguments of a command, by its table of options. Each accessor throws WrongUsage if
+/// the argument is not valid.
 class Given {
 public:
     /// `arguments` without the command's key.
@@ -23,48 +23,49 @@ public:
     bool helpWanted() const { return has(QStringLiteral("help")); }
     bool has(const QString& option) const { return parser_.isSet(option); }
     QStringList operands() const { return parser_.positionalArguments(); }
-    /// As it was written; nothing if it was not.
+    /// The value as written; empty if the option was not given.
     std::optional<QString> text(const QString& option) const;
 
     /// A whole number from `least` to `most`.
     std::optional<quint64> count(const QString& option, quint64 least, quint64 most) const;
     std::optional<double> positive(const QString& option) const;
     std::optional<Length> length(const QString& option) const;
-    /// XMIN,YMIN,XMAX,YMAX, each with a unit of its own if it likes.
+    /// XMIN,YMIN,XMAX,YMAX, each with an optional unit.
     std::optional<std::array<Length, 4>> rectangle(const QString& option) const;
-    /// A comma-separated list of keys and abbreviations; `all` is every one. Empty if not given.
+    /// A comma-separated list of keys and abbreviations; `all` stands for every algorithm. Empty if
+    /// not given.
     std::vector<const clipping::Algorithm*> algorithms(const QString& option) const;
-    /// A key or abbreviation, with :published where there is such a form, or an exhibit.
+    /// A key or abbreviation, with :published for a published form, or a known misprint.
     std::optional<Variant> variant(const QString& option) const;
-    /// Four bare numbers; `names` is what the refusal calls them: "X1,Y1,X2,Y2".
+    /// Four plain numbers; `names` is their name in the error message: "X1,Y1,X2,Y2".
     std::optional<std::array<double, 4>> numbers(const QString& option, const QString& names) const;
     const Format* format(const QString& option) const;
-    /// Which of `words` it is; the first one if it was not given.
+    /// The index of the value in `words`; 0 if it was not given.
     std::size_t choice(const QString& option, const QStringList& words) const;
 
 private:
     [[noreturn]] void refuse(const QString& option, const QString& expected) const;
-    /// The same for numbers with commas between them, one of which may be too large.
+    /// The same for comma-separated numbers, one of which may be too large.
     [[noreturn]] void refuseNumbers(const QString& option, const QString& expected) const;
 
     QCommandLineParser parser_;
 };
 
-/// What `clearcut KEY --help` prints.
+/// The output of `clearcut KEY --help`.
 QString helpOf(const Command& command);
 
-/// Columns of a terminal, into which every help fits.
+/// The width of help texts, in columns of a terminal.
 constexpr qsizetype helpWidth = 80;
 
-/// Broken into lines of at most `width` characters; those after the first begin with `indent`
-/// spaces, and the first one stands behind as many.
+/// Wraps text into lines of at most `width` characters; lines after the first begin with `indent`
+/// spaces, and the first line leaves room for as many.
 QString wrapped(const QString& text, qsizetype indent, qsizetype width = helpWidth);
 
-/// Lines of two columns, the second one aligned and broken. It has half of the width at least: what
-/// is too long for the first column stands in a line of its own.
+/// Lines of two columns, the second one aligned and wrapped. It has at least half of the width:
+/// longer text in the first column gets a line of its own.
 QString aligned(const std::vector<std::pair<QString, QString>>& rows);
 
-/// The same for data, which are never broken.
+/// The same for data, which is never wrapped.
 QString inColumns(const std::vector<std::pair<QString, QString>>& rows);
 
 } // namespace app

@@ -7,14 +7,14 @@
 
 namespace app {
 
-/// Why the editor does not start, and what it ends with.
+/// Why the editor does not start, and its exit code.
 struct Refusal {
     QString sentence;
     Exit exit;
 };
 
-/// Nothing if the editor can open `argument`; else what is wrong with it: a file that is not there,
-/// or a command that is mistyped, with the one that may have been meant.
+/// Empty if the editor can open `argument`; otherwise what is wrong: a missing file, or a mistyped
+/// command with a suggestion.
 std::optional<Refusal> misnamed(const QString& argument);
 
 } // namespace app

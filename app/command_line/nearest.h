@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Which of `words` (at least one) may have been meant: the one that takes the fewest letters
-/// typed, left out or exchanged.
+/// The most similar of `words` (at least one): with the fewest letters inserted, deleted or
+/// exchanged.
 QString nearestTo(const QString& word, const QStringList& words);
 
 } // namespace app

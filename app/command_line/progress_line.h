@@ -5,15 +5,15 @@
 
 namespace app {
 
-/// Keeps one line on standard error up to date, "42 %, 12 s left", while it lives; silent where
-/// that is no terminal.
+/// Updates one line on standard error, "42 %, 12 s left", during its lifetime; silent if standard
+/// error is not a terminal.
 class ProgressLine {
 public:
     ~ProgressLine();
     void show(const Progress& progress);
 
 private:
-    int shown_ = -1; ///< per cent
+    int shown_ = -1; ///< in per cent
 };
 
 } // namespace app

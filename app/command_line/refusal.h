@@ -4,24 +4,24 @@
 #include <QCoreApplication>
 #include <QString>
 
-// What a command throws instead of going on; runCommandLine says the sentence and ends the program.
+// Exceptions of commands; runCommandLine prints the sentence and ends the program.
 
 namespace app {
 
-/// The arguments make no sense: exit code 2, and the way to the help.
+/// Invalid arguments: exit code 2, and a hint at the help.
 struct WrongUsage {
     QString sentence;
 };
 
-/// It could not be done (a file, the disk): exit code 1.
+/// Failed (a file, the disk): exit code 1.
 struct Failure {
     QString sentence;
 };
 
-/// All was done, and what was asked for is not so: exit code 3. What is, was said.
+/// The command ran, but its check failed: exit code 3. The result has been printed.
 struct CheckFailed {};
 
-/// The texts of the command line: Commands::tr("...").
+/// The translation context of the command line: Commands::tr("...").
 struct Commands {
     Q_DECLARE_TR_FUNCTIONS(Commands)
 };

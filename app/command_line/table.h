@@ -9,16 +9,16 @@ namespace app {
 /// The options of every command that prints tables: --format and --output.
 std::vector<Option> tableOptions();
 
-/// Where tables go, and as what: known before the work, so that a wrong usage is said at once.
+/// The target and format of tables, known before the work, so that a wrong usage is reported first.
 struct TableOutput {
     TableFormat format;
     QString path; ///< empty or "-": standard output
 };
 
-/// What --output and --format say; without --format the name's ending tells. Throws WrongUsage.
+/// The parsed --output and --format; without --format the name's ending decides. Throws WrongUsage.
 TableOutput tableOutput(const Given& given);
 
-/// Throws Failure; what is there is lost only to a whole new file.
+/// Replaces an existing file only by a complete new one; throws Failure.
 void writeTables(const TableOutput& output, std::span<const Table> tables);
 
 } // namespace app

@@ -7,22 +7,22 @@
 
 namespace app {
 
-/// Data, to standard output; throws Failure if it cannot be written (a full disk). Where the reader
-/// of a pipe has gone (`| head`) nothing is written, and that is no error.
+/// Prints data on standard output; throws Failure if it cannot be written (a full disk). If the
+/// reader of a pipe has ended (`| head`), nothing is written and there is no error.
 void print(const QString& text);
 
-/// The same for what is not text: `write` fills standard output.
+/// The same for binary data: `write` writes to standard output.
 void printWith(const Filling& write);
 
-/// A line for the person, to standard error.
+/// Prints a line for the person on standard error.
 void say(const QString& line);
 
-/// Puts something in the place of standard input, output and error where they are closed (`>&-`),
-/// so that no file is opened in their place and has messages written into it. First of all in main.
+/// Opens substitutes for standard input, output and error if they are closed (`>&-`), so that no
+/// opened file takes their place and receives messages. Call this first in main.
 void holdStandardStreams();
 
-/// Makes a closed pipe an error that writing reports, and Ctrl-C the exit code 130. A file that is
-/// being replaced stays as it was (QSaveFile).
+/// Makes a closed pipe a write error, and Ctrl-C exit code 130. A file that is being replaced stays
+/// unchanged (QSaveFile).
 void answerSignals();
 
 } // namespace app

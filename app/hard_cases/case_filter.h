@@ -7,19 +7,20 @@ namespace app {
 
 /// Which hard cases are shown.
 struct CaseFilter {
-    QString words{};               ///< each is somewhere in title, origin or reason; any case
-    QString variant{};             ///< a key: it fails there; empty: any
-    std::optional<Ruling> fault{}; ///< any variant (or that one) fails in this way
+    QString words{};               ///< each word must occur in title, origin or reason; in any case
+    QString variant{};             ///< key of a variant that fails at the case; empty: any
+    std::optional<Ruling> fault{}; ///< the kind of failure, of any variant (or of that one)
 
     bool lets(const HardCase& hard) const;
     friend bool operator==(const CaseFilter&, const CaseFilter&) = default;
 };
 
-/// Those that it lets through, in the order of the gallery.
+/// The cases that pass the filter, in the order of the gallery.
 std::vector<const HardCase*> casesFor(const CaseFilter& filter);
 
-/// What can be chosen: all cases, those where each published form or exhibit fails, those of each
-/// kind of fault. With the name of each and how many there are: "CS as published fails (17)".
+/// A choice of filters: all cases, the cases at which a published form or a known misprint fails,
+/// and those of each kind of fault. Each has a name with its number of cases: "CS as published
+/// fails (17)".
 struct CaseChoice {
     QString name;
     CaseFilter filter;

@@ -7,24 +7,25 @@
 
 namespace app {
 
-/// Where the numbers of a hard case are in a picture of 1 by 1, y up. Where true distances would
-/// hide what matters, or numbers are too far apart, only their order is true: then neighbours on
-/// an axis are drawn equally far apart, and straight lines bend where they meet the window.
+/// The positions of a hard case's numbers in a picture of 1 by 1, y up. If true distances would
+/// hide what matters, or magnitudes differ too much, only the order of the numbers is kept:
+/// neighbours on an axis are then equally far apart, and straight lines bend where they meet the
+/// window.
 class CaseScale {
 public:
-    /// Shows the case, and an answer if there is one (NaNs and infinities are left out).
+    /// The scale for the case and, if given, an answer (NaNs and infinities are left out).
     explicit CaseScale(const HardCase& hard, const CaseAnswer* answer = nullptr);
 
     bool isTrue() const { return isTrue_; }
-    /// What of the picture is used: all of it, unless the scale is true.
+    /// The used part of the picture: all of it, unless the scale is true.
     QRectF extent() const;
-    /// Of a number that is one of the case's or the answer's; between them, in proportion.
+    /// The position of one of the case's or the answer's numbers; interpolated between them.
     QPointF at(const glm::dvec2& point) const;
-    /// From End 1 to End 2; nothing if one of them is nowhere.
+    /// The path from End 1 to End 2; empty if one of them has no position.
     const std::vector<QPointF>& way() const { return way_; }
 
 private:
-    using Real = long double; // a line may pass a corner by less than a double can tell
+    using Real = long double; // a double is too imprecise for a line that passes close to a corner
     struct Axis {
         std::vector<Real> levels; ///< ascending
         std::vector<double> shares;

@@ -6,19 +6,19 @@
 #include "app/hard_cases/hard_case.h"
 #include "app/teaching/walk.h"
 
-// What can be done with a hard case elsewhere in the program.
+// How other parts of the program use a hard case.
 
 namespace app {
 
-/// For the microscope, y up.
+/// The specimen for the microscope, y up.
 Specimen specimenOf(const HardCase& hard, const Variant& variant);
 
-/// A drawing of the line, with its window; the very same numbers, so that y points down there. Or
-/// the sentence why there is none.
+/// A drawing of the line with its window, with exactly the same numbers, so that y points down. Or
+/// a sentence that says why this is impossible.
 Result<Document> documentOf(const HardCase& hard);
 
-/// The variant that is shown first: one that never ends, else the one farthest outside the window,
-/// else the first that fails; if none fails, the first of all.
+/// The variant that is shown first: one that never ends, otherwise the one farthest outside the
+/// window, otherwise the first that fails; if none fails, the first of all.
 Variant firstToLookAt(const HardCase& hard);
 
 } // namespace app

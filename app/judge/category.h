@@ -7,29 +7,31 @@
 
 namespace app::plug_in {
 
-/// Which lines of a category.
+/// The lines that a category asks about.
 struct Scope {
     std::uint64_t seed = 1;
-    Strictness strictness = Strictness::Textbook; ///< further ones for the stricter contract
-    std::size_t randomLines = 100'000;            ///< of the paper's scene
+    Strictness strictness = Strictness::Textbook; ///< the strict contract adds further lines
+    std::size_t randomLines = 100'000;            ///< from the paper's scene
 };
 
-/// When the lines of a category are clipped. Again: a second time, in another order, when all
-/// others are done; the answer must be the first one, bit for bit. InTheRace: while it is timed.
+/// When the lines of a category are clipped. Again: a second time in another order, after all other
+/// categories; the answer must equal the first one bit for bit. InTheRace: while the library is
+/// timed.
 enum class Asked : std::uint8_t { Once, Again, InTheRace };
 
-/// One row of the catalogue of what a library is asked.
+/// One row of the catalogue of tests of a library.
 struct Category {
     QString key;           ///< in files: "corners"
-    QString name;          ///< "Corners", translated, as is what follows
+    QString name;          ///< translated, like the next text
     QString meaning;       ///< one sentence
-    double visibilityUlps; ///< how far edges may move for a wrong visibility; 0: not at all
-    std::vector<Question> (*questions)(const Scope& scope); ///< depend on the scope alone
+    double visibilityUlps; ///< how far edges may move to excuse a wrong visibility; 0: never
+                           ///< excused
+    std::vector<Question> (*questions)(const Scope& scope); ///< depend only on the scope
     Asked asked = Asked::Once;
 };
 
-/// In the order in which they are asked: the simple ones first, then many random lines, then some
-/// of all these again, at last the race.
+/// In the order of the tests: first simple lines, then many random lines, then some of all these
+/// again, finally the race.
 std::span<const Category> categories();
 
 } // namespace app::plug_in

@@ -5,24 +5,24 @@
 
 namespace app::plug_in {
 
-/// The first argument of this program where it is to be the child of a judge: the only process that
-/// ever loads a user's library. `judge-child answer LIBRARY` clips what comes on standard input;
-/// `judge-child race LIBRARY LINES RUNS SEED CONTRACT` times it.
+/// The first argument of this program when it runs as a judge's child, the only process that ever
+/// loads a user's library. `judge-child answer LIBRARY` clips lines from standard input;
+/// `judge-child race LIBRARY LINES RUNS SEED CONTRACT` times the library.
 inline constexpr auto childKey = "judge-child";
 
-/// What a library can be asked to do with at most, in bytes: beyond what the child itself takes.
+/// The memory limit of a library in bytes, in addition to the child's own memory.
 inline constexpr unsigned long memoryLimit = 512ul << 20;
 
 bool isChild(const QStringList& arguments);
 
-/// Leaves a warden behind (warden.h), says on standard output the number of the process that loads
-/// the library, loads it, says how that went, and does what is asked. What the library prints goes
-/// to standard error. Never longer than two minutes of the processor's time, and never longer than
-/// the thread that started it; nothing that the library started is left.
+/// Leaves a warden behind (warden.h), prints the number of the process that loads the library on
+/// standard output, loads the library, reports the result, and does what the arguments ask. The
+/// library's output goes to standard error. Runs at most two minutes of processor time, and not
+/// longer than the thread that started it; no process that the library started survives.
 int runChild(const QStringList& arguments);
 
-/// What the child says in the line after its number: the word of how it went, a space, and the name
-/// of the algorithm or the loader's sentence.
+/// The child's second line: a word for the result, a space, and the name of the algorithm or the
+/// loader's message.
 namespace hello {
 inline constexpr auto ready = "ready", notLoadable = "not-loadable", noFunction = "no-function",
                       otherVersion = "other-version";

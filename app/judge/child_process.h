@@ -7,15 +7,15 @@
 
 namespace app::plug_in {
 
-/// How long nothing may come of a child. What counts is the processor's time, which other programs
-/// do not use up; the clock on the wall only while it sleeps.
+/// How long to wait for output of a child. Processor time counts, which other programs cannot use
+/// up; wall-clock time counts only while the child sleeps.
 struct Patience {
     double processorSeconds = 1;
     double wallSeconds = 5;
 };
 
-/// This program as the child of a judge. Needs no event loop: it belongs to the thread that waits.
-/// When it goes, the child and what that started are killed by the child's warden (warden.h).
+/// This program as a judge's child. Needs no event loop: only the waiting thread uses it. Its
+/// destructor makes the child's warden (warden.h) kill the child and all processes that it started.
 class ChildProcess {
 public:
     ChildProcess(const QString& program, const QStringList& arguments);
@@ -24,19 +24,23 @@ public:
 
     void write(const QByteArray& bytes) { process_.write(bytes); }
 
-    /// Stuck: it works without an end. Asleep: it waits for something, and uses no processor.
+    /// Stuck: it computes without end. Asleep: it waits and uses no processor time.
     enum class News : std::uint8_t { Came, Ended, Stuck, Asleep, Stopped };
-    /// Until the process of the library is known: before all else.
+    /// Waits until the library's process is known; call this first.
     News waitForStart(const Patience& patience, const std::stop_token& stop);
-    /// Until `bytes` can be read, or a whole line.
+    /// Waits until `bytes` bytes or a whole line can be read.
     News waitFor(qint64 bytes, const Patience& patience, const std::stop_token& stop);
     News waitForLine(const Patience& patience, const std::stop_token& stop);
     QByteArray read(qint64 bytes) { return process_.read(bytes); }
     QByteArray readLine() { return process_.readLine().trimmed(); }
     qint64 available() const { return process_.bytesAvailable(); }
 
-    double processorSeconds() const; ///< that it has used; 0 once it ended
-    QString printed() const { return QString::fromLocal8Bit(printed_); } ///< the first of it
+    double processorSeconds() const; ///< used by the child; 0 after it ended
+    QString printed() const
+    {
+        return QString::fromLocal8Bit(printed_);
+    } ///< the begin of its
+      ///< output
     bool crashed() const { return process_.exitStatus() == QProcess::CrashExit; }
     int exitCode() const { return process_.exitCode(); } ///< or the signal of a crash
 
@@ -47,8 +51,8 @@ private:
     bool isAsleep() const;
 
     QProcess process_;   ///< the warden
-    qint64 group_;       ///< of the warden
-    qint64 library_ = 0; ///< the number of the process that loads the library; 0: not known yet
+    qint64 group_;       ///< process group of the warden
+    qint64 library_ = 0; ///< number of the process that loads the library; 0: not known yet
     QByteArray printed_;
 };
 

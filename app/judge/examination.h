@@ -15,14 +15,14 @@ namespace app::plug_in {
 /// The program that runs as the child.
 QString programOf(const Case& which);
 
-/// The questions, while they are asked.
+/// The course of a test: questions and answers.
 class Examination {
 public:
     Examination(const Case& which, const Follower& follower);
 
-    /// False: it was stopped.
+    /// Returns false if it was stopped.
     bool run();
-    /// After that.
+    /// The verdict, after run().
     Verdict take() { return std::move(verdict_); }
 
 private:
@@ -34,7 +34,7 @@ private:
     void prepare();
     Went ask(std::size_t category);
     Went askAll(std::size_t category, std::span<const Question> questions, double until);
-    /// How many of them were answered.
+    /// `answered`: the number of questions that were answered.
     Went askSome(std::size_t category, std::span<const Question> questions, std::size_t& answered);
     void hear(std::size_t category, const Question& question, const Answer& answer);
     void hearAgain(std::size_t category, const Question& question, const Answer& answer);
@@ -48,10 +48,10 @@ private:
     Verdict verdict_;
     std::unique_ptr<ChildProcess> child_;
     QElapsedTimer taken_;
-    /// The questions, category by category, and the first answers to what will be asked again.
+    /// The questions of each category, and the first answers to questions that are asked again.
     std::vector<std::vector<Question>> questions_;
     std::map<std::array<std::uint64_t, 8>, std::optional<Answer>> first_;
-    std::size_t atOnce_ = 1; ///< questions on their way: about what takes `someTime`
+    std::size_t atOnce_ = 1; ///< questions sent at a time: what takes about `someTime`
     int deaths_ = 0;
     double processorSeconds_ = 0;
     bool wasLoaded_ = false;

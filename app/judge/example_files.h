@@ -7,20 +7,19 @@
 
 namespace app::plug_in {
 
-/// What one begins with: the header, a frame to fill in with the contract as its comment, an
-/// algorithm that is right, and one that looks right and is wrong. Each says how it is compiled.
+/// The files to start from: the header, a template with the contract as its comment, a correct
+/// algorithm, and one that looks correct but is wrong. Each says how to compile it.
 QStringList exampleNames();
 
-/// What becomes of a file that is there already and differs from ours, such as a frame that was
-/// filled in.
+/// What happens to an existing file that differs, e.g. a template that was filled in.
 enum class Existing : std::uint8_t { Keep, Replace };
 
 struct WrittenExample {
     QStringList written; ///< paths
-    QStringList kept;    ///< paths of what was there and differs
+    QStringList kept;    ///< paths of existing files that differ
 };
 
-/// Writes them into a folder.
+/// Writes the example files into a folder.
 Result<WrittenExample> writeExample(const QString& folder, Existing existing);
 
 } // namespace app::plug_in

@@ -9,7 +9,7 @@
 
 namespace app::plug_in {
 
-/// What can be wrong with an answer, or happen instead of one.
+/// The faults of an answer, or events that prevent one.
 enum class Fault : std::uint8_t {
     Crashed,
     DidNotEnd,
@@ -30,40 +30,41 @@ struct FaultInfo {
     Fault fault;
     QString key;      ///< in files: "lost"
     QString name;     ///< "Lost", translated
-    QString sentence; ///< what it does, after its name: "loses lines that are visible"
-    bool fatal;       ///< whether the child is gone
+    QString sentence; ///< completes a sentence after the library's name: "loses lines that are
+                      ///< visible"
+    bool fatal;       ///< whether the child process has ended
 };
 std::span<const FaultInfo> faults();
 const FaultInfo& infoOf(Fault fault);
 
-/// What a library is held to. With M the largest |coordinate| of line and window: ends may be off
-/// by `ulps` of M, and a wrong visibility is possible only where moving the edges by so much
-/// changes it. Textbook: ends may lie outside the window by as much, since textbooks do not speak
-/// of rounding. Clearcuts: never by one bit, and an end that was inside comes back as it was; then
-/// numbers near the ends of the double's range are asked about, too.
+/// The contract of a library. With M the largest |coordinate| of line and window: ends may be off
+/// by `ulps` of M, and a visibility may be wrong only if moving the edges by that much changes it.
+/// Textbook: ends may lie outside the window by that much, since textbooks ignore rounding.
+/// Clearcuts: never outside by even one bit, and an end that was inside is unchanged; this contract
+/// also tests numbers near the ends of the range of double.
 enum class Strictness : std::uint8_t { Textbook, Clearcuts };
 struct Contract {
     double ulps = 64;
     Strictness strictness = Strictness::Textbook;
 };
 
-/// "strict", "textbook": in files and between processes, and back.
+/// "strict", "textbook": for files and between processes. strictnessOf is the inverse.
 QString wordOf(Strictness strictness);
 Strictness strictnessOf(const QString& word);
 
-/// How an answer compares with the truth.
+/// The comparison of an answer with the exact result.
 struct Judgement {
     std::optional<Fault> fault{};
-    double off = 0;     ///< the ends, in ulps of M; 0 where only one of the two is visible
-    double outside = 0; ///< how far outside the window an end lies, in ulps of M
+    double off = 0;     ///< error of the ends in ulps of M; 0 if only one of the two is visible
+    double outside = 0; ///< distance of an end outside the window, in ulps of M
 };
 
-/// The truth is what the row `exact` says. `visibilityUlps`: how far edges may move, which is less
-/// than the contract's where every right formula is exact.
+/// The reference is the algorithm `exact`. `visibilityUlps`: how far edges may move, which is less
+/// than the contract allows where every correct formula is exact.
 Judgement judged(const Question& question, const Answer& answer, const Contract& contract,
                  double visibilityUlps);
 
-/// What is truly visible.
+/// The exact visible part.
 std::optional<clipping::Segment> expected(const Question& question);
 
 } // namespace app::plug_in

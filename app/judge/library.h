@@ -9,14 +9,14 @@ namespace app::plug_in {
 
 using Clip = decltype(&clearcut_clip);
 
-/// A library that was loaded into this process, which must be a child (child.h).
+/// A library loaded into this process, which must be a child (child.h).
 struct Library {
     Clip clip = nullptr;
-    std::string name;  ///< as it calls itself; may be empty
-    std::string error; ///< what goes before it otherwise: a word of `hello` and a sentence
+    std::string name;  ///< reported by the library; may be empty
+    std::string error; ///< if loading failed: a word of `hello` and a sentence
 };
 
-/// Runs what the library does when it is loaded.
+/// Runs the library's initialization code.
 Library loaded(const char* path);
 
 } // namespace app::plug_in

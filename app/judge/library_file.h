@@ -7,14 +7,14 @@
 
 namespace app::plug_in {
 
-/// Why a file is no shared library, and what makes one of it.
+/// Why a file is not a shared library, and the command that makes one from it.
 struct NoLibrary {
     QString sentence;
-    QString command{}; ///< for a shell; empty where none is known
+    QString command{}; ///< for a shell; empty if none is known
 };
 
-/// Of source code, an object file, a program, another text. Nothing if the file begins like a
-/// shared library, or cannot be read: then the loader says more.
+/// Recognizes source code, object files, programs and other texts. Empty if the file begins like a
+/// shared library or cannot be read: then the loader's message says more.
 std::optional<NoLibrary> whyNoLibrary(const QString& path);
 
 } // namespace app::plug_in

@@ -5,17 +5,17 @@
 
 namespace app::plug_in {
 
-/// What a category gives where every line of it is right.
+/// The points of a category without wrong lines.
 inline constexpr int fullPoints = 10;
 
-/// A point for each whole tenth that is right, of the visible or of the invisible lines, whichever
-/// is less: who drops every line, or keeps every one, gets none. The last point only where all are
-/// right; a line that was not tested is not right.
+/// One point for each whole tenth that is right of the visible or of the invisible lines, whichever
+/// is less: a library that drops every line, or keeps every line, gets none. The last point needs
+/// all lines right; an untested line is not right.
 int pointsOf(const CategoryCount& count);
 
-/// One row of the catalogue of degrees.
+/// One row of the catalogue of grades.
 struct Degree {
-    int points;   ///< at least so many
+    int points;   ///< the least number of points
     QString key;  ///< in files: "nearly"
     QString name; ///< "nearly right", translated
 };
@@ -23,10 +23,10 @@ struct Degree {
 std::span<const Degree> degrees();
 const Degree& degreeOf(const CategoryCount& count);
 
-/// All categories of a verdict together.
+/// The sum over all categories of a verdict.
 struct Score {
     int points = 0, most = 0;
-    std::size_t right = 0, categories = 0; ///< how many have full points, and how many there are
+    std::size_t right = 0, categories = 0; ///< number of categories with full points, and of all
 };
 Score scoreOf(const Verdict& verdict);
 

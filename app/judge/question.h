@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-// What goes through the pipes between the judge and its child, as bytes: both are one program.
+// The bytes sent through the pipes between the judge and its child, which are the same program.
 
 namespace app::plug_in {
 
@@ -18,11 +18,11 @@ struct Question {
 };
 static_assert(sizeof(Question) == 64);
 
-/// What the library's function gave back.
+/// The output of the library's function.
 struct Answer {
     std::array<double, 4> visible; ///< NaN where nothing was written
     std::int32_t returned;
-    std::uint32_t wroteBeyond; ///< 1: it wrote beside visible[0] to [3]
+    std::uint32_t wroteBeyond; ///< 1: the function wrote outside visible[0] to [3]
 
     std::optional<clipping::Segment> piece() const
     {

@@ -10,40 +10,40 @@
 
 namespace app::plug_in {
 
-/// A line that was wrong in the race.
+/// A wrong line of the race.
 struct RaceFinding {
     Fault fault;
     Question question;
-    Answer answer; ///< of a changed one: the later one
+    Answer answer; ///< for a changed answer: the later one
 };
 
-/// What a library got wrong in the race, a line once.
+/// The errors of a library in the race; each line counts once.
 struct RaceFindings {
-    std::size_t lines = 0; ///< that it clipped, those of each class of line again
+    std::size_t lines = 0; ///< lines that it clipped; lines of each class count again
     std::vector<std::size_t> byFault = std::vector<std::size_t>(faults().size());
-    std::size_t visible = 0, wrongVisible = 0; ///< truly visible lines, and those of them wrong
+    std::size_t visible = 0, wrongVisible = 0; ///< visible lines, and the wrong ones of these
     std::size_t outside = 0; ///< ends that rounding left outside the window, within the contract
-    double mostOff = 0;      ///< ulps, among what was right
-    std::vector<RaceFinding> first{}; ///< some of what was wrong
+    double mostOff = 0;      ///< in ulps, of the right answers
+    std::vector<RaceFinding> first{}; ///< the first wrong lines
 
     std::size_t wrong() const;
 };
 
-/// In one line, and back; nothing if it is not what was written.
+/// Converts to JSON on one line, and back; empty if the text is not such JSON.
 QByteArray jsonOf(const RaceFindings& found);
 std::optional<RaceFindings> raceFindingsOf(const QByteArray& json);
 
-/// Compares what a library finds in each of its turns of a race: the first time that some lines
-/// come with the truth, later with what it found then.
+/// Checks the library's results in each of its turns in a race: the first time, lines are compared
+/// with the exact result, later with the library's own first result.
 class RaceCheck {
 public:
     explicit RaceCheck(const Contract& contract) : contract_(contract) {}
 
-    /// After each turn; the pieces in the order of the lines.
+    /// Call this after each turn; the pieces are in the order of the lines.
     void turn(std::span<const clipping::Segment> lines, const clipping::Window& window,
               std::span<const clipping::Clipped> pieces);
     const RaceFindings& found() const { return found_; }
-    /// What the turns are timed with: it stands still while they are checked.
+    /// The clock that times the turns; it stands still during checks.
     Clock clock() const;
 
 private:
@@ -54,11 +54,11 @@ private:
 
     Contract contract_;
     RaceFindings found_;
-    std::vector<clipping::Segment> lines_; ///< of the turns until others come
+    std::vector<clipping::Segment> lines_; ///< of the turns until other lines come
     clipping::Window window_{};
     std::vector<clipping::Clipped> pieces_; ///< of the first turn on these lines
     std::uint64_t sum_ = 0;                 ///< of these pieces
-    std::vector<bool> wrong_;               ///< of these lines: told already
+    std::vector<bool> wrong_;               ///< for each of these lines: reported already
     Clock clock_ = processorClock();
     double paused_ = 0;
 };

@@ -10,44 +10,44 @@
 
 namespace app::plug_in {
 
-/// What stands for the library where others have the key of their algorithm.
+/// The key of the library, where algorithms have their own keys.
 inline constexpr auto ownKey = "yours";
 
-/// What one of them needed and found.
+/// The times and results of one contender.
 struct Contender {
     QString key;                                      ///< of the algorithm, or ownKey
-    std::vector<double> times;                        ///< nanoseconds a line, one number a run
-    std::array<double, lineClasses.size()> byClass{}; ///< medians, nanoseconds a line
+    std::vector<double> times;                        ///< nanoseconds per line, one number per run
+    std::array<double, lineClasses.size()> byClass{}; ///< medians, nanoseconds per line
     Findings found{};
 };
 
-/// The library beside every row, on the paper's scene.
+/// The library beside every algorithm, on the paper's scene.
 struct Times {
     std::vector<Contender> contenders;               ///< the library is the first
-    std::array<double, lineClasses.size()> shares{}; ///< of the scene, by class
+    std::array<double, lineClasses.size()> shares{}; ///< of the lines of the scene, by class
     std::vector<std::pair<QString, QString>> facts;
-    std::size_t ownWrong = 0; ///< lines that the library got wrong while it was timed: then its
-                              ///< time has no rank. Known to the judge alone.
+    std::size_t ownWrong = 0; ///< lines that the library clipped wrongly while it was timed; if
+                              ///< any, its time has no rank. Known only to the judge.
 };
 
-/// In one line, and back; nothing if it is not what was written, with `exact` among them.
+/// Converts to JSON on one line, and back; empty if the text is not such JSON, or `exact` is
+/// missing.
 QByteArray jsonOf(const Times& times);
 std::optional<Times> timesOf(const QByteArray& json);
 
-/// Who differs from whom, contenders in their order.
+/// Which contenders differ significantly, in their order.
 Ranking rankingOf(const Times& times);
 
-/// How many times as long as the other the first one takes, by medians.
+/// The library's time ÷ the time of contender `to`, by medians.
 double ratioOf(const Times& times, std::size_t to);
 
-/// Whom a table is for: a file holds keys and plain numbers, a terminal keys and errors in words, a
-/// person reads words and numbers of the locale.
+/// The reader of a table: a file has keys and plain numbers, a terminal keys and errors in words, a
+/// person gets words and numbers of the locale.
 enum class Reader : std::uint8_t { File, Terminal, Person };
 
-/// One row each, the fastest first: place, time, and how many times as long as it the library
-/// takes.
+/// A row for each contender, the fastest first: rank, time, and the library's time ÷ its time.
 Table raceTable(const Times& times, Reader reader = Reader::File);
-/// One row each in the same order: nanoseconds a line, class by class.
+/// A row for each contender in the same order: nanoseconds per line of each class.
 Table classTable(const Times& times, Reader reader = Reader::File);
 
 } // namespace app::plug_in

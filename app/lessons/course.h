@@ -6,60 +6,61 @@
 
 namespace app {
 
-/// What the answers to a lesson's questions are worth so far: 2 points for the first try, 1 for the
-/// second, none for an answer that was shown.
+/// The points for the answers to a lesson's questions so far: 2 for a right first try, 1 for a
+/// right second try, 0 for an answer that was shown.
 struct Score {
     int settled = 0; ///< questions that are no longer open
     int points = 0;
     friend bool operator==(const Score&, const Score&) = default;
 };
 
-/// What was answered on a page.
+/// The answers that were given on a page.
 struct Answer {
-    std::vector<int> tries{}; ///< the choices in their order, all different; two at most
+    std::vector<int> tries{}; ///< the choices in order, all different; at most two
     bool shown = false;       ///< the reader asked for the answer
 };
 
-/// A lesson that is being read: the page, its question, and what the microscope shows meanwhile.
-/// While the question is open the microscope shows no step that would answer it (stepsShown), and
-/// the lesson does not go on.
+/// The lesson in progress: its page, its question, and the specimen in the microscope. While the
+/// question is open the microscope shows no step that would reveal the answer (stepsShown), and the
+/// next page is not available.
 class Course : public QObject {
     Q_OBJECT
 
 public:
     explicit Course(Microscope& microscope, QObject* parent = nullptr);
 
-    /// Begins a lesson at its first page, and opens the microscope.
+    /// Starts a lesson at its first page and opens the microscope.
     void begin(std::size_t lesson);
-    void end();                   ///< leaves the microscope as it is
-    const Lesson* lesson() const; ///< null: none is being read
+    void end();                   ///< leaves the microscope unchanged
+    const Lesson* lesson() const; ///< null: no lesson is in progress
     std::size_t lessonIndex() const { return lesson_.value_or(0); }
 
     std::size_t page() const { return page_; }
     std::size_t pages() const { return lesson() ? lesson()->pages.size() : 0; }
     const QString& text() const { return lesson()->pages[page_].text; }
-    /// What the page tells once its question is settled; empty before.
+    /// The page's explanation after its question is settled; empty before.
     QString told() const;
     bool atLastPage() const { return page_ + 1 >= pages(); }
-    void next();     ///< the next page; after the last, or while a question is open: stays
-    void previous(); ///< the page before, with the answer that was given there
-    /// Shows again what the page is about, after the reader looked elsewhere.
+    void next();     ///< the next page; no effect on the last page or while a question is open
+    void previous(); ///< the previous page, with the answer that was given there
+    /// Shows the page's specimen again after the reader looked at something else.
     void showAgain();
 
     const std::optional<Question>& question() const { return question_; }
-    /// What was answered on this page.
+    /// The answers given on this page.
     const Answer& answer() const { return answers_[page_]; }
-    /// Whether the page asks something that was neither answered rightly, nor twice, nor shown.
+    /// Whether the page has a question that was neither answered correctly, nor tried twice, nor
+    /// shown.
     bool isOpen() const;
-    /// Tries an answer. Of a question that is not open, or one that was tried: ignored.
+    /// Tries an answer. Ignored if the question is not open, or if this choice was tried already.
     void choose(int choice);
-    /// Gives up: the answer is shown.
+    /// Gives up the question and shows the answer.
     void showAnswer();
 
     Score score() const; ///< of this lesson so far
-    /// Whether the last page is shown and no question is open.
+    /// Whether the last page is shown and its question is not open.
     bool atEnd() const { return lesson() && atLastPage() && !isOpen(); }
-    /// At the end: how many answers were right, and whether the lesson is passed. Else empty.
+    /// At the end: how many answers were right, and whether the lesson is passed. Empty before.
     QString ending() const;
 
 signals:
@@ -68,14 +69,14 @@ signals:
 private:
     void show();
     void settle();
-    int rightWorth(int points) const; ///< how many questions brought so many points
+    int rightWorth(int points) const; ///< how many questions earned that many points
 
     Microscope& microscope_;
     std::optional<std::size_t> lesson_;
     std::size_t page_ = 0;
     std::optional<Question> question_;
-    std::vector<Answer> answers_; ///< of each page
-    std::vector<int> points_;     ///< of each page
+    std::vector<Answer> answers_; ///< one for each page
+    std::vector<int> points_;     ///< one for each page
 };
 
 } // namespace app

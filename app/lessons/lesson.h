@@ -8,25 +8,25 @@
 
 namespace app {
 
-/// A question of a lesson, as it is written there: the key of its kind (question.h) and its words.
+/// A question as a lesson writes it: the key of its kind (question.h) and its words.
 struct Asking {
     QString kind;
     QStringList words;
 };
 
-/// One page of a lesson: what to read, and what the microscope shows meanwhile. y points up.
+/// One page of a lesson: the text, and the specimen in the microscope. y points up.
 struct LessonPage {
-    QString text;   ///< markdown; it asks before it tells
-    QString told{}; ///< markdown, read once the question is settled
-    QString hint{}; ///< of the question, instead of its kind's own
+    QString text;   ///< markdown; it asks before it explains
+    QString told{}; ///< markdown, shown after the question is settled
+    QString hint{}; ///< of the question; replaces the hint of its kind
     Specimen specimen{};
-    QString step{}; ///< "first", "last", a number from 1, or until which mark: "cut"
+    QString step{}; ///< "first", "last", a number from 1, or the mark of a step: "cut"
     std::optional<Asking> question{};
 };
 
-/// A lesson: a file in resources/lessons/, whose README says how one is written.
+/// A lesson: a file in resources/lessons/, whose README explains the format.
 struct Lesson {
-    QString key; ///< the file's name without ".md": remembered as done
+    QString key; ///< the file's name without ".md"; stored when the lesson is done
     QString title;
     QString summary; ///< one sentence
     std::vector<LessonPage> pages;
@@ -35,10 +35,10 @@ struct Lesson {
 /// The lessons, in the order in which they are taught.
 const std::vector<Lesson>& lessons();
 
-/// A lesson from its text; or what is wrong with it, and where: "line 12: …".
+/// Parses a lesson; or returns what is wrong and where: "line 12: …".
 Result<Lesson> readLesson(const QString& key, const QString& text);
 
-/// The step that a page wants to be seen: an index into the walk's moments.
+/// The step that a page shows: an index into the walk's moments.
 std::size_t wantedStep(const LessonPage& page, const Walk& walk);
 
 } // namespace app

@@ -7,34 +7,35 @@
 
 namespace app {
 
-/// A question that a lesson asks. Every answer is computed by the library from what the page
-/// shows, so that none can be wrong.
+/// A question of a lesson. The library computes every answer from the page's specimen, so that none
+/// can be wrong.
 struct Question {
     QString prompt;
-    QStringList choices; ///< three to five, all different, so that a second try is no gift
+    QStringList choices; ///< three to five, all different, so that two tries are no guarantee
     int right = 0;       ///< index into the choices
-    QString reason;      ///< why it is right, said after the answer
-    QString hint;        ///< said after a first wrong answer: how to find it, not what it is
+    QString reason;      ///< why it is right, shown after the answer
+    QString hint;        ///< shown after a wrong first answer: how to find the answer, not what it
+                         ///< is
 };
 
-/// Which steps would answer a question, and are covered while it is open.
+/// The steps that would reveal the answer and are hidden while the question is open.
 enum class Covered : std::uint8_t { AllSteps, LaterSteps };
 
-/// One kind of question: a file in questions/, and a line in questions/catalogue.cpp.
+/// One kind of question: a file in questions/ and a line in questions/catalogue.cpp.
 struct QuestionKind {
-    std::string_view key; ///< as lessons write it: "region"
-    /// Nothing: this page gives no such question, or the words are wrong.
+    std::string_view key; ///< as written in lessons: "region"
+    /// Empty if this page does not allow such a question, or if the words are wrong.
     std::optional<Question> (*ask)(const Specimen& specimen, const Walk& walk, std::size_t step,
                                    const QStringList& words);
-    Covered covered; ///< LaterSteps: those after the one that is looked at
+    Covered covered; ///< LaterSteps: the steps after the current one
 };
 std::span<const QuestionKind> questionKinds();
 
 std::optional<Question> questionOf(const LessonPage& page, const Walk& walk, std::size_t step);
-/// How many steps of the walk can be seen while the page's question is open.
+/// The number of steps that are visible while the page's question is open.
 std::size_t stepsShown(const LessonPage& page, std::size_t step);
 
-/// Choices in an order that does not tell which is right, but is always the same.
+/// Puts the choices in an order that does not reveal the right one, but is always the same.
 Question shuffled(Question question);
 
 } // namespace app

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// The page of an algorithm as people read it: its markdown without comments, and after it the hard
-/// cases at which its published form fails, linked to the zoo (`clearcut:case/KEY`,
+/// The page of an algorithm as people read it: its markdown without comments, followed by the hard
+/// cases at which its published form fails, with links to the gallery (`clearcut:case/KEY`,
 /// `clearcut:fails/VARIANT`).
 QString readingOf(const clipping::Algorithm& algorithm);
 

@@ -5,18 +5,18 @@
 
 class QSettings;
 
-// What is kept of the lessons from one start to the next.
+// The scores of lessons, stored between program starts.
 
 namespace app {
 
 /// Two points for each question of a lesson.
 int mostPoints(const Lesson& lesson);
-/// Whether so many points pass a lesson: three quarters of all, or more.
+/// Whether these points pass a lesson: at least three quarters of all.
 bool isPassed(int points, const Lesson& lesson);
 
-/// The best points that were reached in a lesson, 0 to mostPoints(); nothing: it was never begun.
+/// The best points reached in a lesson, 0 to mostPoints(); empty: it was never started.
 std::optional<int> bestPoints(const QSettings& settings, const Lesson& lesson);
-/// Keeps the points of a lesson, unless better ones are kept already.
+/// Stores the points of a lesson, unless better ones are stored already.
 void keepPoints(QSettings& settings, const Lesson& lesson, int points);
 
 } // namespace app

@@ -10,20 +10,20 @@
 #include <optional>
 #include <vector>
 
-// Drawings that were not saved when the program was ended: one SVG file each, which any program
-// opens, with a processing instruction after the drawing that says what it was.
+// Drawings that were unsaved when the program ended: one SVG file each, which any program opens,
+// with a processing instruction after the drawing that holds its origin.
 
 namespace app {
 
-/// What has to be known of a drawing to go on with it.
+/// The data needed to continue with a drawing.
 struct Origin {
-    QString name;       ///< as the title called it
-    QString path;       ///< where Save goes; empty: it asks
-    QDateTime fileTime; ///< when the file there was last changed, as far as the program knew
+    QString name;       ///< the name in the title
+    QString path;       ///< the target of Save; empty: it asks
+    QDateTime fileTime; ///< last change of that file, as far as the program knew
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 
-/// A drawing that was left, claimed by this process while it lives: no other offers it.
+/// A leftover drawing, claimed by this process while it runs: no other process offers it.
 struct Leftover {
     QString file;
     Origin origin;
@@ -31,26 +31,26 @@ struct Leftover {
     std::shared_ptr<QLockFile> claim;
 };
 
-/// In the user's state folder ($XDG_STATE_HOME, else ~/.local/state).
+/// In the user's state folder ($XDG_STATE_HOME, otherwise ~/.local/state).
 QString leftoverFolder();
 
-/// Writes a file for a drawing, whole or not at all, and makes the folder; only the user can read
-/// either of them. Nothing, or the error.
+/// Writes the file of a drawing, completely or not at all, and creates the folder; only the user
+/// can read them. Empty, or the error.
 std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
                                      const QString& file);
 
-/// A name in `folder` that no other process uses.
+/// A file name in `folder` that no other process uses.
 QString newLeftoverFile(const QString& folder);
 
-/// Those in `folder` that no other process has claimed, the newest first. Any other file there is
-/// left alone.
+/// The leftovers in `folder` that no other process has claimed, the newest first. Other files in
+/// the folder are not touched.
 std::vector<Leftover> claimLeftovers(const QString& folder);
 
-/// Deletes it: it was saved, or given up.
+/// Deletes a leftover that was saved or abandoned.
 void discard(Leftover& leftover);
 
-/// One whose drawing cannot be read: renamed, so that it is never offered again, but not lost. The
-/// new name.
+/// Renames a leftover whose drawing cannot be read, so that it is never offered again, but not
+/// lost. Returns the new name.
 QString setAside(Leftover& leftover);
 
 } // namespace app

@@ -6,10 +6,10 @@
 
 namespace app {
 
-/// While it lives, SIGTERM, SIGHUP and SIGINT end the process as they always do, but `last` is
-/// called before, on a thread of its own: at once, even while all other threads are busy. One that
-/// the program was started to ignore (nohup) stays ignored. There may be one at a time. Where there
-/// are no such signals, or no thread can be had, it does nothing.
+/// While an object of this class exists, SIGTERM, SIGHUP and SIGINT end the process as usual, but
+/// `last` is called first, immediately, on a thread of its own, even while all other threads are
+/// busy. Signals that the program was started to ignore (nohup) stay ignored. At most one object at
+/// a time. Without such signals, or if no thread can be started, it does nothing.
 class SignalWatch {
 public:
     explicit SignalWatch(std::function<void(int signal)> last);

@@ -6,23 +6,23 @@
 
 namespace app {
 
-/// What would be lost if the program ended now. The thread that edits tells it; any thread may
-/// write it, also while the other is busy.
+/// The work that would be lost if the program ended now. The editing thread updates it; any thread
+/// may write it to a file, even while the editing thread is busy.
 class UnsavedWork {
 public:
     explicit UnsavedWork(const EditedDocument& document) : edited_(document) {}
 
-    /// What is known of the document apart from the drawing.
+    /// The document's state apart from the drawing.
     struct Document {
-        QString file; ///< to write it to
+        QString file; ///< the file to write
         Origin origin;
-        QString sample;                ///< the key of the sample that it was; empty: none
-        bool changed = false;          ///< since it was saved
-        std::optional<ObjectInHand> inHand{}; ///< that is being drawn
+        QString sample;       ///< key of the sample that it was opened from; empty: none
+        bool changed = false; ///< since the last save
+        std::optional<ObjectInHand> inHand{}; ///< the object being drawn
     };
     void tell(Document document);
 
-    /// Writes to the document's file what is not saved, if anything is.
+    /// Writes unsaved work, if any, to the document's file.
     struct Written {
         bool unsaved = false;
         std::optional<QString> error{};

@@ -9,10 +9,10 @@
 
 namespace app {
 
-/// Objects as other programs and this one take them: SVG, as such and as text.
+/// Objects in formats for this and other programs: SVG as image and as text.
 std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects);
 
-/// The objects in there, at the size on paper that they had, without their ids; none if there are
+/// The objects on the clipboard, at their original size on paper, without ids; empty if there are
 /// none.
 Objects pasted(const QMimeData& data, const Page& page);
 

@@ -5,33 +5,34 @@
 
 namespace app {
 
-/// The line of the drawing that is under the session's microscope. As long as one looks at it, the
-/// microscope follows the drawing: its window, its algorithm, the line itself and which line is
-/// inspected; also when others opened the microscope at the inspected line. What the person changes
-/// there (an end, another line typed in) stays until `back()`. Of a specimen from elsewhere, a
-/// lesson's, it keeps its hands off.
+/// The line of the drawing that the session's microscope shows. While it is shown, the microscope
+/// follows the drawing: its window, its algorithm, the line itself and which line is inspected;
+/// also if another part of the program opened the microscope at the inspected line. A change by the
+/// person in the microscope (a moved end, another line typed in) stays until `back()`. A specimen
+/// from elsewhere, such as a lesson's, is never changed.
 class DrawnLine : public QObject {
     Q_OBJECT
 
 public:
     explicit DrawnLine(Session& session, QObject* parent = nullptr);
 
-    /// Opens the microscope: at the inspected line, else the first that the window cuts, else any;
-    /// of an empty drawing at one of our own.
+    /// Opens the microscope at the inspected line, otherwise the first line that the window cuts,
+    /// otherwise any line; for an empty drawing, at a built-in example.
     void look();
-    /// At this line, with what explains it (app/session/inspection.h).
+    /// Opens it at this line, with the variant that explains it (app/session/inspection.h).
     void look(std::size_t segment);
 
-    /// The next line or the one before, round and round.
+    /// Goes to the next or previous lines, cyclically.
     void go(std::ptrdiff_t lines);
-    /// With another algorithm or form: the drawing is clipped with it, too, if it is the drawing's.
+    /// Chooses another algorithm or form; if the microscope shows the drawing's line, for the
+    /// drawing too.
     void choose(const Variant& variant);
-    /// The drawing's line again, as it is there.
+    /// Restores the line as it is in the drawing.
     void back();
 
-    /// Which line; nothing: it is none of the drawing.
+    /// The line's number; empty: it is not a line of the drawing.
     std::optional<std::size_t> line() const { return attached_ ? line_ : std::nullopt; }
-    /// Whether it is no longer where it is in the drawing.
+    /// Whether the line in the microscope differs from the drawing's.
     bool changed() const;
 
 signals:
@@ -48,12 +49,11 @@ private:
     void followInspected();
 
     Session& session_;
-    std::optional<std::size_t> line_; ///< nothing: of an empty drawing
-    std::optional<std::size_t>
-        lent_;              ///< inspected by us alone: no longer when the microscope closes
-    Specimen ours_;         ///< as we showed it last
+    std::optional<std::size_t> line_; ///< empty: the drawing is empty
+    std::optional<std::size_t> lent_; ///< inspected only for the microscope: reset when that closes
+    Specimen ours_;                   ///< as this class showed it last
     Variant display_;       ///< of the drawing, as last seen
-    bool attached_ = false; ///< what is under the microscope is ours
+    bool attached_ = false; ///< this class controls the microscope's specimen
     bool own_ = false;      ///< the person changed the line
     bool showing_ = false;
 };

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Where a point lies, as it appears on the screen (y down): above is the library's Bottom.
+/// The region of a point as it appears on the screen (y down): above is the library's Bottom.
 struct Region {
     int column = 0; ///< -1 left of the window, 0 between, 1 right
     int row = 0;    ///< -1 above, 0 between, 1 below
@@ -20,20 +20,20 @@ struct Region {
 };
 Region regionOf(const Point& point, const clipping::Window& window);
 
-/// One line under the magnifying glass, in the window that is chosen.
+/// The explanation of one line at the compared window.
 struct Inspection {
     /// The variant that is explained. For a line that differs between A and B, while a panel shows
     /// it: A, or B if A is `exact`, which is never wrong. Otherwise the chosen variant.
     Variant variant{};
-    std::size_t number = 0; ///< of the scene's lines
-    std::size_t object = 0; ///< that it belongs to
+    std::size_t number = 0; ///< in the scene's lines
+    std::size_t object = 0; ///< the object of the line
     clipping::Segment segment{};
     Region from{}, to{};
     LineClass lineClass = LineClass::Inside;
     std::optional<clipping::Segment> visible{}; ///< the part that the algorithm leaves
-    double share = 0;                           ///< of the length; a point: 1 if visible
-    clipping::OperationCounts cost{};           ///< empty for an exhibit
-    clipping::Trace trace{};                    ///< empty for an exhibit
+    double share = 0;                           ///< share of the length; for a point: 1 if visible
+    clipping::OperationCounts cost{};           ///< empty for a known misprint
+    clipping::Trace trace{};                    ///< empty for a known misprint
 };
 Inspection inspect(const Session& session, std::size_t segment);
 /// The variant that is explained for a line: Inspection::variant.
@@ -41,11 +41,11 @@ Variant explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);
-/// "14 compare, 4 add, 1 multiply, 1 divide"; counts of 0 are left out.
+/// "14 compare, 4 add, 1 multiply, 1 divide"; counts of 0 are left out; "nothing" if all are 0.
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace except its tests, and one for the end: the action, its values
 /// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For
-/// an exhibit: its defect.
+/// a known misprint: its defect.
 QStringList stepTexts(const Inspection& inspection, Unit unit, const Page& page);
 
 } // namespace app

@@ -9,39 +9,39 @@
 
 namespace app {
 
-/// A race on what an editor shows, while a panel shows it: whenever the clip window lies elsewhere
-/// or the lines change (at most one round a frame), and then ten rounds a second until the numbers
-/// have settled. What they find is looked at ten times a second at most. It works between events,
-/// some milliseconds at a time and never before the frame that is due, so that nothing has to wait
-/// for it; the window moves on meanwhile, and the next round is on the newest one.
+/// A race on the visible drawing while a panel shows it: whenever the clip window or the lines
+/// change (at most one round per frame), and then ten rounds a second until the times have settled.
+/// Findings are examined at most ten times a second. It works between events, some milliseconds at
+/// a time and never before a pending frame, so that nothing waits for it; the window may move
+/// meanwhile, and the next round uses the newest one.
 class LiveRace : public QObject {
     Q_OBJECT
 
 public:
     explicit LiveRace(const Session& session, QObject* parent = nullptr);
 
-    /// Who races, at least one; what was measured is forgotten.
+    /// Sets the competing variants, at least one; forgets all measurements.
     void setVariants(std::vector<Variant> variants);
     std::span<const Variant> variants() const { return variants_; }
     void start(); ///< on what is shown now
-    void stop();  ///< what was measured is forgotten
+    void stop();  ///< forgets all measurements
     bool running() const { return race_.has_value(); }
 
-    /// After the last finished round; none before the first one.
+    /// The rows after the last finished round; empty before the first one.
     std::span<const RaceRow> rows() const;
     std::size_t lines() const; ///< of that round
-    /// The last finished round is on what is shown.
+    /// Whether the last finished round is on what is shown.
     bool upToDate() const;
-    /// Enough has been measured of what is shown: nothing goes on.
+    /// Enough was measured of what is shown: no further rounds run.
     bool settled() const { return settled_; }
 
 signals:
-    void advanced(); ///< rounds were finished, or it has settled; at most ten times a second
+    void advanced(); ///< rounds have finished, or the race has settled; at most ten times a second
 
 private:
     void followWindow();
     void follow(const DocumentChange& change);
-    bool isOnWhatIsShown() const; ///< the round under way, or the last one
+    bool isOnWhatIsShown() const; ///< the running round, or the last one
     void begin();
     void work();
     void roundOver();

@@ -14,9 +14,9 @@ struct Preview {
     /// What the gesture does to the clip window.
     enum class Drag : std::uint8_t { None, Moving, Sizing };
 
-    std::optional<clipping::Window> window{}; ///< nothing: the document's
+    std::optional<clipping::Window> window{}; ///< empty: the document's
     Drag drag = Drag::None;
-    std::optional<clipping::Segment> line{}; ///< being drawn
+    std::optional<clipping::Segment> line{}; ///< the line being drawn
 
     friend bool operator==(const Preview&, const Preview&) = default;
 };

@@ -14,10 +14,10 @@ struct Sample {
     QString file;  ///< a path among the program's resources
 };
 
-/// All samples, in the order of the start panel; none where the resources are not linked in.
+/// All samples, in the order of the start panel; empty if the resources are not linked in.
 std::vector<Sample> samples();
 
-/// Whether a drawing is the sample of that key of which nothing but the clip windows was changed:
+/// Whether a drawing is the sample of that key with no changes except to the clip windows: then
 /// there is nothing to save.
 bool isOnlyLookedAt(const QString& key, const Document& document);
 
