@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-/// What has to find a place: all of it, and the bars alone.
+/// The values of a panel: all of them, and those of the bars.
 struct Values {
     std::vector<double> all, bars;
 };
@@ -45,7 +45,7 @@ Values valuesOf(const Chart& chart, std::size_t panel)
     return values;
 }
 
-/// Beyond which a bar is broken: nothing, if none is far longer than most.
+/// The length beyond which a bar is broken; empty if no bar is far longer than most.
 std::optional<double> limitOf(std::vector<double> bars)
 {
     constexpr double far = 4; // medians
@@ -58,7 +58,7 @@ std::optional<double> limitOf(std::vector<double> bars)
     return limit > 0 && broken > 0 && few ? std::optional(limit) : std::nullopt;
 }
 
-/// All that is shown in full, and some room beyond it.
+/// The range of everything that is shown in full, with a margin.
 Interval rangeOf(const Chart& chart, std::size_t panel)
 {
     Values values = valuesOf(chart, panel);
@@ -74,7 +74,7 @@ Interval rangeOf(const Chart& chart, std::size_t panel)
     return {fromZero ? low : low - size * 0.03, low + size * (limit ? 1.2 : 1.03)};
 }
 
-/// 1, 2, 2.5 or 5 times a power of ten, and the decimals that its multiples need.
+/// 1, 2, 2.5 or 5 times a power of ten, and the number of decimals of its multiples.
 std::pair<double, int> roundStep(double atLeast)
 {
     const double power = std::floor(std::log10(atLeast));

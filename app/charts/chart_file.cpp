@@ -59,7 +59,7 @@ std::optional<QString> writePdf(const Chart& chart, const ChartLook& look, const
 std::optional<QString> writePng(const Chart& chart, const ChartLook& look, const QSizeF& size,
                                 QIODevice& out)
 {
-    constexpr double scale = 2; // sharp on every screen
+    constexpr double scale = 2; // high resolution
     const QByteArray bytes = pngOf(pageOf(chart, look, size), captionOf(chart), scale);
     if (bytes.isEmpty())
         return Charts::tr("there is not enough memory for the picture.");
@@ -97,7 +97,7 @@ const ChartFormat* findChartFormat(QStringView key)
 QSizeF usualSize(const Chart& chart, const ChartLook& look)
 {
     const double height = naturalHeight(chart, width - 2 * margin, look) + 2 * margin;
-    return {width, 4 * std::ceil(height / 4)}; // whole points, as a PDF page has them
+    return {width, 4 * std::ceil(height / 4)}; // whole points, as required for PDF pages
 }
 
 QByteArray chartBytes(const Chart& chart, const ChartFormat& format, const ChartLook& look)

@@ -15,20 +15,20 @@
 namespace app {
 namespace {
 
-/// What is shown beside the panels.
+/// The optional parts beside the panels that are shown.
 struct Shown {
     bool notes, values;
     qsizetype columns;
 };
 
-/// The widths that a chart asks for, as it is written.
+/// The natural widths of a chart's parts.
 struct Widths {
     double name = 0, note = 0, value = 0, end = 0;
-    double lane = 0; ///< of brackets, with what stands at them
+    double lane = 0; ///< of brackets, with their letters
     std::vector<double> columns;
 };
 
-constexpr double squeezed = 0.67; // of a row's natural height, at least
+constexpr double squeezed = 0.67; // least share of a row's natural height
 
 double unitOf(const ChartLook& look) { return look.font.pixelSize() / 13.0; }
 
@@ -37,7 +37,7 @@ double widest(const QFontMetricsF& metrics, const QString& text, double so)
     return std::max(so, metrics.horizontalAdvance(text));
 }
 
-/// A row with a marker below its bar is higher.
+/// A row with a marker below its bar is taller.
 double naturalHeight(const ChartRow& row, double unit) { return (row.other ? 38 : 26) * unit; }
 
 double naturalHeight(const Chart& chart, double unit)
@@ -86,7 +86,7 @@ Widths widthsOf(const Chart& chart, const ChartLook& look, double unit)
     return widths;
 }
 
-/// Each bracket in the first lane where none is at its rows.
+/// The first lane for each bracket that no other bracket occupies at its rows.
 std::vector<std::size_t> lanesOf(const std::vector<RowGroup>& groups)
 {
     std::vector<std::size_t> lanes;
@@ -106,7 +106,7 @@ std::vector<std::size_t> lanesOf(const std::vector<RowGroup>& groups)
     return lanes;
 }
 
-/// What is left of the panels; their left.
+/// Places everything to the left of the panels; returns the panels' left edge.
 double placeNames(ChartLayout& layout, const Chart& chart, const QRectF& area, const Widths& widths,
                   const Shown& shown)
 {
@@ -123,7 +123,8 @@ double placeNames(ChartLayout& layout, const Chart& chart, const QRectF& area, c
     return std::round(layout.valueRight + 8 * u);
 }
 
-/// What is right of the panels, brackets after the first column; their right.
+/// Places everything to the right of the panels, brackets after the first column; returns the
+/// panels' right edge.
 double placeColumns(ChartLayout& layout, const QRectF& area, const Widths& widths,
                     const Shown& shown)
 {
@@ -162,7 +163,7 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
                                    0);
 }
 
-/// Leaves out as little as it takes for the panels to be worth looking at.
+/// Leaves out as few parts as the panels' least width allows.
 void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const Widths widths = widthsOf(chart, look, layout.unit);
@@ -178,7 +179,8 @@ void placeAcross(ChartLayout& layout, const Chart& chart, const QRectF& area, co
     }
 }
 
-/// Entries beside each other, on as many lines as it takes; where the next thing may begin.
+/// Places the entries side by side, on as many lines as needed; returns where the next part may
+/// begin.
 double placeLegend(ChartLayout& layout, const Chart& chart, const QRectF& area, double top,
                    const ChartLook& look)
 {
@@ -210,7 +212,7 @@ double headingsHeight(const ChartLayout& layout, const Chart& chart, const Chart
     return height;
 }
 
-/// What lies above the rows; their top.
+/// Places everything above the rows; returns the rows' top.
 double placeHead(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const double u = layout.unit, width = area.width();
@@ -232,7 +234,7 @@ double placeHead(ChartLayout& layout, const Chart& chart, const QRectF& area, co
     return std::ceil(layout.headings.bottom() + 4 * u);
 }
 
-/// What lies below the rows, as if they ended at 0.
+/// Places everything below the rows, as if the rows ended at 0.
 void placeFoot(ChartLayout& layout, const Chart& chart, const QRectF& area, const ChartLook& look)
 {
     const double u = layout.unit;
@@ -251,7 +253,7 @@ void placeRows(ChartLayout& layout, const Chart& chart, const QRectF& area, doub
 {
     const double u = layout.unit;
     double y = top;
-    for (const ChartRow& row : chart.rows) { // on whole pixels, or their edges are soft
+    for (const ChartRow& row : chart.rows) { // on whole pixels, for sharp edges
         const double next = std::round(y + naturalHeight(row, u) * stretch);
         layout.rows.emplace_back(area.left(), y, area.width(), next - y);
         y = next;
@@ -267,13 +269,13 @@ void placeRows(ChartLayout& layout, const Chart& chart, const QRectF& area, doub
         below->translate(0, y);
 }
 
-/// With as many marks as have room for what is written at them.
+/// An axis with as many ticks as there is room for their numbers.
 Axis readableAxis(const ChartLayout& layout, const Chart& chart, std::size_t panel,
                   const ChartLook& look)
 {
     const QFontMetricsF caption(captionFont(look));
     const double width = layout.panels[panel].width(), gap = 12 * layout.unit;
-    constexpr double most = 7; // more of them tell nothing more
+    constexpr double most = 7; // more ticks would not help
     const double marks = std::min(width / (46 * layout.unit), most);
     const Axis axis = axisOf(chart, panel, marks);
     double label = 0;

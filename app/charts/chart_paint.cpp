@@ -25,7 +25,7 @@ struct Canvas {
         painter.setPen(colour);
         painter.drawText(area, flags, words);
     }
-    /// On one line, cut with "…" where it has no room.
+    /// Paints text on one line, shortened with "…" if there is no room.
     void line(const QRectF& area, int alignment, const QFont& font, const QColor& colour,
               const QString& words) const
     {
@@ -39,7 +39,7 @@ QColor colourOf(const ChartRow& row, const ChartLook& look)
     return row.variant.algorithm ? algorithmColour(*row.variant.algorithm, look.ground) : look.text;
 }
 
-/// A text's height around a line.
+/// A rectangle of a text's height around a line.
 QRectF around(double left, double right, double middle, double unit)
 {
     return {left, middle - 10 * unit, right - left, 20 * unit};
@@ -168,7 +168,7 @@ void paintNames(const Canvas& c, const ChartRow& row, double middle)
                c.look.muted, row.value);
 }
 
-/// The hollow marker in its own lane, on a dotted line that leads to it.
+/// Paints the hollow marker in its own lane, on a dotted line.
 void paintOther(const Canvas& c, const ChartRow& row, double top)
 {
     if (!row.other)
@@ -204,7 +204,7 @@ void paintRow(const Canvas& c, std::size_t r)
                    row.numbers[qsizetype(i)]);
 }
 
-/// A line beside all rows of the group; a tick leads to each of those that are of it.
+/// Paints a line beside all rows of the group, with a tick to each member.
 void paintGroup(const Canvas& c, std::size_t g)
 {
     const RowGroup& group = c.chart.groups[g];

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr double outline = 1.5; // of hollow things, logical pixels
+constexpr double outline = 1.5; // of hollow bars, logical pixels
 
 QPen flatPen(const QColor& colour, double width)
 {
@@ -24,7 +24,7 @@ void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& 
                  high = place.layout.x(place.panel, whiskers.high), y = place.middle,
                  cap = place.layout.thickness * 0.2;
     if (high - low < 4 * u)
-        return; // narrower than its own ends: the bar's end says it all
+        return; // narrower than its own ends: the end of the bar suffices
     const bool hollow = place.form == clipping::Form::Published;
     const auto line = [&](double x1, double y1, double x2, double y2, const QColor& colour) {
         painter.setPen(flatPen(colour, 1.4 * u));
@@ -37,7 +37,7 @@ void paintWhiskers(QPainter& painter, const FigurePlace& place, const Interval& 
     line(high, y - cap, high, y + cap, high <= end ? within : text);
 }
 
-/// A slanted gap near its end: the bar goes on beyond the axis.
+/// A slanted gap near the bar's end: the bar continues beyond the axis.
 void paintGap(QPainter& painter, const FigurePlace& place, double start, double end)
 {
     const double u = place.layout.unit, half = place.layout.thickness / 2 + u,
@@ -118,7 +118,7 @@ void paintFigure(QPainter& painter, const FigurePlace& place, const Figure& figu
 void paintBar(QPainter& painter, const QRectF& area, const BarFill& fill, double unit)
 {
     const bool solid = fill.pattern == 0 && fill.form == clipping::Form::Corrected;
-    if (solid || area.width() <= 2 * outline * unit) { // no room for an inside
+    if (solid || area.width() <= 2 * outline * unit) { // no room for an interior
         painter.fillRect(area, fill.colour);
         return;
     }

@@ -14,7 +14,7 @@ ChartRow rowOf(const PaperColumn& column, const Summary& runs, double lowest)
     const double average = column.printedAverage;
     ChartRow row = rowFor({column.algorithm, clipping::Form::Published});
     row.name = column.name;
-    row.note.clear(); // all of them are
+    row.note.clear(); // all rows have the same note
     row.figures = {Bar{{average}, runs.confidence}};
     row.numbers = {numberText(average, 3), numberText(average / lowest, 2)};
     row.detail = QStringList{fullName({column.algorithm, clipping::Form::Corrected}),

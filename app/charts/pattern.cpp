@@ -14,8 +14,8 @@
 namespace app {
 namespace {
 
-/// Parallels through the plane, as far as they cross the area: the distance is that between them
-/// wherever the area is, so neighbours go on in each other's lines.
+/// Parallel lines through the plane, clipped to the area: their positions do not depend on the
+/// area, so that the lines of adjacent areas continue each other.
 std::vector<QLineF> hatch(const QRectF& area, double degrees, double distance)
 {
     const double angle = degrees * std::numbers::pi / 180;

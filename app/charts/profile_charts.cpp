@@ -12,7 +12,7 @@ namespace {
 
 using clipping::OperationCounts;
 
-/// One kind of arithmetic, in the order of a bar's parts.
+/// One kind of operation, in the order of a bar's parts.
 struct Kind {
     const char* name;
     std::uint64_t OperationCounts::*count;
@@ -45,7 +45,7 @@ ChartRow rowOf(const VariantOperations& operations, std::uint64_t lines)
 
 double lengthOf(const ChartRow& row) { return std::get<Bar>(row.figures.front()).length(); }
 
-/// Of one variant: a bar a class, and what a line of the scene costs.
+/// The row of one variant: a bar for each class, and the weighted cost of a line of the scene.
 struct ClassRow {
     ChartRow row;
     double weighted = 0;

@@ -24,7 +24,7 @@ double lowestOf(const PaperTable& paper)
     return std::ranges::min(paper.columns, {}, &PaperColumn::printedAverage).printedAverage;
 }
 
-/// Whether the paper's time of this algorithm is set beside this timing of it.
+/// Whether the paper's time of this algorithm is shown beside this timing.
 bool comparable(const Record& record, const Timing& timing, const PaperTable& paper)
 {
     return columnOf(paper, timing.variant.algorithm)
@@ -34,8 +34,8 @@ bool comparable(const Record& record, const Timing& timing, const PaperTable& pa
               });
 }
 
-/// Which of the sorted timings is called 1: the lowest median, of those that the paper has where it
-/// is set beside them, or the two scales would have nothing to do with each other.
+/// Which of the sorted timings has the value 1: the lowest median. Beside a table of the paper,
+/// only the paper's algorithms count, otherwise the two scales could not be compared.
 std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
                    const std::optional<PaperTable>& paper)
 {
@@ -59,7 +59,7 @@ QString detailOf(const Variant& variant, const Summary& times)
     return lines.join(u'\n');
 }
 
-/// Over the lowest median; none where too few runs say nothing of where the middle lies.
+/// Relative to the lowest median; empty if there are too few runs for a confidence interval.
 std::optional<Interval> relative(const Interval& confidence, double lowest)
 {
     if (!std::isfinite(confidence.low) || !std::isfinite(confidence.high))
@@ -69,7 +69,7 @@ std::optional<Interval> relative(const Interval& confidence, double lowest)
 
 QString ratioText(double ratio) { return numberText(ratio, 2); }
 
-/// What tests say of a thing against the lowest median; empty of that one itself.
+/// The test of a thing against the lowest median; empty for that thing itself.
 QString testText(const Ranking& ranking, std::size_t thing)
 {
     if (thing == ranking.order.front() || !ranking.told)
@@ -100,7 +100,7 @@ void compare(ChartRow& row, const PaperTable& paper)
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
-/// In per cent of the median; of one that is 0, none.
+/// Deviations in per cent of the median; empty if the median is 0.
 std::vector<double> deviations(std::vector<double> runs, double median)
 {
     for (double& run : runs)

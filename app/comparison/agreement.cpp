@@ -15,10 +15,10 @@ using namespace clipping;
 
 namespace {
 
-// Two rows keep their contract (at most 64 ulps each) if they are no farther apart.
+// Two variants keep their contracts (at most 64 ulps each) if they are at most this far apart.
 constexpr double contractOfTwo = 128;
 
-/// What more than half of the answers keep, as the first of them has it.
+/// The lines that more than half of the answers keep, with the pieces of the first such answer.
 std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, std::size_t segments)
 {
     std::vector<std::size_t> votes(segments, 0);
@@ -33,7 +33,7 @@ std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, s
                 has[piece.source] = true;
                 kept.push_back(piece);
             }
-    std::ranges::sort(kept, {}, &Clipped::source); // the first answer has nearly all
+    std::ranges::sort(kept, {}, &Clipped::source); // the first answer has nearly all of them
     return kept;
 }
 
@@ -47,7 +47,7 @@ void add(Dissent& to, std::span<const Difference> fromMajority, std::size_t firs
         to.segments.push_back(std::uint32_t(firstLine) + difference.source);
 }
 
-/// Those that are judged: the published form first.
+/// The variants that are judged: the published form first.
 std::vector<Dissent> allToJudge(const Variant& chosen)
 {
     std::vector<Dissent> all;
@@ -58,7 +58,7 @@ std::vector<Dissent> allToJudge(const Variant& chosen)
     return all;
 }
 
-/// Adds what they do on the lines of one run. What the majority says is known line by line.
+/// Adds the differences in the lines of one run. The majority is known line by line.
 void judge(std::vector<Dissent>& all, const SceneLines::Run& run, const Window& window,
            const Variant& corrected)
 {
@@ -101,7 +101,8 @@ QString sentence(const Dissent& dissent)
 std::vector<Dissent> dissents(const SceneLines& lines, const Window& window, const Variant& chosen)
 {
     std::vector<Dissent> found = allToJudge(chosen);
-    const Variant corrected{chosen.algorithm}; // stands for the majority, which promises the same
+    const Variant corrected{chosen.algorithm}; // stands for the majority, which has the same
+                                               // contract
     for (const SceneLines::Run& run : lines.runs())
         judge(found, run, window, corrected);
     std::erase_if(found, [](const Dissent& one) { return one.none(); });

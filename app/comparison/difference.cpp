@@ -79,7 +79,7 @@ QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& cou
         return Text::tr("There are no lines to compare");
     if (counts.all() == 0)
         return Text::tr("They agree on all %1 lines here").arg(countText(lines));
-    // What is judged comes first: never `exact`.
+    // The judged variant comes first: never `exact`.
     if (a == exactVariant())
         return sentence(b, a, {counts.onlyB, counts.onlyA, counts.endsApart}, lines);
     const QString other = nameOf(b);

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t sliceLines = 5'000; // a millisecond or two
 
-/// The pieces of the lines that differ, line by line, A's first: marks that follow each other are
-/// joined when they are painted, so no other order may come from how the lines are divided. All
-/// ascend by line, which are counted from `first`.
+/// Appends the pieces of the lines that differ, line by line, A's first: consecutive marks are
+/// joined when they are painted, so the order must not depend on how the lines are split into
+/// slices. All inputs ascend by line; lines are counted from `first`.
 void appendPieces(std::vector<Clipped>& to, std::span<const Difference> list,
                   std::span<const Clipped> a, std::span<const Clipped> b, std::uint32_t first)
 {

@@ -45,22 +45,22 @@ void LiveFinding::setWindow(const Window& window)
     window_ = window;
     const bool was = upToDate_;
     restart();
-    if (asking_ && foundOf_ == now()) { // a gesture was dropped
+    if (asking_ && foundOf_ == now()) { // a drag was cancelled
         stop();
         upToDate_ = true;
         emit changed();
     } else if (was && !upToDate_ && many()) {
-        emit changed(); // what was found is of another window for a while
+        emit changed(); // for a while the result belongs to another window
     }
 }
 
-// The scene hears of it first: its lines are the new ones already.
+// The scene handles the change first, so its lines are already the new ones.
 void LiveFinding::follow(const DocumentChange& change)
 {
     if (!asking_ || !change.drawing())
         return;
     if (!change.everything && upToDate_ && foundOf_ == now())
-        return; // a layer has another name, say
+        return; // e.g. a layer was renamed
     const bool was = upToDate_;
     restart();
     if (change.everything) {
@@ -79,7 +79,7 @@ void LiveFinding::restart()
         return;
     if (many())
         return soon_.start(idleMilliseconds);
-    // Posted, not by a timer: requests to paint are posted, too, with less priority.
+    // Queued, not by a timer: paint requests are queued too, with lower priority.
     if (!std::exchange(posted_, true))
         QMetaObject::invokeMethod(this, &LiveFinding::findAtOnce, Qt::QueuedConnection);
 }

@@ -16,10 +16,10 @@ Variant rowOf(std::string_view key, clipping::Form form = clipping::Form::Correc
     return {clipping::findAlgorithm(key), form};
 }
 
-/// The one whose published form loses visible lines of usual drawings: near-vertical ones.
+/// The variant whose published form loses visible lines of usual drawings: near-vertical ones.
 Variant exhibit() { return rowOf("kwc", published); }
 
-/// As findVariant, but finds no exhibits.
+/// Like findVariant, but without known misprints.
 std::optional<Variant> choiceOf(const QString& key)
 {
     const auto found = findVariant(key);
@@ -40,7 +40,7 @@ std::optional<std::size_t> Panes::find(const Variant& choice) const
                                    : std::optional(std::size_t(found - choices_.begin()));
 }
 
-/// Those that are shown go before those that were shown once.
+/// The variants shown now go before those remembered earlier.
 void Panes::remember()
 {
     if (all_ || size() == 1)

@@ -40,7 +40,7 @@ double ulpFor(const Segment& line, const clipping::Window& window)
 {
     const double most =
         std::max({largest(line.a), largest(line.b), largest(window.min), largest(window.max)});
-    // What is written out here is nextafter(most, infinity) - most, in a tenth of the time.
+    // This computes nextafter(most, infinity) - most in a tenth of the time.
     if (most >= std::numeric_limits<double>::min() * 0x1p53 && most <= 0x1p1023) {
         const auto exponent = std::bit_cast<std::uint64_t>(most) & 0x7FF0'0000'0000'0000;
         return std::bit_cast<double>(exponent - (std::uint64_t(52) << 52));

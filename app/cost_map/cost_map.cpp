@@ -17,9 +17,9 @@ using clipping::Window;
 namespace {
 
 constexpr std::size_t timedLines = 64, timedRounds = 5;
-constexpr double noise = 1.1; // times that are apart by less are the same
+constexpr double noise = 1.1; // smaller ratios of times count as equal
 
-/// Of one round, after which everything is in the caches.
+/// The time of one round, after which everything is in the caches.
 double roundOf(const Variant& variant, std::span<const Segment> lines, const Window& window,
                std::span<clipping::Clipped> out, const Clock& clock)
 {

@@ -20,7 +20,7 @@ Interval rangeOf(const CostMap& map)
     return {quantile(sorted, 0.01), quantile(sorted, 0.99)};
 }
 
-/// 1, 2 or 5 times a power of ten, so that there are some five of them.
+/// 1, 2 or 5 times a power of ten, so that there are about five steps.
 double stepOf(const Interval& range, bool whole)
 {
     const double wanted = (range.high - range.low) / 5;

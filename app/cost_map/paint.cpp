@@ -19,9 +19,10 @@ namespace app {
 
 namespace {
 
-constexpr int stripe = 7;             // logical pixels, of a tie
-constexpr double softness = 0.35;     // of an algorithm's colour over an area: paper mixed in
-constexpr double leastShare = 0.0002; // of all cells: the region's label
+constexpr int stripe = 7;             // logical pixels, for a tie
+constexpr double softness = 0.35;     // share of the paper's colour mixed into an algorithm's
+                                      // colour
+constexpr double leastShare = 0.0002; // of all cells: smaller regions have no label
 
 QColor mixed(const QColor& one, const QColor& other, double share)
 {
@@ -30,7 +31,7 @@ QColor mixed(const QColor& one, const QColor& other, double share)
             part(one.blue(), other.blue())};
 }
 
-/// The colours that a kind of cell has in turn: several are a tie.
+/// The colours of a cell, used in turn: a tie has several.
 std::vector<QRgb> stripesOf(const CostPlan& plan, std::uint32_t cheapest, const ChartLook& look)
 {
     std::vector<QRgb> colours;
@@ -98,7 +99,7 @@ QString labelOf(const CostMap& map, std::size_t cell)
                                 : namesOf(map.plan, map.cheapest[cell]);
 }
 
-/// With a ground of its own where it lies on stripes.
+/// Paints a label, with a background if it lies on stripes.
 void paintLabel(QPainter& painter, const QRectF& box, const CostMap& map, std::size_t cell,
                 const CostMapLook& look)
 {
@@ -132,7 +133,7 @@ void paintLabels(QPainter& painter, const QRectF& place, const CostMap& map,
     }
 }
 
-/// A line that is seen on every colour: with a rim of the ground's.
+/// Draws a line that is visible on every colour: with a rim in the ground's colour.
 void outlined(QPainter& painter, const QColor& colour, const QColor& rim, double width,
               const std::function<void()>& draw)
 {

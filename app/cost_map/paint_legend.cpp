@@ -24,7 +24,7 @@ QString shareText(const CostMap& map, const CostLegend::Share& share)
              percentText(double(share.cells) / double(map.values.size())));
 }
 
-/// Where each entry of the legend of a map of the cheapest begins, in lines that are filled.
+/// The positions of a cheapest map's legend entries, in filled lines.
 struct Flow {
     std::vector<QPointF> places;
     double height = 0;

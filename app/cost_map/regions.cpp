@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-/// What makes cells alike, and how far each is from another kind.
+/// Which cells are alike, and their distance from cells of another kind.
 class Field {
 public:
     using Step = std::array<int, 2>;
@@ -37,7 +37,7 @@ public:
         return map_.cheapest.empty() ? map_.values[one] == map_.values[other]
                                      : map_.cheapest[one] == map_.cheapest[other];
     }
-    /// The cell one step away; none beyond the map's edge or if it is of another kind.
+    /// The cell one step away; empty beyond the map's edge or if it is of another kind.
     std::optional<std::size_t> alikeBeside(std::size_t cell, const Step& step) const
     {
         const int column = int(cell) % columns_ + step[0], row = int(cell) / columns_ + step[1];
@@ -48,7 +48,7 @@ public:
     int reach(std::size_t cell) const { return reach_[cell]; }
 
 private:
-    /// One more than the least of the neighbours'; 0 beside another kind or the map's edge.
+    /// The least value of the neighbours plus 1; 0 beside another kind or the map's edge.
     int reachFrom(int column, int row, const std::array<Step, 4>& steps) const
     {
         const std::size_t here = map_.at(column, row);
@@ -72,7 +72,7 @@ private:
     std::vector<int> reach_;
 };
 
-/// Of a region's cells. Of those that are deepest within, the one nearest to the middle of them.
+/// The region of these cells. Of the deepest cells, it names the one nearest to their middle.
 CostRegion summary(const std::vector<std::size_t>& cells, const CostMap& map, const Field& field)
 {
     CostRegion region{.cells = cells.size()};
@@ -96,11 +96,11 @@ CostRegion summary(const std::vector<std::size_t>& cells, const CostMap& map, co
     return region;
 }
 
-/// Everything that hangs together with a cell.
+/// The region that contains a cell.
 CostRegion regionFrom(std::size_t first, const CostMap& map, const Field& field,
                       std::vector<bool>& seen)
 {
-    std::vector<std::size_t> all{first}; // those that were looked around in, then the others
+    std::vector<std::size_t> all{first}; // the first ones have been expanded
     seen[first] = true;
     for (std::size_t next = 0; next < all.size(); ++next) {
         for (const Field::Step& step :

@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-/// Without the measure's word, which was said already.
+/// Without the measure's name, which the text has already.
 QString bareCost(const CostMeasure& measure, double cost)
 {
     return measure.isTime() ? costText(measure, cost) : countText(std::size_t(cost));

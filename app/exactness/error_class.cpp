@@ -22,7 +22,7 @@ struct Exactness {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Two decimals below one, where they tell.
+/// Two decimals below one, "< 0.01" for less.
 QString number(double ulps)
 {
     return ulps > 0 && ulps < 0.005 ? QStringLiteral("< 0.01")
@@ -84,7 +84,7 @@ QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong)
     const std::size_t last = errorClasses().size() - 1;
     if (errorClass == last)
         return wrong;
-    constexpr double palest = 0.3; // thin lines must be seen
+    constexpr double palest = 0.3; // so that thin lines are visible
     return sequentialColour(palest + (1 - palest) * double(errorClass) / double(last - 1), ground);
 }
 

@@ -21,7 +21,7 @@ bool isFinite(const dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y);
 
 double largest(const dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
-/// The true end that belongs to an end of a piece.
+/// The true end that corresponds to an end of a piece.
 const TrueEnd& trueEnd(const TruePart& part, const Segment& piece, int end, const Variant& variant)
 {
     const auto worse = [&](const TrueEnd& a, const TrueEnd& b) {
@@ -34,7 +34,7 @@ const TrueEnd& trueEnd(const TruePart& part, const Segment& piece, int end, cons
 
 dvec2 unit(const Segment& line)
 {
-    const dvec2 half = line.b / 2.0 - line.a / 2.0; // as the difference may overflow
+    const dvec2 half = line.b / 2.0 - line.a / 2.0; // halves, because the difference may overflow
     const double size = largest(half);
     if (size == 0)
         return {};

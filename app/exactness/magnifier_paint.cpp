@@ -22,13 +22,13 @@ struct Magnifier {
     Q_DECLARE_TR_FUNCTIONS(Magnifier)
 };
 
-constexpr double roomy = 56;        // pixels between two numbers, to begin with
-constexpr double leastDistance = 5; // pixels: closer numbers are not drawn one by one
+constexpr double roomy = 56;        // initial distance between two numbers in pixels
+constexpr double leastDistance = 5; // pixels; closer numbers are not drawn separately
 constexpr double mostPixelsPerUlp = 600, labelGap = 12;
 
 double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
-/// Beyond these nothing can be told any more.
+/// Limits the scale to a range in which something is visible.
 double bounded(double pixelsPerUnit, const Magnified& seen)
 {
     const double finest = std::max(std::min(seen.ulp.x, seen.ulp.y), 1e-290);
@@ -37,7 +37,7 @@ double bounded(double pixelsPerUnit, const Magnified& seen)
     return std::clamp(pixelsPerUnit, 40 / coarsest, mostPixelsPerUlp / finest);
 }
 
-/// Where things are in the picture.
+/// Paints the parts of the picture at their places.
 class Stage {
 public:
     Stage(QPainter& painter, const QRectF& area, const Magnified& seen, const MagnifierView& view,
@@ -59,7 +59,7 @@ public:
         painter_.fillRect(inside.intersected(area_), look_.chart.paper);
     }
 
-    /// Returns whether the numbers of both coordinates are drawn one by one.
+    /// Returns whether the numbers of both coordinates are drawn separately.
     bool paintLattice()
     {
         const auto xs =
@@ -104,7 +104,7 @@ public:
         painter_.drawLine(on - along, on + along);
     }
 
-    /// How large the picture is, as a bar of so many ulps.
+    /// Paints the scale of the picture, as a bar of a number of ulps.
     void paintScale(bool latticeSeen)
     {
         const double ulp = std::max(seen_.ulp.x, seen_.ulp.y) * view_.pixelsPerUnit;
@@ -152,7 +152,7 @@ public:
     }
 
 private:
-    /// Offsets in pixels of the numbers in sight; none if they are too close to each other.
+    /// Offsets in pixels of the visible numbers; empty if they are too close to each other.
     std::vector<double> numbers(double centre, double from, double to) const
     {
         const double perUnit = view_.pixelsPerUnit;
@@ -163,7 +163,7 @@ private:
         return found;
     }
 
-    /// So that QPainter gets no huge numbers.
+    /// Limits a point so that QPainter gets no huge numbers.
     glm::dvec2 bounds(const glm::dvec2& p) const
     {
         const double most = 1e5 / view_.pixelsPerUnit;
@@ -202,7 +202,7 @@ private:
         return QFontMetricsF(look_.chart.font).horizontalAdvance(text);
     }
 
-    /// On a ground that keeps it apart from lines, and within the picture.
+    /// Paints a text on a background that separates it from lines, inside the picture.
     void label(QPointF at, const QString& text, const QColor& colour)
     {
         if (!area_.adjusted(-width(text), -20, width(text), 20).contains(at))

@@ -6,7 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-// Boost is used here alone: it takes seconds to compile.
+// Boost is included only here: it takes seconds to compile.
 
 namespace app {
 
@@ -16,7 +16,7 @@ using glm::dvec2;
 
 namespace {
 
-/// 256 bits without asking for memory, which most drawings never exceed.
+/// 256 bits without heap allocation, which is enough for most drawings.
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<256, 0, boost::multiprecision::signed_magnitude>,
     boost::multiprecision::et_off>;
@@ -26,7 +26,7 @@ constexpr int leastPlace = -1074, digits = 53;
 /// The exponent of the last place of a finite number.
 int lastPlace(double x) { return x == 0 ? 0 : std::max(std::ilogb(x) - (digits - 1), leastPlace); }
 
-/// x / 2^unit, which is whole.
+/// x / 2^unit, which is an integer.
 Integer whole(double x, int unit)
 {
     if (x == 0)
@@ -42,7 +42,7 @@ double rounded(const Integer& over, const Integer& under, int unit)
 {
     if (over == 0)
         return 0;
-    // A quotient of two bits more than a double holds, the last of which also tells of the rest.
+    // A quotient with two bits more than a double; its last bit is also set for a remainder.
     int shift = digits + 2 - (bitsOf(over) - bitsOf(under));
     shift = std::min(shift, unit - leastPlace + 2); // not below the smallest doubles
     Integer n = abs(over), d = under;
@@ -54,7 +54,8 @@ double rounded(const Integer& over, const Integer& under, int unit)
     divide_qr(n, d, quotient, remainder);
     auto q = static_cast<unsigned long long>(quotient);
     int place = unit - shift;
-    // To 53 digits here, and by whole units of the smallest double: ldexp would round again.
+    // Rounds to 53 digits here, and to integer multiples of the smallest double: ldexp would round
+    // again.
     int spare = 0;
     while ((q >> spare) >> digits != 0)
         ++spare;
@@ -99,7 +100,7 @@ struct Whole {
         }
     }
 
-    /// From where to where the line is inside; nothing if nowhere.
+    /// The parameters where the line enters and leaves the window; empty if it is not inside.
     std::optional<std::array<Ratio, 2>> interval() const
     {
         std::array<Ratio, 2> found{Ratio{0, 1}, Ratio{1, 1}};
@@ -177,7 +178,7 @@ double distanceLeftOf(const Segment& line, const dvec2& point)
 {
     const Whole all(line, {point, point});
     const Integer cross = all.d[0] * (all.min[1] - all.a[1]) - all.d[1] * (all.min[0] - all.a[0]);
-    // The length to 64 bits is enough: what is exact is where the line is.
+    // 64 bits suffice for the length; the position relative to the line is exact.
     const dvec2 d = line.b / 2.0 - line.a / 2.0;
     const double length = std::hypot(d.x, d.y);
     int exponent = 0;

@@ -50,7 +50,7 @@ EndTruth endTruth(const glm::dvec2& given, const TrueEnd& truth, const Window& w
     return end;
 }
 
-/// The piece's ends against those that belong to them.
+/// The errors of the piece's ends.
 std::array<EndTruth, 2> endTruths(const Segment& piece, const TruePart& part, const Window& window,
                                   double ulp, Ends ends)
 {
@@ -64,7 +64,7 @@ std::array<EndTruth, 2> endTruths(const Segment& piece, const TruePart& part, co
     return worse(turned) < worse(straight) ? turned : straight;
 }
 
-/// As an optional, of which g++ 12 believes that it is read where there is none.
+/// Like an optional, for which g++ 12 warns of an uninitialized read.
 struct Piece {
     Segment segment{};
     bool visible = false;
@@ -73,17 +73,17 @@ struct Piece {
     const Segment& operator*() const { return segment; }
 };
 
-/// Whether the answers from both ends are one.
+/// Whether the results for both orders of ends agree.
 bool agree(const Piece& piece, const Piece& other, Ends ends)
 {
     if (!piece || !other)
         return !piece && !other;
     if (!isFinite(*piece) || !isFinite(*other))
-        return true; // that is said in another way
+        return true; // reported in another way
     return *piece == reversed(*other) || (ends == Ends::EitherWay && *piece == *other);
 }
 
-/// What the algorithm said of a line from either end.
+/// The algorithm's results for a line and for the line with its ends swapped.
 struct Answer {
     Piece piece, fromOther;
 };
@@ -118,7 +118,7 @@ Ends endsOf(const Variant& variant)
     return variant.form == clipping::Form::Corrected ? Ends::InOrder : Ends::EitherWay;
 }
 
-/// The pieces of lines one by one; both ascend by line.
+/// Iterates over the pieces of lines; both ascend by line.
 class Pieces {
 public:
     explicit Pieces(std::span<const Clipped> all) : next_(all.begin()), end_(all.end()) {}

@@ -24,7 +24,7 @@ QString errorCell(const LineTruth& line)
     return line.fault == Fault::None ? errorText(errorOf(line, yardstick)) : QStringLiteral("–");
 }
 
-/// Faults are worse than any error, and the longer the worse.
+/// Faults rank above any error, by length.
 template <Yardstick yardstick>
 double errorKey(const LineTruth& line)
 {

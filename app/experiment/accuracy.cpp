@@ -22,7 +22,7 @@ struct Experiments {
 
 constexpr std::uint64_t blockSize = 100'000;
 
-/// Not a number is outside, too.
+/// A NaN counts as outside.
 bool isInside(const Segment& s, const Window& w)
 {
     const auto inside = [&](const glm::dvec2& p) {
@@ -31,8 +31,8 @@ bool isInside(const Segment& s, const Window& w)
     return inside(s.a) && inside(s.b);
 }
 
-/// Adds one block and says of how many lines it knows how far ends are off. `meanUlps` holds their
-/// sum meanwhile.
+/// Adds one block and returns the number of lines whose errors were measured. `meanUlps` holds
+/// their sum meanwhile.
 std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
                   std::span<const Clipped> truth, const Window& window)
 {

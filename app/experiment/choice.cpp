@@ -18,7 +18,7 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-/// Operations and results do not change any more after so many lines.
+/// More lines than this do not change operation counts and accuracy noticeably.
 constexpr std::uint64_t mostExplained = 1'000'000;
 
 ExperimentOptions optionsOf(const Choice& choice)

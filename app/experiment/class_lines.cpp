@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t block = 50'000;
 constexpr std::size_t fewest = 1000;
 
-/// In the order of lineClasses: scenes that are made of one class.
+/// Scenes of a single class, in the order of lineClasses.
 constexpr std::array standIns{u"inside", u"rejected", u"crossing", u"near-miss"};
 
 using All = std::array<ClassLines, lineClasses.size()>;
@@ -53,7 +53,7 @@ std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std
     return all;
 }
 
-/// False if it was stopped.
+/// Returns false if it was stopped.
 bool fill(std::span<clipping::Segment> lines, const LineSource& source, const std::stop_token& stop)
 {
     for (; !lines.empty(); lines = lines.subspan(std::min<std::size_t>(block, lines.size()))) {

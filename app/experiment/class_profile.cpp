@@ -91,7 +91,7 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
                                          const Follower& follower)
 {
     ClassProfile profile{options, {}};
-    // To look for lines takes about as long as eighty turns on those of one class.
+    // Searching for lines takes about as long as eighty turns on the lines of one class.
     std::vector weights(1 + lineClasses.size(),
                         double((options.runs + options.warmUps) * variants.size()));
     weights.front() = 80;

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// THE CATALOGUE. To add a kind: write its file in app/experiment/, and name it here.
+// THE CATALOGUE. To add a draw target: write its file in app/experiment/, and name it here.
 std::vector<EaselKind> easelKinds()
 {
     struct Experiments {

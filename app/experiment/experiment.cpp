@@ -24,15 +24,15 @@ struct Experiments {
 };
 
 constexpr std::uint64_t blockSize = 1'000'000;
-/// What is made or drawn between two looks at whether to stop: some hundredths of a second.
+/// Lines that are generated or drawn between two tests for a stop: some hundredths of a second.
 constexpr std::size_t bit = 50'000;
 
-/// The experiment while it goes on.
+/// A running experiment.
 class Bench {
 public:
     Bench(const ExperimentOptions& options, std::span<const Variant> variants,
           const Follower& follower);
-    /// Run number `r`, the warm-ups before the first that counts. False if it was stopped.
+    /// Run number `r`; warm-ups come before the first counted run. Returns false if it was stopped.
     bool run(std::size_t r);
     std::vector<Timing> take() { return std::move(timings_); }
 
@@ -52,7 +52,7 @@ private:
     Pace pace_;
     Block block_;
     std::uint64_t first_ = 0;    ///< the number of the block's first line in the scene
-    std::vector<Clipped> truth_; ///< what is truly visible of the block, while findings are made
+    std::vector<Clipped> truth_; ///< the exact pieces of the block, while findings are made
     std::unique_ptr<Easel> easel_;
     Clock drawClock_;
     std::vector<Timing> timings_;
@@ -88,7 +88,7 @@ bool Bench::run(std::size_t r)
             pace_.turnDone();
         }
     }
-    if (pace_.stopped()) // in the middle of the last turn
+    if (pace_.stopped()) // during the last turn
         return false;
     divide(r);
     return true;
@@ -123,7 +123,7 @@ void Bench::make(const LineSource& source, std::span<Segment> lines)
         shuffle(lines);
 }
 
-/// The same way on every machine, and in every run.
+/// The same order on every machine and in every run.
 void Bench::shuffle(std::span<Segment> lines) const
 {
     Dice dice(options_.seed);
@@ -131,7 +131,7 @@ void Bench::shuffle(std::span<Segment> lines) const
         std::swap(lines[left - 1], lines[std::size_t(dice.between(0, double(left)))]);
 }
 
-/// As they came, class by class.
+/// Class by class, within a class in the generated order.
 void Bench::sort(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;
@@ -165,7 +165,7 @@ void Bench::turn(Timing& timing)
         find(timing, pieces);
 }
 
-/// The nanoseconds that it took.
+/// Draws the lines and returns the nanoseconds.
 double Bench::drawn(std::span<const Clipped> lines)
 {
     const double start = drawClock_.nanoseconds();

@@ -19,14 +19,14 @@ constexpr const char* fragmentShader = "#version 330 core\n"
                                        "out vec4 colour;\n"
                                        "void main() { colour = vec4(1); }\n";
 
-/// A vertex array and one buffer that is filled anew for each draw.
+/// A vertex array and one buffer that is refilled for each draw.
 class GlEasel final : public Easel {
 public:
     GlEasel(const Field& field, std::shared_ptr<QOffscreenSurface> surface,
             std::unique_ptr<QOpenGLContext> context);
     ~GlEasel() override { context_->makeCurrent(surface_.get()); }
 
-    /// False: what it would draw is not what it should.
+    /// False: what it draws is not correct.
     bool works() const { return works_; }
     QString name() const override;
     bool drawsElsewhere() const override { return true; }
@@ -45,7 +45,7 @@ private:
     }
 
     std::shared_ptr<QOffscreenSurface> surface_;
-    std::unique_ptr<QOpenGLContext> context_; // takes all that is made in it along
+    std::unique_ptr<QOpenGLContext> context_; // owns all OpenGL objects created in it
     QOpenGLExtraFunctions& gl_;
     EaselFit fit_;
     glm::dvec2 corner_;
@@ -85,7 +85,7 @@ bool GlEasel::makeProgram()
         gl_.glCompileShader(shader);
         gl_.glAttachShader(program, shader);
     }
-    gl_.glLinkProgram(program); // fails where a shader was not compiled
+    gl_.glLinkProgram(program); // fails if a shader was not compiled
     GLint linked = GL_FALSE;
     gl_.glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE)
@@ -154,7 +154,8 @@ EaselMaker openGlEasel()
 {
     if (!platformHasGl())
         return nullptr;
-    // Some platforms want it made here and destroyed here, whoever holds the maker last.
+    // Some platforms require creation and destruction in this thread, whichever thread holds the
+    // maker last.
     std::shared_ptr<QOffscreenSurface> surface(
         new QOffscreenSurface, [](QOffscreenSurface* last) { last->deleteLater(); });
     surface->setFormat(coreFormat());
@@ -166,7 +167,7 @@ EaselMaker openGlEasel()
             if (auto easel = std::make_unique<GlEasel>(field, surface, std::move(context));
                 easel->works())
                 return easel;
-        return rasterEasel(field); // says so by its name
+        return rasterEasel(field); // its name tells
     };
 }
 

@@ -65,7 +65,7 @@ std::map<QString, Heading> timeHeadings()
     };
 }
 
-/// Columns of the table against the paper.
+/// Columns of the comparison with the paper.
 std::map<QString, Heading> againstHeadings()
 {
     const QString faster =
@@ -95,7 +95,7 @@ std::map<QString, Heading> againstHeadings()
     };
 }
 
-/// Columns of what explains times.
+/// Columns of the explanation of times.
 std::map<QString, Heading> explanationHeadings()
 {
     const QString ns = Headings::tr("Nanoseconds a line of this class alone.");
@@ -129,7 +129,7 @@ std::map<QString, Heading> explanationHeadings()
     };
 }
 
-/// Columns of a verdict on an algorithm in a library.
+/// Columns of a verdict on a library's algorithm.
 std::map<QString, Heading> verdictHeadings()
 {
     return {

@@ -37,7 +37,7 @@ std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,
 bool isExact(const Variant& one) { return one.algorithm == &clipping::exactAlgorithm(); }
 bool isOneByOne(const Variant& one) { return one.algorithm == &exactOneByOne(); }
 
-/// The median of clipping, or none.
+/// The median clipping time; empty if there is no such variant.
 std::optional<double> medianOf(const Record& record, bool (*is)(const Variant&))
 {
     const auto found = std::ranges::find_if(record.timings, is, &Timing::variant);

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-// What is read here is compiled in, so that it cannot be wrong: tests see to it.
+// The file is compiled in and checked by tests, so errors need no handling.
 std::vector<std::vector<std::string>> recordsOf(const QString& name)
 {
     QFile file(QStringLiteral(":/paper/%1.csv").arg(name));

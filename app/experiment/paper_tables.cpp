@@ -18,7 +18,7 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-/// A table's columns in seconds a run, whoever measured them.
+/// A table's columns in seconds per run, measured by the paper or by us.
 using Columns = std::vector<std::vector<double>>;
 
 Columns secondsOf(const Record& record, const Measure& measure)
@@ -56,7 +56,7 @@ QStringList namesOf(const PaperTable& paper)
     return names;
 }
 
-/// The paper's three, or as many as it takes to see three digits of the shortest time.
+/// The paper's three decimals, or as many as three digits of the shortest time need.
 int decimalsFor(std::span<const Summary> summaries)
 {
     const auto shortest = std::ranges::min(summaries, {}, &Summary::mean).mean;
@@ -96,7 +96,7 @@ QString titleOf(const PaperTable& paper, const Record& record, const Measure& me
              wordOf(record.timings.front().variant.form));
 }
 
-/// What a published form leaves out, if there is such a one.
+/// The lines that a published form loses, if any.
 QStringList lossesOf(const PaperTable& paper, const Record& record)
 {
     QStringList sentences;

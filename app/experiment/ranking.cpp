@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t paperRounds = 10;
 
-/// One thing's time over the other's. Two times of nothing are equal.
+/// The ratio of two times. Two zeros are equal.
 double ratioOf(double one, double other) { return one == other ? 1 : one / other; }
 
 PairTest uncorrected(const std::vector<double>& one, const std::vector<double>& other)
@@ -29,7 +29,7 @@ PairTest uncorrected(const std::vector<double>& one, const std::vector<double>& 
     return {.p = signedRankP(differences), .ratio = quantile(ratios, 0.5)};
 }
 
-/// Holm's method: the smallest p times the number of tests, the next one times one less ...
+/// Holm's method: multiplies the smallest p by the number of tests, the next by one less ...
 void correct(std::span<PairTest* const> family)
 {
     std::vector<PairTest*> tests(family.begin(), family.end());
@@ -41,7 +41,7 @@ void correct(std::span<PairTest* const> family)
     }
 }
 
-/// Of a corrected test of the thing with the higher median against the other one.
+/// The outcome of a corrected test of the thing with the higher median against the other one.
 Outcome outcomeOf(const PairTest& test)
 {
     if (test.p >= significance)
@@ -88,9 +88,9 @@ void testPairs(Ranking& ranking, PairedRuns runs)
     });
 }
 
-using Places = std::vector<std::size_t>; // in the order of medians
+using Places = std::vector<std::size_t>; // positions in the order of medians
 
-/// Without those that another one holds.
+/// Removes groups that another group contains.
 void absorb(std::vector<Places>& groups)
 {
     std::ranges::sort(groups, std::ranges::greater(), &Places::size);
@@ -102,7 +102,7 @@ void absorb(std::vector<Places>& groups)
     groups = std::move(kept);
 }
 
-/// Each group that holds both of two things becomes two, each without one of them.
+/// Splits each group that contains both a and b into two, each without one of them.
 std::vector<Places> split(std::vector<Places> groups, std::size_t a, std::size_t b)
 {
     std::vector<Places> all;
@@ -119,8 +119,8 @@ std::vector<Places> split(std::vector<Places> groups, std::size_t a, std::size_t
     return all;
 }
 
-/// Insert and absorb (Piepho 2004): all things are one group, and each pair that differs splits the
-/// groups that hold both.
+/// Insert and absorb (Piepho 2004): starts with one group of all things; each pair that differs
+/// splits the groups that contain both.
 std::vector<Places> groupsOf(const Ranking& ranking)
 {
     Places all(ranking.order.size());

@@ -27,7 +27,7 @@ public:
     {
         QPainter painter(&image_);
         painter.setPen(QPen(Qt::white, 0)); // one pixel
-        constexpr std::size_t most = 1024;  // fits the first cache
+        constexpr std::size_t most = 1024;  // fits the first-level cache
         std::vector<QLineF> some;
         some.reserve(most);
         for (; !lines.empty(); lines = lines.subspan(some.size())) {

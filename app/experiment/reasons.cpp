@@ -28,8 +28,8 @@ std::vector<Variant> variantsOf(const Rows& rows)
 
 QString shareText(double share) { return numberText(100 * share, share < 0.1 ? 1 : 0); }
 
-/// " LB and MD do not differ significantly from it by 1 % or more.", or why nothing is told;
-/// empty if one alone is the fastest.
+/// " LB and MD do not differ significantly from it by 1 % or more.", or why there is no result;
+/// empty if exactly one is the fastest.
 QString unclearText(const std::vector<Variant>& all, const Ranking& ranking)
 {
     if (!ranking.told)
@@ -84,7 +84,7 @@ QString operationReason(const OperationProfile& profile)
         .arg(of(fewest), numberText(perLine(*fewest), 1), of(most), numberText(perLine(*most), 1));
 }
 
-/// Who is wrong, and in what.
+/// The faults of a variant.
 QString faultText(const Accuracy& row)
 {
     QStringList faults;

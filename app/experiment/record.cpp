@@ -58,7 +58,7 @@ std::optional<Record> recorded(const ExperimentOptions& options, std::span<const
                                const Follower& follower)
 {
     ExperimentOptions asked = options;
-    QString drew; // what drew indeed, which may be another than was asked for
+    QString drew; // the draw target used, which may not be the requested one
     if (options.easel)
         asked.easel = [&](const Field& field) {
             auto easel = options.easel(field);
@@ -68,7 +68,7 @@ std::optional<Record> recorded(const ExperimentOptions& options, std::span<const
     auto timings = experiment(asked, variants, follower);
     if (!timings)
         return std::nullopt;
-    asked.easel = nullptr; // a record draws no more
+    asked.easel = nullptr; // a record does not draw any more
     return Record{std::move(asked), drew, circumstances(), std::move(*timings)};
 }
 

@@ -10,11 +10,11 @@
 namespace app {
 namespace {
 
-/// Ranks are doubled, so that the mean of two neighbours is whole.
+/// Ranks are doubled, so that the mean of two neighbours is an integer.
 struct SignedRanks {
-    std::vector<std::size_t> ranks; ///< of the differences that are not zero
-    std::size_t positive = 0;       ///< the sum of those of differences above zero
-    std::size_t total = 0;          ///< the sum of all of them
+    std::vector<std::size_t> ranks; ///< of the nonzero differences
+    std::size_t positive = 0;       ///< the sum of the ranks of positive differences
+    std::size_t total = 0;          ///< the sum of all ranks
 };
 
 SignedRanks signedRanksOf(std::span<const double> differences)
@@ -35,10 +35,10 @@ SignedRanks signedRanksOf(std::span<const double> differences)
     return result;
 }
 
-/// The share of all ways to choose some of the ranks of which the sum is at most `sum`.
+/// The share of all subsets of ranks whose sum is at most `sum`.
 double shareUpTo(std::size_t sum, std::span<const std::size_t> ranks)
 {
-    std::vector<double> shares(sum + 1); // of each sum, by the ranks so far
+    std::vector<double> shares(sum + 1); // for each sum, from the ranks so far
     shares[0] = 1;
     for (const std::size_t rank : ranks)
         for (std::size_t s = shares.size(); s-- > 0;)

@@ -18,8 +18,8 @@ struct Experiments {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
-/// Operations a line of all variants together, by some lines of the scene: some algorithms take
-/// a hundred times as many as others.
+/// Operations per line of all variants together, estimated on some lines of the scene: some
+/// algorithms need a hundred times as many as others.
 double operationsOf(const PlannedTrial& trial)
 {
     std::vector<clipping::Segment> some(std::min<std::uint64_t>(trial.options.lines, 200));
@@ -32,7 +32,7 @@ double operationsOf(const PlannedTrial& trial)
     return double(all) / double(some.size());
 }
 
-/// Pixels of a line of the scene that are visible, on the average.
+/// The mean number of visible pixels per line of the scene.
 double pixelsOf(const PlannedTrial& trial)
 {
     const Field& field = trial.options.field;
@@ -49,7 +49,7 @@ double pixelsOf(const PlannedTrial& trial)
     return length / double(some.size());
 }
 
-/// About how many nanoseconds something takes, to share progress fairly.
+/// A rough duration in nanoseconds, to share progress fairly.
 double weightOf(const PlannedTrial& trial)
 {
     const double each = double(trial.variants.size());
@@ -116,7 +116,7 @@ bool tellsOfDrawingAlone(const Measure& measure)
 
 using Facts = std::vector<std::pair<QString, QString>>;
 
-/// Those of which both say the same.
+/// The facts that both have in common.
 Facts shared(const Facts& facts, const Facts& others)
 {
     Facts both;
@@ -205,7 +205,7 @@ std::vector<Table> tablesOf(const Explanation& explanation)
             accuracyTable(explanation.accuracies, explanation.operations.options)};
 }
 
-/// The times of a trial that stands beside others, and so names it.
+/// The times of a trial with its name, for a study with several trials.
 Table namedTimesTable(const Trial& trial, const Measure& measure)
 {
     Table table = timesTable(trial.record, measure);

@@ -37,7 +37,7 @@ Segment inside(Dice& dice, const Field& field)
     return {a, dice.in(field.window)};
 }
 
-/// Both ends beyond the same side.
+/// Both ends beyond the same edge.
 Segment rejected(Dice& dice, const Field& field)
 {
     Window beyond = field.space;
@@ -49,7 +49,7 @@ Segment rejected(Dice& dice, const Field& field)
     return {a, dice.in(beyond)};
 }
 
-/// From one end in the space through a point of the window as far again as chance will have it.
+/// From one end in the space through a point of the window, continued by a random length.
 Segment crossing(Dice& dice, const Field& field)
 {
     const glm::dvec2 a = dice.in(field.space);
@@ -57,7 +57,7 @@ Segment crossing(Dice& dice, const Field& field)
     return {a, glm::clamp(b, field.space.min, field.space.max)};
 }
 
-/// Past a corner at a distance of a tenth of the window down to a billionth of it.
+/// Past a corner, at a distance between a tenth and a billionth of the window.
 Segment nearMiss(Dice& dice, const Field& field)
 {
     const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
@@ -69,7 +69,7 @@ Segment nearMiss(Dice& dice, const Field& field)
     return {a, off + (off - a) * dice.between(0, 3)};
 }
 
-/// A thousand times as long as the space is wide, through the neighbourhood of the window.
+/// A thousand times as long as the space is wide, near the window.
 Segment longLine(Dice& dice, const Field& field)
 {
     const glm::dvec2 size = sizeOf(field.window), around = dice.in({-size, size});
@@ -106,8 +106,8 @@ bool isMissing(const Segment& s, const Field& f)
 }
 bool isAnything(const Segment&, const Field&) { return true; }
 
-/// For windows that leave so little room that chance hardly makes a near miss: round a corner,
-/// from beyond one side to beyond the next.
+/// For windows with so little room around them that a near miss is rare: around a corner, from
+/// beyond one edge to beyond the next.
 Segment roundCorner(Dice& dice, const Field& field)
 {
     const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
@@ -115,14 +115,14 @@ Segment roundCorner(Dice& dice, const Field& field)
     const glm::dvec2 corner = glm::mix(field.window.min, field.window.max, share);
     const glm::dvec2 room = glm::mix(field.space.min, field.space.max, share) - corner;
     const double far = dice.between(0.1, 1),
-                 back = far * dice.between(0, 0.9); // back < far: past it
+                 back = far * dice.between(0, 0.9); // back < far: past the corner
     const glm::dvec2 out = corner + far * room;
     const glm::dvec2 in =
         corner - back * glm::sign(room) * glm::min(glm::abs(room), sizeOf(field.window));
     return {{in.x, out.y}, {out.x, in.y}};
 }
 
-/// For such windows, too: from beyond one side to beyond the opposite one.
+/// For such windows, too: from beyond one edge to beyond the opposite one.
 Segment across(Dice& dice, const Field& field)
 {
     const auto& [space, window] = field;
@@ -133,10 +133,9 @@ Segment across(Dice& dice, const Field& field)
             dice.in({{window.min.x, window.max.y}, {window.max.x, space.max.y}})};
 }
 
-/// Lines as `line` makes them, without those that are not `wanted` (rounding alone can spoil one).
-/// Where it made none in a thousand tries, `tight` makes them from there on; and where that makes
-/// none either, since numbers are too coarse for such a field, all its lines are taken: it always
-/// ends.
+/// Lines from `line` that satisfy `wanted` (rounding alone can violate it). After a thousand tries
+/// without success, `tight` generates the lines. If that fails as well, because numbers are too
+/// coarse for such a field, all its lines are accepted: the loop always ends.
 template <auto line, auto wanted, auto tight>
 class Made {
 public:
@@ -164,7 +163,7 @@ private:
     std::size_t way_ = 0;
 };
 
-/// The lines in their order, again and again.
+/// Repeats the lines in their order.
 class Repeated {
 public:
     explicit Repeated(SceneLines lines) : lines_(std::move(lines)) {}
@@ -185,7 +184,7 @@ public:
 
 private:
     SceneLines lines_;
-    std::size_t run_ = 0, next_ = 0; ///< next_: in the run
+    std::size_t run_ = 0, next_ = 0; ///< next_: index within the run
 };
 
 template <auto line, auto wanted, auto tight = line>
@@ -212,7 +211,7 @@ bool hasRoom(const Field& field)
            && window.max.y < space.max.y;
 }
 
-// THE CATALOGUE. To add a scene: write how a line of it is made, and a row here.
+// THE CATALOGUE. To add a scene: write the function that makes a line, and a row here.
 std::vector<TestScene> testScenes()
 {
     return {

@@ -22,7 +22,7 @@ using Pieces = std::span<clipping::BasicClipped<clipping::BasicSegment<T>>>;
 ClipAllOf<double> exactOf(double) { return clipping::exactAlgorithm().corrected.clipAll; }
 ClipAllOf<float> exactOf(float) { return clipping::exactAlgorithm().single->clipAll; }
 
-/// Each part's pieces lie where its lines would be: moves them together.
+/// Moves the pieces together: each part's pieces lie at the position of its lines.
 template <class T>
 std::size_t joined(std::size_t part, std::span<const std::size_t> counts, Pieces<T> out)
 {

@@ -31,7 +31,7 @@ QString longName(const Record& record, std::size_t i)
 
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
 
-/// What was measured by one measure, and what tests say of it.
+/// The results by one measure, with their ranking.
 struct Told {
     const Record& record;
     const Measure& measure;
@@ -41,10 +41,10 @@ struct Told {
     std::size_t lowest() const { return ranking.order.front(); }
 };
 
-/// Whoever leaves lines out has less to do: that must be said where it wins.
+/// A variant that loses lines has less work: this must be mentioned if it is the fastest.
 bool losesLines(const Record& record, std::size_t i) { return record.timings[i].found.lost > 0; }
 
-/// "22.30 ns a line", "22.30 to 22.41 ns a line": the medians of some, sorted by them.
+/// "22.30 ns a line", "22.30 to 22.41 ns a line": the medians of `some`, which is sorted by them.
 QString rangeText(const std::vector<Summary>& times, const std::vector<std::size_t>& some)
 {
     const double low = times[some.front()].median, high = times[some.back()].median;
@@ -52,7 +52,7 @@ QString rangeText(const std::vector<Summary>& times, const std::vector<std::size
     return most.startsWith(least + u' ') ? most : Experiments::tr("%1 to %2").arg(least, most);
 }
 
-/// "; CB, the slowest, takes 2.36 times as long": of who is slower beyond doubt.
+/// "; CB, the slowest, takes 2.36 times as long": only if it is significantly slower.
 QString slowestText(const Told& told)
 {
     const std::size_t last = told.ranking.order.back();
@@ -78,8 +78,8 @@ QString testedName(const Told& told, std::size_t i)
         .arg(leaderName(told.record, i), numberText(test.ratio, 3), pText(test.p));
 }
 
-/// " LB (…) does not differ significantly from it." of those with one outcome; empty without them.
-/// Of many only the names: the table has their ratios and p.
+/// " LB (…) does not differ significantly from it." for the variants with one outcome; empty
+/// without any. For many variants only their names: the table has ratios and p.
 QString outcomeText(const Told& told, Outcome outcome)
 {
     constexpr std::ptrdiff_t mostDetailed = 3;
@@ -103,7 +103,7 @@ QString outcomeText(const Told& told, Outcome outcome)
     return text.arg(briefListText(names));
 }
 
-/// " The next, LB, takes 1.13 times as long (p = 0.002)."; of two, slowestText has said it.
+/// " The next, LB, takes 1.13 times as long (p = 0.002)."; empty for two, which slowestText covers.
 QString nextText(const Told& told)
 {
     if (told.ranking.order.size() < 3)
@@ -184,7 +184,7 @@ QString rankingSentence(const Trial& trial, const Told& told)
         .arg(own, countText(check.same), pairs, undecided);
 }
 
-/// What the paper's own runs say by our tests, and whether its lines were others.
+/// What our tests find in the paper's own runs, and whether its lines were different.
 QStringList paperSentences(const Trial& trial)
 {
     const ExperimentOptions& options = trial.record.options;
@@ -254,7 +254,7 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
     QStringList sentences;
     for (const Measure& measure : measures) {
         if (measure.key == u"draw")
-            continue; // it draws what all leave alike
+            continue; // all variants leave the same lines to draw
         const Told told{trial.record, measure};
         sentences << leaderSentence(told);
         if (trial.paper)

@@ -16,8 +16,8 @@ QString tr(const char* text) { return QCoreApplication::translate("Overlay", tex
 
 constexpr unsigned centre = 4;
 
-/// Slater and Barsky's cell of a point: 3 * row + column, where row 0 is that of ymin. Nothing:
-/// right of the window, where there is nothing to find.
+/// Slater and Barsky's cell of a point: 3 * row + column, where row 0 is that of ymin. Empty to the
+/// right of the window, where the method has no cell.
 std::optional<unsigned> cellOf(const Point& p, const clipping::Window& window)
 {
     if (p.x > window.max.x)
@@ -42,7 +42,7 @@ OverlayArea cellArea(unsigned cell, const Seeing& seeing)
     return {.corners = common(seeing.seen, halves), .label = QString::number(cell)};
 }
 
-/// The cells that the walk came through, in order.
+/// The cells that the algorithm visited, in order.
 std::vector<unsigned> visited(const Seeing& seeing)
 {
     std::vector<unsigned> cells;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// The default overlay, for algorithms without one of their own: drawn from the trace alone.
+// The default overlay, for algorithms without their own: computed from the trace only.
 
 namespace app {
 
@@ -14,7 +14,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// The lines of the four edges; those that cut the line are lit.
+/// The infinite lines of the four edges; those that cut the line are lit.
 std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> moves)
 {
     std::vector<OverlayLine> lines;
@@ -75,7 +75,7 @@ Overlay traceOverlay(const Seeing& seeing)
     std::vector<EndMove> moves;
     if (seeing.line)
         moves = movesOf(seeing.trace, *seeing.line);
-    constexpr std::size_t enough = 8; // more marks than these would hide each other
+    constexpr std::size_t enough = 8; // more marks would hide each other
     if (moves.size() > enough)
         moves.resize(enough);
     Overlay overlay{.lines = edges(seeing, moves), .caption = caption(seeing, moves)};

@@ -12,7 +12,7 @@ namespace {
 
 double cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
 
-/// Sutherland and Hodgman's step: what of a convex polygon lies in one half-plane.
+/// Sutherland and Hodgman's step: the part of a convex polygon in one half-plane.
 std::vector<Point> part(const std::vector<Point>& polygon, const HalfPlane& half)
 {
     std::vector<Point> kept;

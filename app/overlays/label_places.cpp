@@ -17,7 +17,7 @@ QRectF around(const QPointF& middle, const QSizeF& size)
 
 double cross(const QPointF& u, const QPointF& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-/// Of a polygon that turns either way.
+/// For polygons of either orientation.
 bool contains(const QPolygonF& convex, const QPointF& p)
 {
     bool left = false, right = false;
@@ -36,7 +36,7 @@ bool contains(const QPolygonF& convex, const QRectF& r)
            && contains(convex, r.bottomLeft()) && contains(convex, r.bottomRight());
 }
 
-/// Its centre of mass; of one without area the mean of its corners.
+/// The centre of mass; for a polygon without area the mean of its corners.
 QPointF centroid(const QPolygonF& convex)
 {
     QPointF sum, mean;
@@ -148,7 +148,7 @@ std::vector<QLineF> hatching(const QPolygonF& convex, double spacing)
         return lines;
     const auto sum = [](const QPointF& p) { return p.x() + p.y(); };
     const auto [low, high] = std::ranges::minmax_element(convex, {}, sum);
-    constexpr double most = 1e6; // from the origin; no screen has so many
+    constexpr double most = 1e6; // pixels from the origin; larger than any screen
     const double first = std::ceil(sum(*low) / spacing), last = std::ceil(sum(*high) / spacing);
     if (!(first >= -most && last <= most))
         return lines;

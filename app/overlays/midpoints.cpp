@@ -13,13 +13,13 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-constexpr std::size_t shownHalvings = 6; // the next ones are less than a pixel apart, as a rule
+constexpr std::size_t shownHalvings = 6; // later midpoints are usually less than a pixel apart
 
 void search(bool forB, const clipping::Segment& line, const clipping::Window& window,
             std::size_t most, std::vector<Halving>& all)
 {
     const Point d = line.b - line.a;
-    // As the library has it: the way from a is compared with the ways to the edges.
+    // As in the library: the distances from a are compared with the distances to the edges.
     const clipping::Window gaps{window.min - line.a, window.max - line.a};
     const auto codeAt = [&](double t) { return clipping::outcodeOf(t * d, gaps); };
     double near = forB ? 0 : 1, far = forB ? 1 : 0;

@@ -5,7 +5,7 @@ namespace app {
 
 namespace {
 
-/// The part of a line that is seen; rounding may put its ends just outside.
+/// The visible part of a line; rounding may put its ends just outside.
 std::optional<clipping::Segment> seenPart(const Point& from, const Point& to,
                                           const clipping::Window& seen)
 {

@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// None, left, right, bottom, top, as they are seen.
+/// None, left, right, bottom, top, as seen on screen.
 std::size_t seenEdge(Edge edge, YAxis y)
 {
     const auto at = std::size_t(edge);

@@ -14,7 +14,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// Where the line meets the line of an edge.
+/// The intersection of the line with an edge's infinite line.
 struct Crossing {
     Edge edge = Edge::None;
     double t = 0;
@@ -22,7 +22,7 @@ struct Crossing {
     Point at{};
 };
 
-/// The parameter that the algorithm found for an edge; nothing: it had no need to.
+/// The parameter that the algorithm computed for an edge; empty if it did not need it.
 std::optional<double> found(const clipping::Trace& trace, Edge edge)
 {
     for (const clipping::Step& step : trace.steps)
@@ -32,7 +32,7 @@ std::optional<double> found(const clipping::Trace& trace, Edge edge)
     return std::nullopt;
 }
 
-/// Nothing where the line runs along the edge, or comes near it nowhere that a number can name.
+/// Empty if the line is parallel to the edge, or if the intersection is not finite.
 std::optional<Crossing> crossing(Edge edge, const Seeing& seeing)
 {
     const auto axis = clipping::axisOf(edge);
@@ -50,7 +50,7 @@ std::optional<Crossing> crossing(Edge edge, const Seeing& seeing)
     return Crossing{edge, t, low == (d[axis] > 0), at};
 }
 
-/// The last entry and the first exit: what bounds the visible part. None: the line's own end does.
+/// The last entry and the first exit, which bound the visible part. None: an end of the line does.
 struct Bounds {
     Edge enter = Edge::None, leave = Edge::None;
     double from = 0, to = 1;
@@ -67,7 +67,7 @@ Bounds boundsOf(std::span<const Crossing> crossings)
     return bounds;
 }
 
-/// The edge along which the line runs outside the window.
+/// The edge beyond which the line lies, parallel to it; None if there is none.
 Edge shutOut(const Seeing& seeing)
 {
     const auto& [a, b] = *seeing.line;

@@ -13,7 +13,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// What is asked of an end in that region: left or right first, then of where it was pushed to.
+/// The tests for an end in that region: first left or right, then those at its new place.
 QString testsOf(unsigned code, YAxis y)
 {
     QStringList names;
@@ -25,7 +25,7 @@ QString testsOf(unsigned code, YAxis y)
                                : tr("%1, then %2?").arg(names.front(), names.back());
 }
 
-/// The edge across an axis that an end was pushed to.
+/// The edge perpendicular to an axis to which an end was moved.
 QString pushedTo(std::span<const EndMove> moves, bool ofB, glm::length_t axis, YAxis y)
 {
     const auto move = std::ranges::find_if(

@@ -16,7 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// The rectangle with that outcode, as far as it is seen.
+/// The rectangle with that outcode, clipped to the visible part.
 std::vector<Point> regionCorners(unsigned code, const clipping::Window& window,
                                  const clipping::Window& seen)
 {

@@ -11,8 +11,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// C, L, R, B, T and two letters at the corners, as in the authors' table: they stand for xmin,
-/// xmax, ymin and ymax, wherever y grows to.
+/// C, L, R, B, T and two letters at the corners, as in the authors' table: they mean xmin, xmax,
+/// ymin and ymax, whichever direction y has.
 QString regionName(unsigned code)
 {
     QString name;

@@ -15,20 +15,20 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// By which edges a line that starts at the first end comes into the window and leaves it.
+/// The edges at which a line from the first end enters and leaves the window.
 struct Sector {
     Edge enter = Edge::None, leave = Edge::None;
     friend bool operator==(const Sector&, const Sector&) = default;
 };
 
-/// As Nicholl, Lee and Nicholl name it: "LT"; inside without a cut: "in".
+/// In the notation of Nicholl, Lee and Nicholl: "LT"; inside without a cut: "in".
 QString labelOf(const Sector& sector, YAxis y)
 {
     const QString text = edgeLetter(sector.enter, y) + edgeLetter(sector.leave, y);
     return text.isEmpty() ? tr("in") : text;
 }
 
-/// What the library did: nothing if nothing was visible.
+/// The sector that the library found; empty if nothing was visible.
 std::optional<Sector> sectorOf(const clipping::Trace& trace, const clipping::Segment& line)
 {
     if (trace.outcome != clipping::Outcome::Visible)
@@ -39,7 +39,7 @@ std::optional<Sector> sectorOf(const clipping::Trace& trace, const clipping::Seg
     return sector;
 }
 
-/// The plane as it is seen from the first end.
+/// The division of the plane around the first end.
 class Around {
 public:
     Around(const Point& eye, const Seeing& seeing) : eye_(eye), seeing_(seeing)
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// The wedge in which the eye sees an edge.
+    /// The wedge in which the first end sees an edge.
     void addWedge(std::vector<HalfPlane>& halves, Edge edge) const
     {
         const auto [one, other] = cornersOf(edge, seeing_.window);
@@ -98,7 +98,8 @@ private:
     {
         return {.corners = common(seeing_.seen, halves), .ground = OverlayArea::Ground::Hatched};
     }
-    /// Where a line from the eye ends without having met the window: beside it, and in front.
+    /// The areas in which a line from the first end ends outside the window: beside it, and in
+    /// front.
     std::vector<OverlayArea> blind() const
     {
         std::vector<OverlayArea> areas;
@@ -115,7 +116,8 @@ private:
         }
         return areas;
     }
-    /// The corners between which the eye sees the window: of one edge, or of two, which meet.
+    /// The corners that bound the window as seen from the first end: of one edge, or of two
+    /// adjacent ones.
     EdgeCorners outermost() const
     {
         const EdgeCorners first = cornersOf(facing_.front(), seeing_.window);
@@ -130,7 +132,7 @@ private:
 
     Point eye_;
     const Seeing& seeing_;
-    std::vector<Edge> facing_; ///< the edges that the eye is beyond
+    std::vector<Edge> facing_; ///< the edges that the first end is beyond
 };
 
 OverlayArea* areaOf(std::vector<OverlayArea>& areas, const std::optional<Sector>& sector, YAxis y)

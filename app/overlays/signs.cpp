@@ -11,11 +11,11 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// The corners whose bits are set lie on the line's left, where y points up. Nothing: it was not
-/// asked, because the outcodes had decided.
+/// The corners whose bits are set lie to the left of the line, if y points up. Empty if the
+/// outcodes decided before the test.
 std::optional<unsigned> patternOf(const clipping::Trace& trace)
 {
-    std::optional<unsigned> pattern; // the last: a doubtful one is asked again
+    std::optional<unsigned> pattern; // the last value: a doubtful pattern is tested again
     for (const clipping::Step& step : trace.steps)
         for (const clipping::NamedValue& value : step.values)
             if (value.name == "c")
@@ -28,10 +28,11 @@ QString bitsOf(unsigned pattern)
     return QStringLiteral("%1").arg(pattern, 4, 2, QLatin1Char('0'));
 }
 
-/// Whether two opposite corners have one sign and the others the other: no line does that.
+/// Whether two opposite corners have one sign and the other two the opposite sign, which no line
+/// gives.
 constexpr bool isImpossible(unsigned pattern) { return pattern == 5 || pattern == 10; }
 
-/// The edges whose corners have different signs, and so are crossed.
+/// The edges whose corners have different signs, and which are therefore crossed.
 QString crossedBy(unsigned pattern, YAxis y)
 {
     if (isImpossible(pattern))
@@ -65,7 +66,7 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
     }
 }
 
-/// The whole line, beyond its ends: it is what the corners are asked about.
+/// The infinite line, whose side is tested for the corners.
 std::optional<OverlayLine> endless(const Seeing& seeing)
 {
     const auto& [a, b] = *seeing.line;

@@ -13,8 +13,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// What `exact` asks about: the edges that the line comes to first and last on each axis, and
-/// whether it has to cross them.
+/// The tests of `exact`: the edges that the line meets first and last on each axis, and whether it
+/// has to cross them.
 struct Way {
     Edge near[2], far[2];
     bool enters[2], leaves[2];
@@ -33,10 +33,11 @@ Way wayOf(const clipping::Segment& s, const clipping::Window& w)
     return way;
 }
 
-/// One question: on which side of the line that corner lies, between two edges.
+/// One test: on which side of the line the corner of two edges lies.
 struct Question {
     Edge edge[2];
-    bool decides; ///< whether the line misses the window, or only by which edge it comes and goes
+    bool decides; ///< whether the line misses the window; otherwise only at which edge it enters or
+                  ///< leaves
 };
 std::vector<Question> questionsOf(const Way& way)
 {
@@ -57,7 +58,8 @@ Point cornerOf(const Question& question, const clipping::Window& w)
     return {clipping::levelOf(question.edge[0], w), clipping::levelOf(question.edge[1], w)};
 }
 
-/// Whether the line passes a corner outside, with the corner and the opposite one on one side.
+/// Whether the line passes a corner on the outside: the corner and the opposite one are on one
+/// side.
 bool passesOutside(const clipping::Segment& s, const Point& corner, const clipping::Window& w)
 {
     const Point opposite(corner.x == w.min.x ? w.max.x : w.min.x,
@@ -88,7 +90,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves, std::size_
     return tr("%1: the line %2.").arg(asked, ways.join(tr(" and ")));
 }
 
-/// "left, not top": by which of two edges the line comes or goes.
+/// "left, not top": at which of two edges the line enters or leaves.
 QString choiceWords(const Question& question, std::span<const EndMove> moves, YAxis y)
 {
     for (const EndMove& move : moves)
@@ -99,7 +101,7 @@ QString choiceWords(const Question& question, std::span<const EndMove> moves, YA
     return {};
 }
 
-/// A mark at every corner that is asked; after one that the line passes outside none is.
+/// A mark at every corner that is tested; none after a corner that the line passes on the outside.
 std::vector<OverlayMark> corners(const Seeing& seeing, std::span<const EndMove> moves)
 {
     using Symbol = OverlayMark::Symbol;

@@ -12,10 +12,11 @@ using clipping::Clipped;
 
 namespace {
 
-constexpr std::size_t blockSize = 16384; // lines: some milliseconds even of the slowest
-constexpr std::size_t leastTelling = 6;  // rounds, from which on their spread says something
+constexpr std::size_t blockSize = 16384; // lines: takes some milliseconds even with the slowest
+                                         // variant
+constexpr std::size_t leastTelling = 6;  // rounds, from which their spread is meaningful
 
-/// One at least: without lines there is nothing to clip, but there are rounds.
+/// At least one block: a race without lines still has rounds.
 std::vector<std::span<const clipping::Segment>> blocksOf(const SceneLines& lines)
 {
     std::vector<std::span<const clipping::Segment>> blocks;
@@ -122,8 +123,8 @@ void Race::clip(std::size_t variant, std::size_t block)
         judge(row, block, out.first(visible));
 }
 
-// What is true is found anew for each variant: `exact` is so fast that keeping 40 bytes for each
-// visible line would gain little.
+// The exact result is recomputed for each variant: `exact` is so fast that storing 40 bytes for
+// each visible line would gain little.
 void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found)
 {
     truth_.resize(blockSize);
@@ -150,7 +151,7 @@ void Race::finish()
     ++rounds_;
     looks_ += purpose_ == Purpose::Findings;
     for (std::size_t i = 0; i < next_.size(); ++i) {
-        if (purpose_ == Purpose::Times) // all findings are of one frame
+        if (purpose_ == Purpose::Times) // all findings belong to one frame
             next_[i].visible = rows_[i].visible;
         auto& times = next_[i].milliseconds;
         if (times.size() == length)

@@ -20,7 +20,7 @@ constexpr int chartObject = QTextFormat::UserObject + 1;
 constexpr int chartProperty = QTextFormat::UserProperty + 1;
 constexpr double textPoints = 9.5, notePoints = 7.5, cellPoints = 7;
 
-/// Paints charts where a document has the sign that stands for one.
+/// Paints a chart at each placeholder character in a document.
 class ChartPainter : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
@@ -38,7 +38,7 @@ public:
                     const QTextFormat& format) override
     {
         if (painter->clipBoundingRect().intersected(area).height() < 1)
-            return; // it begins on the next page
+            return; // the chart begins on the next page
         painter->save();
         painter->translate(area.topLeft());
         painter->scale(scale_, scale_);
@@ -72,12 +72,12 @@ QTextCharFormat textFormat(double points, QFont::Weight weight, const QColor& co
 QTextCharFormat plain() { return textFormat(textPoints, QFont::Normal, documentLook().text); }
 QTextCharFormat small() { return textFormat(notePoints, QFont::Normal, documentLook().muted); }
 
-/// Writes one thing after another.
+/// Appends one part after another.
 class Writer {
 public:
     explicit Writer(QTextDocument& document) : at_(&document)
     {
-        at_.beginEditBlock(); // or each word would lay out everything anew
+        at_.beginEditBlock(); // otherwise each word would trigger a new layout
     }
     ~Writer() { at_.endEditBlock(); }
     Q_DISABLE_COPY_MOVE(Writer)
@@ -139,7 +139,7 @@ private:
     static constexpr double point = 96.0 / 72; ///< distances are pixels; the layout scales them
 
     QTextCursor at_;
-    bool empty_ = true; ///< whether the block at the cursor is still to be used
+    bool empty_ = true; ///< whether the block at the cursor is unused
 };
 
 QTextTableFormat Writer::tableFormat() const
@@ -192,7 +192,7 @@ void Writer::table(const Table& table)
                  readable(table.rows[r][c], numeric[std::size_t(c)]), side(c), body);
     }
     at_.movePosition(QTextCursor::End);
-    empty_ = true; // Qt puts a block below a table
+    empty_ = true; // Qt adds a block below a table
     for (const QString& note : table.notes)
         paragraph(note, small(), 0, 1);
     QStringList facts;

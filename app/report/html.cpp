@@ -14,7 +14,7 @@ struct Reports {
     Q_DECLARE_TR_FUNCTIONS(Reports)
 };
 
-/// For text and for attributes; what no XML may hold is left out.
+/// Escapes text and attributes, and removes characters that XML forbids.
 QString escaped(const QString& text)
 {
     QString clean;
@@ -29,7 +29,7 @@ QString element(const char* name, const QString& content)
     return QStringLiteral("<%1>%2</%1>\n").arg(QLatin1StringView(name), content);
 }
 
-/// The chart's drawing as a part of the page. Its names belong to it alone.
+/// The chart's drawing as a part of the page, with unique ids.
 QString drawing(const Chart& chart, Ground ground, const QString& id)
 {
     const ChartLook look = chartLook(ground);
@@ -195,8 +195,7 @@ QString sectionsText(const Report& report)
 
 } // namespace
 
-/// One page without anything from elsewhere, well-formed as XML too; light or dark as its reader
-/// likes it.
+/// One self-contained page, also well-formed XML; light or dark by the reader's setting.
 std::optional<QString> writeHtmlReport(const Report& report, QIODevice& out)
 {
     const QString title = escaped(report.title);

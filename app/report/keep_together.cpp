@@ -14,7 +14,7 @@ namespace {
 
 constexpr int belongsProperty = QTextFormat::UserProperty + 2;
 
-/// The page on which the first line of a paragraph is.
+/// The page of a paragraph's first line.
 int pageOf(const QTextBlock& block)
 {
     const QTextDocument& document = *block.document();
@@ -27,7 +27,7 @@ int pageOf(const QTextTable& table, int row)
     return pageOf(table.cellAt(row, 0).firstCursorPosition().block());
 }
 
-/// Whether a row would be alone on a page: under the headings, or at the end.
+/// Whether a row would be alone on a page: below the headings, or at the end.
 bool isTorn(const QTextTable& table, int page)
 {
     const int last = table.rows() - 1;
@@ -50,7 +50,7 @@ void setBelongsToNext(QTextBlockFormat& format) { format.setProperty(belongsProp
 
 void keepTogether(QTextDocument& document)
 {
-    QTextBlock first; // of paragraphs that belong to each other, as a heading and a table's title
+    QTextBlock first; // of paragraphs that belong together, such as a heading and a table's title
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         if (!block.blockFormat().boolProperty(belongsProperty)) {
             first = {};

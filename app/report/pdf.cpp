@@ -65,7 +65,7 @@ void paintPages(QPdfWriter& writer, QTextDocument& document, const QString& titl
 /// A4 pages, charts and text as vectors.
 std::optional<QString> writePdfReport(const Report& report, QIODevice& out)
 {
-    QBuffer buffer; // QPdfWriter does not say what the device refused
+    QBuffer buffer; // QPdfWriter does not report errors of the device
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setResolution(resolution);

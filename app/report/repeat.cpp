@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-/// As a shell takes it.
+/// Quoted for a shell.
 QString quoted(const QString& word)
 {
     static const QRegularExpression plain(QStringLiteral("^[-\\w,.:/=+@%]+$"));
@@ -22,7 +22,7 @@ QString quoted(const QString& word)
     return u'\'' + QString(word).replace(u'\'', QStringLiteral("'\\''")) + u'\'';
 }
 
-/// The words of a command line, one after another.
+/// The words of a command line.
 class Words {
 public:
     void add(const char* option, const QString& value = {})
@@ -60,11 +60,11 @@ void addPaper(Words& words, const Study& study)
         words.add("against-paper");
 }
 
-/// The forms that take part, if they are not those that `bench` takes by itself.
+/// Adds the forms that take part, if they are not the default of `bench`.
 void addForms(Words& words, const Study& study)
 {
     if (study.trials.front().record.options.precision == Precision::Single)
-        return; // there is but one
+        return; // there is only one form
     std::set<clipping::Form> forms;
     for (const Trial& trial : study.trials)
         for (const Timing& timing : trial.record.timings)
@@ -79,7 +79,7 @@ void addAlgorithms(Words& words, const Record& record)
 {
     QStringList names;
     for (const Timing& timing : record.timings)
-        if (timing.variant.algorithm != &exactOneByOne()) // comes with `exact`
+        if (timing.variant.algorithm != &exactOneByOne()) // implied by `exact`
             names << QString::fromUtf8(timing.variant.algorithm->key);
     names.removeDuplicates();
     if (std::size_t(names.size()) < clipping::algorithms().size())

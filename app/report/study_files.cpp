@@ -38,7 +38,7 @@ std::optional<QString> writeText(const QString& path, const QString& text)
 
 QStringList tablePaths(const TableFormat& format, const Study& study, const QString& path)
 {
-    if (format.key != u"csv") // the others keep tables apart in one file
+    if (format.key != u"csv") // the other formats keep tables apart in one file
         return {path};
     QStringList paths;
     for (const Table& table : tablesOf(study))
@@ -54,7 +54,7 @@ QStringList chartPaths(const Study& study, const QString& path)
     return paths;
 }
 
-/// The circumstances are facts of every table.
+/// The circumstances become facts of every table.
 Written writeTables(const TableFormat& format, const Study& study, const QString& path)
 {
     const auto tables = tablesOf(study);

@@ -18,7 +18,7 @@ struct Reports {
     Q_DECLARE_TR_FUNCTIONS(Reports)
 };
 
-/// The tables without the facts that the circumstances tell of all of them.
+/// The tables without the facts that the table of circumstances has already.
 std::vector<Table> withoutFacts(std::vector<Table> tables, const Table& circumstances)
 {
     const auto told = [&](const std::pair<QString, QString>& fact) {
@@ -30,7 +30,7 @@ std::vector<Table> withoutFacts(std::vector<Table> tables, const Table& circumst
     return tables;
 }
 
-/// What is measured: one sentence a measure.
+/// The meaning of each measure, one sentence each.
 QStringList meaningsOf(const Study& study)
 {
     QStringList all;
@@ -59,7 +59,7 @@ QString titleOf(const Trial& trial)
     return trial.paper ? nameOf(trial) : Reports::tr("Scene “%1”").arg(nameOf(trial));
 }
 
-/// What came out of one trial, which its first words name.
+/// The result of one trial, which the first words name.
 QStringList summaryOf(const Trial& trial, const Study& study)
 {
     QStringList sentences = verdict(trial, study.measures);
@@ -81,7 +81,7 @@ ReportSection sectionOf(const Trial& trial, const Study& study, const Table& cir
     return section;
 }
 
-/// Each table of the paper once.
+/// Each table of the paper, without repetition.
 std::vector<PaperTable> papersOf(const Study& study)
 {
     std::vector<PaperTable> papers;
@@ -117,7 +117,7 @@ ReportSection explanationSection(const Explanation& explanation, const Table& ci
             .tables = withoutFacts(tablesOf(explanation), circumstances)};
 }
 
-/// Of the first trial in which `exact` takes part.
+/// From the first trial in which `exact` takes part.
 QStringList batchSentences(const Study& study)
 {
     for (const Trial& trial : study.trials)

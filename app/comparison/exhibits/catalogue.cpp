@@ -3,11 +3,11 @@
 
 namespace app {
 
-// Each is defined in the file of its exhibit.
+// Each is defined in a file of its own.
 Exhibit printedStep2();
 Exhibit printedStep2InPlace();
 
-// THE CATALOGUE. To add an exhibit: write its file here, and name it in both lists.
+// THE CATALOGUE. To add a known misprint: write its file here, and name it in both lists.
 const std::vector<Exhibit>& exhibits()
 {
     static const std::vector<Exhibit> all{printedStep2(), printedStep2InPlace()};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 2 of Matthes and Drakopoulos as their text prints it. Two things went wrong on the way from
-// the pseudo-code, which is right, to the formulas of the text: both that cut at ymin and ymax
-// multiply by (ymin - x1) and (ymax - x1), where y1 belongs; and they assign to x1 and y1 what they
-// still need as the line's first end. Steps 1 and 3 are those of the pseudo-code.
+// Step 2 of Matthes and Drakopoulos as their text prints it. The pseudo-code is correct, but the
+// formulas of the text have two errors: the two that cut at ymin and ymax multiply by (ymin - x1)
+// and (ymax - x1), where y1 is meant; and they assign to x1 and y1, which later formulas still need
+// as the line's first end. Steps 1 and 3 are those of the pseudo-code.
 
 #include "app/comparison/exhibits/exhibit.h"
 
@@ -20,7 +20,7 @@ struct Exhibits {
     Q_DECLARE_TR_FUNCTIONS(Exhibits)
 };
 
-/// Formulas are not broken at their signs.
+/// Prevents line breaks at the signs of formulas.
 QString unbroken(QString text)
 {
     for (const QChar sign : {u'−', u'+', u'·', u'='})
@@ -28,10 +28,10 @@ QString unbroken(QString text)
     return text;
 }
 
-/// Whether the formulas look at the line as it was given, or at ends that they have already moved.
+/// Whether the formulas read the original line, or ends that they have already moved.
 enum class Reading : std::uint8_t { Beside, InPlace };
 
-/// Moves end p as printed. `s` is the line that the formulas speak of; in place, p is an end of it.
+/// Moves end p as printed. `s` is the line in the formulas; with InPlace, p is an end of it.
 void push(glm::dvec2& p, const Segment& s, const Window& w)
 {
     const glm::dvec2 &a = s.a, &b = s.b;
