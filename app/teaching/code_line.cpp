@@ -12,7 +12,7 @@ struct Token {
     enum class Kind : std::uint8_t { Name, Word, Literal, Sign };
     Kind kind;
     QString text;
-    bool spaced; ///< it stands behind a space
+    bool spaced; ///< there is a space before it
 };
 
 bool isWord(const QString& text)
@@ -50,7 +50,7 @@ bool isOperand(const Token& token)
            || token.text == QStringLiteral(")");
 }
 
-/// Where the bracket that opens at `open` is closed; the end of the text if nowhere.
+/// The bracket that closes the one at `open`; the end of the text if there is none.
 qsizetype closing(const QString& text, qsizetype open)
 {
     qsizetype depth = 0;
@@ -62,7 +62,7 @@ qsizetype closing(const QString& text, qsizetype open)
     return text.size();
 }
 
-/// "E, F" at its outer commas.
+/// The arguments of a call, split at the outer commas: "E, F".
 QStringList argumentsIn(const QString& text)
 {
     QStringList arguments{QString()};
@@ -79,7 +79,7 @@ QStringList argumentsIn(const QString& text)
     return arguments;
 }
 
-/// Adds the assignments that a call makes: each parameter of the definition gets its argument.
+/// Adds the assignments of a call: each parameter of the definition gets its argument.
 void appendCalls(std::vector<Assignment>& all, const QString& line, const QStringList& code)
 {
     static const QRegularExpression defines(QStringLiteral("^\\s*(\\w+)\\(([\\w, ]+)\\):$"));
@@ -100,14 +100,14 @@ void appendCalls(std::vector<Assignment>& all, const QString& line, const QStrin
     }
 }
 
-/// A line without the head of a function that it is all of: "notL(): if x1 < xmin: reject".
+/// A line without the head of a one-line function: "notL(): if x1 < xmin: reject".
 QString bodyOf(const QString& line)
 {
     static const QRegularExpression head(QStringLiteral("^\\w+\\([\\w, ]*\\): +"));
     return line.trimmed().remove(head);
 }
 
-/// A line without what leads to its statement: "if r > u1: reject" and "else" have none.
+/// The statement of a line, without condition or "else"; "if r > u1: reject" and "else" have none.
 QString statementOf(const QString& line)
 {
     static const QRegularExpression leads(

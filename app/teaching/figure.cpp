@@ -16,7 +16,7 @@ namespace {
 
 using clipping::Edge;
 
-/// What every part of a figure is painted with.
+/// The data for painting every part of a figure.
 struct Picture {
     QPainter& painter;
     const Specimen& specimen;
@@ -63,7 +63,7 @@ QRectF beyond(const Picture& s, Edge edge)
     return part.isValid() ? part & all : QRectF();
 }
 
-/// Thin slanted lines; a brush's pattern would be of one size in a window and another in a file.
+/// Thin slanted lines; a brush's pattern would differ in size between a window and a file.
 void hatch(const Picture& s, const QRectF& area)
 {
     if (area.isEmpty())
@@ -108,7 +108,7 @@ void paintLitEdge(const Picture& s)
     }
 }
 
-/// Two short strokes across the middle of a line that is rejected.
+/// Two short strokes across the middle of a rejected line.
 void crossOut(const Picture& s)
 {
     const auto part = s.frame.part(s.specimen.line);
@@ -156,7 +156,7 @@ QPolygonF diamond(const QPointF& at, double r)
                      at + QPointF(-r, 0)};
 }
 
-/// An arrow head at the border that points to where the end is.
+/// An arrow head at the picture's border that points to the end.
 QPolygonF arrowHead(const FigureMark& mark, double r)
 {
     const QLineF way = QLineF::fromPolar(r, mark.angle);

@@ -8,9 +8,10 @@ namespace app {
 
 namespace {
 
-constexpr double far = 1e6; // pixels: where no painter has trouble yet
+constexpr double far = 1e6; // pixels; QPainter still handles such coordinates
 
-/// Where a number is between two others, from 0 to 1 and beyond. In halves, for the largest.
+/// The position of a number between two others, from 0 to 1 and beyond. Computed with halves, so
+/// that the largest numbers do not overflow.
 double share(double value, double low, double high)
 {
     return (value / 2 - low / 2) / (high / 2 - low / 2);
@@ -18,7 +19,7 @@ double share(double value, double low, double high)
 
 bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-/// The interval that must be seen on one axis.
+/// The interval to be shown on one axis.
 struct Span {
     double low, high;
     double middle() const { return low / 2 + high / 2; }
@@ -26,7 +27,7 @@ struct Span {
     void include(double value) { low = std::min(low, value), high = std::max(high, value); }
 };
 
-/// The window, and the line's ends as far as they are not very far from it.
+/// The window, and the line's ends unless they are very far from it.
 Span spanOf(const Specimen& specimen, glm::length_t axis, double reach)
 {
     const auto& [min, max] = specimen.window;
@@ -39,7 +40,7 @@ Span spanOf(const Specimen& specimen, glm::length_t axis, double reach)
     return span;
 }
 
-/// What may be off the window and is still shown: of a window that is a point, everything.
+/// How far outside the window points are still shown; for a window that is a point, any distance.
 double reachOf(const clipping::Window& window)
 {
     const Point half = window.max / 2.0 - window.min / 2.0;
@@ -47,7 +48,7 @@ double reachOf(const clipping::Window& window)
     return larger > 0 ? 2.4 * larger : std::numeric_limits<double>::max() / 8;
 }
 
-/// Half of what a picture shows of an axis, at the least: more than rounding errors.
+/// The least half extent of a picture on an axis: more than rounding errors.
 double leastHalf(const Span& x, const Span& y)
 {
     const double most = std::max(std::abs(x.middle()), std::abs(y.middle()));
@@ -60,7 +61,7 @@ Span around(double middle, double half)
     return {std::max(middle - half, -most), std::min(middle + half, most)};
 }
 
-/// Whether an edge of the window, and not only the line that it lies on, may be in the picture.
+/// Whether part of an edge of the window itself may be in the picture, not only its infinite line.
 bool showsEdge(const FigureFrame& frame, const clipping::Window& window)
 {
     const Point &min = frame.seen.min, &max = frame.seen.max;

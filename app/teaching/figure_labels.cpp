@@ -37,8 +37,8 @@ QRectF boxOf(const FigureMark& mark, const FigureFrame& frame)
     return {mark.place.x() - r, mark.place.y() - r, 2 * r, 2 * r};
 }
 
-/// What labels keep clear of before there are any: marks, those of later steps too, so that labels
-/// stay where they are; the line; the lines of the edges.
+/// The obstacles before any label is placed: marks, including those of later steps, so that labels
+/// keep their places; the line; the infinite lines of the edges.
 LabelObstacles obstaclesOf(const Specimen& specimen, const Walk& walk, const StepScene& scene,
                            const FigureFrame& frame)
 {
@@ -64,7 +64,7 @@ LabelObstacles obstaclesOf(const Specimen& specimen, const Walk& walk, const Ste
     return obstacles;
 }
 
-/// Puts a label at the best place, if there is one, and keeps others away from it.
+/// Puts a label at the best free place, if any, and makes the place an obstacle.
 bool place(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const QRectF> places,
            LabelObstacles& obstacles)
 {
@@ -94,7 +94,7 @@ void labelMark(std::vector<FigureLabel>& labels, const FigureMark& mark, LabelOb
         placed.leader = mark.place;
 }
 
-/// Beside the ends of an edge's line: at the right and at the bottom first.
+/// Places beside the ends of an edge's infinite line: at the right and at the bottom first.
 std::vector<QRectF> placesAlong(const QLineF& line, const QSizeF& label, double unit, bool before)
 {
     const double gap = 2 * unit, inset = 7 * unit; // off the line, and off the border
@@ -140,7 +140,7 @@ void labelEdges(std::vector<FigureLabel>& labels, const Specimen& specimen, cons
     }
 }
 
-/// In a corner of the window, else outside at one.
+/// Labels the window in one of its corners, otherwise outside at a corner.
 void labelWindow(std::vector<FigureLabel>& labels, const Specimen& specimen,
                  LabelObstacles& obstacles, const FigureFrame& frame)
 {

@@ -15,8 +15,8 @@ using Tone = FigureMark::Tone;
 
 QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
 
-/// The direction from one point of the drawing to another as it is seen; of no length at all:
-/// right.
+/// The direction on screen from one point of the drawing to another; to the right if they are
+/// equal.
 double angleOf(const Point& from, const Point& to, YAxis y)
 {
     Point way = to / 2.0 - from / 2.0;
@@ -24,7 +24,7 @@ double angleOf(const Point& from, const Point& to, YAxis y)
     return QLineF(0, 0, way.x, y == YAxis::Up ? -way.y : way.y).angle();
 }
 
-/// Where a ray from the picture's middle meets a rectangle around it.
+/// The intersection of a ray from the picture's middle with a rectangle around it.
 QPointF onBorder(const QRectF& border, double angle)
 {
     const QLineF way = QLineF::fromPolar(1, angle);
@@ -33,7 +33,7 @@ QPointF onBorder(const QRectF& border, double angle)
     return border.center() + std::min(x, y) * QPointF(way.dx(), way.dy());
 }
 
-/// Where a line leaves a rectangle at its second end; nothing if it is never inside.
+/// The point where a line leaves a rectangle at its second end; empty if it is never inside.
 std::optional<QPointF> exitFrom(const QRectF& border, const QLineF& line)
 {
     const auto piece = clipping::exactAlgorithm().corrected.clip(
@@ -42,7 +42,7 @@ std::optional<QPointF> exitFrom(const QRectF& border, const QLineF& line)
     return piece ? std::optional(QPointF(piece->b.x, piece->b.y)) : std::nullopt;
 }
 
-/// An end that the picture does not reach: an arrow at its border, on the line if that is seen.
+/// Places an end outside the picture as an arrow at the border, on the line if it is visible.
 void placeFarEnd(FigureMark& mark, const Point& other, const FigureFrame& frame)
 {
     const double inset = 9 * frame.unit();
@@ -55,7 +55,7 @@ void placeFarEnd(FigureMark& mark, const Point& other, const FigureFrame& frame)
     mark.place = exit.value_or(onBorder(border, mark.angle));
 }
 
-/// What has become of an end: cut now, cut earlier, or still there.
+/// The tone of an end: cut in this step, cut earlier, or unchanged.
 Tone toneOfEnd(const StepScene& scene, int end)
 {
     Tone tone = scene.state == StepScene::State::Rejected ? Tone::Muted : Tone::Strong;
@@ -101,7 +101,7 @@ QString detailOf(const CutPoint& cut, bool now, YAxis y)
 
 void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
 {
-    constexpr std::size_t mostTold = 4; // of more only those that stand have a label
+    constexpr std::size_t mostTold = 4; // of more cuts only the valid ones have a label
     for (const CutPoint& cut : scene.cuts) {
         if (!frame.shows(cut.at))
             continue;

@@ -26,7 +26,7 @@ bool isFree(const QRectF& place, const LabelObstacles& obstacles)
                                    [&](const QLineF& line) { return crosses(line, place); });
 }
 
-/// How bad a free place is: what it covers, and how far down the list it stands.
+/// The penalty of a free place: what it covers, and its rank in the list.
 double badness(const QRectF& place, std::size_t rank, const LabelObstacles& obstacles)
 {
     const auto covered = std::ranges::count_if(
@@ -52,7 +52,7 @@ std::optional<QRectF> freePlace(std::span<const QRectF> places, const LabelObsta
 
 std::vector<QRectF> placesAround(const QPointF& mark, double radius, const QSizeF& label)
 {
-    // Where the label's middle is, in halves of its size and gaps from the mark.
+    // The position of the label's middle, in half sizes of the label and gaps from the mark.
     static constexpr std::array<std::array<double, 2>, 12> ways{{{1, 1},
                                                                  {1, -1},
                                                                  {-1, 1},

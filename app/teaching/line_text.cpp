@@ -14,7 +14,7 @@ bool commaIsDecimal() { return QLocale().decimalPoint() == QStringLiteral(","); 
 
 QString separator() { return commaIsDecimal() ? QStringLiteral("; ") : QStringLiteral(", "); }
 
-/// With the decimal mark of the locale; all else as everywhere, so that it can be read back.
+/// With the decimal mark of the locale, otherwise locale-independent, so that it reads back.
 QString number(double value)
 {
     QString text = QLocale::c().toString(value, 'g', QLocale::FloatingPointShortest);
@@ -23,7 +23,7 @@ QString number(double value)
     return text.replace(u'-', u'\u2212');
 }
 
-/// What the comma is in a text: it parts numbers, or it is the decimal mark.
+/// The role of commas in a text: separators or decimal marks.
 enum class Comma : std::uint8_t { Separates, IsDecimal };
 
 std::optional<double> numberFrom(QString text, Comma comma)
@@ -37,7 +37,7 @@ std::optional<double> numberFrom(QString text, Comma comma)
     return read ? std::optional(value) : std::nullopt;
 }
 
-/// Number, separator, number; between the ends an arrow or "to" will do as well.
+/// Number, separator, number; between the ends an arrow or "to" is allowed too.
 QRegularExpression pattern(const QString& number, const QString& separator)
 {
     const QString end = number + separator + number;

@@ -7,7 +7,7 @@ namespace app {
 
 namespace {
 
-/// What can be seen of a walk while a question about it is open.
+/// The visible part of a walk while a question about it is open.
 Walk firstSteps(Walk walk, std::size_t shown)
 {
     if (walk.moments.size() > shown)

@@ -19,7 +19,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
 
 constexpr double margin = 32, columnWidth = 560, gap = 24;
-constexpr double top = 90, bottom = slideHeight - margin; // of what is below the header
+constexpr double top = 90, bottom = slideHeight - margin; // of the area below the header
 constexpr double sentenceHeight = 132, operationsHeight = 88;
 
 QString stepText(const Walk& walk, std::size_t step)
@@ -55,7 +55,7 @@ void paintHeader(QPainter& painter, const Specimen& specimen, const Walk& walk, 
                      factsText(specimen));
 }
 
-/// In the largest font in which it fits.
+/// Paints a sentence in the largest font that fits.
 void paintSentence(QPainter& painter, const QRectF& area, const QString& text,
                    const FigureColours& colours)
 {

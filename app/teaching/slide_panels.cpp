@@ -20,7 +20,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
 
 constexpr double headingHeight = 32;
-constexpr double smallText = 0.9; // of the body: 18 pixels, the least on a slide
+constexpr double smallText = 0.9; // of the body font: 18 pixels, the smallest text on a slide
 
 double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
                     const FigureColours& colours)
@@ -33,7 +33,7 @@ double paintHeading(QPainter& painter, const QRectF& area, const QString& text,
     return area.top() + headingHeight;
 }
 
-/// A line of code in rows that fit a width: broken at blanks, what follows further in.
+/// A line of code in rows that fit a width: wrapped at spaces, continued with more indent.
 QStringList wrapped(const QString& line, const QFontMetricsF& metrics, double width)
 {
     constexpr qsizetype further = 4;
@@ -56,7 +56,7 @@ QStringList wrapped(const QString& line, const QFontMetricsF& metrics, double wi
 
 double rowHeight(const QFont& font) { return std::ceil(1.3 * font.pixelSize()); }
 
-/// The code as it is painted: of each line its rows.
+/// The code as it is painted: the rows of each line.
 struct CodeRows {
     QFont font;
     std::vector<QStringList> lines;
@@ -78,8 +78,8 @@ CodeRows codeRows(const QStringList& code, const QFont& font, double width)
     return rows;
 }
 
-/// In the largest font in which all the code fits without a break; else in the smallest, of which
-/// some lines are broken and not all shown.
+/// Chooses the largest font in which all the code fits without wrapping; otherwise the smallest, in
+/// which some lines are wrapped and some may not be shown.
 CodeRows fittingCode(const QStringList& code, double width, double height)
 {
     constexpr int largest = 24, smallest = 20;
@@ -96,7 +96,7 @@ CodeRows fittingCode(const QStringList& code, double width, double height)
     return codeRows(code, font, width);
 }
 
-/// Which lines are shown: the lit one and as many around it as there is room for.
+/// The range of lines that is shown: the lit line and as many around it as there is room for.
 std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t lit, double height)
 {
     std::size_t first = std::min(lit, rows.lines.size() - 1), end = first + 1;
@@ -110,7 +110,7 @@ std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t
     return {first, end};
 }
 
-/// Which variables are shown where there is no room for all: the changed ones, then the first.
+/// The variables that are shown if there is no room for all: the changed ones, then the first.
 std::vector<const Variable*> shown(const Moment& moment, std::size_t room)
 {
     std::vector<const Variable*> all;
@@ -126,7 +126,7 @@ std::vector<const Variable*> shown(const Moment& moment, std::size_t room)
     return all;
 }
 
-/// A value in a column: fewer digits where not all of them fit.
+/// A value in a column: with fewer digits if not all fit.
 QString fitting(const Variable& variable, double width, const QFont& font)
 {
     const QString exact = valueText(variable);

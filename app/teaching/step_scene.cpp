@@ -15,7 +15,7 @@ bool isOn(clipping::Edge edge, const Point& at, const clipping::Window& window)
            && at[clipping::axisOf(edge)] == clipping::levelOf(edge, window);
 }
 
-/// The edge of a step, unless the point lies on another.
+/// The edge of a step, unless the point lies on another edge.
 Edge edgeOf(const Moment& moment, const Point& at, const clipping::Window& window)
 {
     for (const Edge edge : {moment.edge, Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
@@ -24,8 +24,8 @@ Edge edgeOf(const Moment& moment, const Point& at, const clipping::Window& windo
     return moment.edge;
 }
 
-/// Writes down that an end has moved. The last rounding of an end, as it is accepted, is no new
-/// cut; nor is it one to go back to where an end was given, or to where it was cut before.
+/// Records the move of an end. The final rounding of an end when it is accepted is not a new cut;
+/// neither is a return to the original end or to an earlier cut.
 void noteCut(StepScene& scene, const CutPoint& cut, const Point& given, Mark mark)
 {
     CutPoint* same = nullptr;
@@ -51,13 +51,13 @@ StepScene::State stateOf(Mark mark)
                                                           : StepScene::State::Working;
 }
 
-/// What a moment leaves: as it accepts, what is visible, after the last rounding.
+/// The remaining line after a moment: if it accepts, the visible part after the final rounding.
 const clipping::Segment& leftAt(const Moment& moment, const Walk& walk)
 {
     return moment.mark == Mark::Accept && walk.visible ? *walk.visible : moment.left;
 }
 
-/// From where an end was to where it is, over the steps up to one.
+/// Records the part between an end's place before and now.
 void noteDiscarded(StepScene& scene, const Point& given, const Point& before, const Point& now)
 {
     if (given != before)

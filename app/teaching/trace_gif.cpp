@@ -9,7 +9,7 @@
 #include <memory>
 #include <unordered_map>
 
-// A trace as an animated picture: one frame a step, each as long as its sentence takes to read.
+// A trace as an animation: one frame for each step, shown as long as its sentence takes to read.
 
 namespace app {
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int colours = 256;
 
-/// Hundredths of a second.
+/// The duration of a step in hundredths of a second.
 int delayOf(const Walk& walk, std::size_t step)
 {
     const bool last = step + 1 >= walk.moments.size();
@@ -29,14 +29,14 @@ QImage frameOf(const TraceExport& trace, std::size_t step)
     return imageOf(slidePage(trace, step), trace.scale);
 }
 
-/// Colours that are alike: five bits of each part.
+/// The bucket of a colour: five bits of each component.
 unsigned bucketOf(QRgb colour)
 {
     return unsigned(qRed(colour) >> 3) << 10 | unsigned(qGreen(colour) >> 3) << 5
            | unsigned(qBlue(colour) >> 3);
 }
 
-/// How often a bucket is seen, and its middle.
+/// The number of pixels in a bucket, and the sum of their colours.
 struct Bucket {
     unsigned index = 0;
     std::uint64_t count = 0, red = 0, green = 0, blue = 0;
@@ -49,7 +49,7 @@ struct Bucket {
     QRgb middle() const { return qRgb(int(red / count), int(green / count), int(blue / count)); }
 };
 
-/// The colours seen most, of all frames: there are few but for the rounded edges.
+/// The most frequent colours of all frames: there are few except on antialiased edges.
 std::vector<QRgb> paletteOf(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     std::vector<Bucket> buckets(1U << 15);
@@ -73,7 +73,7 @@ std::vector<QRgb> paletteOf(const TraceExport& trace, std::span<const std::size_
     return palette;
 }
 
-/// Finds the nearest colour of a palette, each only once.
+/// Finds the nearest colour of a palette, and remembers the result for each colour.
 class Matcher {
 public:
     explicit Matcher(const std::vector<QRgb>& palette) : palette_(palette) {}
@@ -111,7 +111,7 @@ struct CloseGif {
 };
 using Gif = std::unique_ptr<GifFileType, CloseGif>;
 
-/// Plays again and again.
+/// Makes the animation repeat without end.
 bool putLoop(GifFileType* gif)
 {
     const std::array<GifByteType, 3> forEver{1, 0, 0};

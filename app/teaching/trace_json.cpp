@@ -9,14 +9,14 @@
 #include <array>
 #include <cmath>
 
-// A trace as data: all that the library says, in the order in which it is read. README.md of app/
-// describes it.
+// A trace as data: everything that the library reports, in reading order. README.md of app/
+// describes the format.
 
 namespace app {
 
 namespace {
 
-/// A number as all files of the program have it; what is no number is a word.
+/// A number as in all files of the program; NaN and infinity as words.
 QString number(double value)
 {
     if (std::isnan(value))
@@ -41,7 +41,7 @@ QString list(const clipping::Segment& s)
     return list(QStringList{number(s.a.x), number(s.a.y), number(s.b.x), number(s.b.y)});
 }
 
-/// {"name": value, ...} in the order given.
+/// {"name": value, ...} in the given order.
 QString object(const std::vector<std::pair<const char*, QString>>& fields, const QString& indent)
 {
     QStringList lines;

@@ -30,7 +30,7 @@ std::optional<Numbers> numbers(const QString& text)
     return all;
 }
 
-/// Nothing if one of them is no number.
+/// Empty if a coordinate is not finite.
 std::optional<QString> numbersText(const Point& p, const Point& q)
 {
     QStringList all;

@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-// A trace as people read it in a terminal.
+// A trace as text for a terminal.
 
 namespace app {
 
@@ -17,7 +17,7 @@ QString pair(const Point& point)
     return QStringLiteral("%1, %2").arg(exactText(point.x), exactText(point.y));
 }
 
-/// What has changed in a step: "x1 = −100 (was −160), t = 0.26".
+/// The changes of a step: "x1 = −100 (was −160), t = 0.26".
 QString changes(const Moment& moment)
 {
     QStringList words;

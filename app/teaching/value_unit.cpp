@@ -12,7 +12,7 @@ namespace {
 
 using enum ValueUnit;
 
-/// The usual units: of names that several rows use alike.
+/// The usual units: of names that several algorithms use with the same meaning.
 constexpr auto common = std::to_array<VariableUnit>({
     {"t", Bare},
     {"dx", Length},

@@ -33,7 +33,7 @@ Mark markOf(const Step& step, const clipping::OperationCounts& before)
                                                         : Mark::Look;
 }
 
-/// The names of the coordinates of both ends, from the line of the pseudo-code that accepts them.
+/// The names of both ends' coordinates, from the line of the pseudo-code that accepts them.
 QStringList endsIn(const QStringList& code)
 {
     static const QRegularExpression accepts(
@@ -49,7 +49,7 @@ std::array<double, 4> coordinates(const clipping::Segment& s)
     return {s.a.x, s.a.y, s.b.x, s.b.y};
 }
 
-/// All variables after a step: the earlier ones, and those that the step sets.
+/// All variables after a step: the earlier ones, and those that the step assigns.
 std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
                                      const Moment* before)
 {
@@ -63,7 +63,8 @@ std::vector<Variable> variablesAfter(const Step& step, const QStringList& ends,
         else
             known->value = value, known->kind = kind;
     };
-    // An end that has not moved is what it was told to be, as in a plane that is turned.
+    // An end that has not moved keeps the values of the trace, which may be those of a rotated
+    // plane.
     const auto now = coordinates(step.segment);
     for (std::size_t i = 0; i < now.size(); ++i)
         if (!before || now[i] != coordinates(before->left)[i])

@@ -18,7 +18,7 @@ extern const Teaching sobkowPospisilYangTeaching;
 extern const Teaching slaterBarskyTeaching;
 extern const Teaching exactTeaching;
 
-// THE CATALOGUE. An algorithm without a row has the defaults.
+// THE CATALOGUE. An algorithm without a row uses the defaults.
 std::span<const Teaching> teachings()
 {
     static const std::array rows{

@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-/// As many digits as tell any two different values apart.
+/// The number of digits that distinguishes any two different values.
 Digits digitsFor(const QStringList& names, const CodeValues& values)
 {
     for (const QString& one : names)
@@ -29,7 +29,8 @@ Digits digitsFor(const QStringList& names, const CodeValues& values)
 
 std::optional<Variable> CodeValues::of(const QString& name) const
 {
-    // What is told comes first: a row that turns the plane tells the window and the line anew.
+    // Values of the trace come first: an algorithm that rotates the plane reports new values for
+    // window and line.
     const QStringList all = spellings(name);
     auto told = toldOf(all);
     if (told && !isNew(*told))
@@ -54,7 +55,7 @@ std::optional<Variable> CodeValues::toldOf(const QStringList& names) const
     return std::nullopt;
 }
 
-/// "x[k]" is "x[2]" while k is 2, and "xi" is "x1" while i is 1.
+/// The spellings of a name: "x[k]" is "x[2]" while k is 2, and "xi" is "x1" while i is 1.
 QStringList CodeValues::spellings(const QString& name) const
 {
     static const QRegularExpression indexed(QStringLiteral("^(\\w+\\[)([A-Za-z_]\\w*)\\]$"));

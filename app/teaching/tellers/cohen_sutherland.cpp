@@ -20,7 +20,7 @@ unsigned known(const Telling& telling, const char* name)
     return unsigned(telling.known(name).value_or(0));
 }
 
-/// The outcode of an end by now.
+/// The current outcode of an end.
 unsigned codeOf(const Telling& telling, int number)
 {
     if (words::isPublished(telling))
@@ -37,7 +37,7 @@ QString codeAndRegion(const Telling& telling, int number)
     return words::codeAndRegion(codeOf(telling, number), telling.specimen.y);
 }
 
-/// The end that is cut: End 1 as long as it is outside.
+/// The end that is cut: End 1 while it is outside.
 int endOutside(const Telling& telling)
 {
     return words::isPublished(telling) ? (codeOf(telling, 1) != 0 ? 1 : 2)
@@ -50,7 +50,7 @@ QString outcodes(const Telling& telling)
         .arg(codeAndRegion(telling, 1), codeAndRegion(telling, 2));
 }
 
-/// Whether an end is outside.
+/// Whether any end is outside.
 QString anyOutside(const Telling& telling, bool outside)
 {
     const unsigned either = codeOf(telling, 1) | codeOf(telling, 2);
@@ -81,7 +81,7 @@ QString rejected(const Telling& telling)
         .arg(words::beyond(words::edgeOf(common), telling.specimen.y));
 }
 
-/// Which end is to be cut.
+/// Which end is cut next.
 QString chosen(const Telling& telling)
 {
     return codeOf(telling, 1) != 0
@@ -103,7 +103,7 @@ QString cutThere(const Telling& telling)
         .arg(telling.edgeText(), code, end, words::beyond(telling.edge(), telling.specimen.y));
 }
 
-/// As published: the point at which the line meets the edge.
+/// Published form: the point where the line meets the edge.
 QString meets(const Telling& telling)
 {
     const int along = clipping::axisOf(telling.edge());
@@ -120,7 +120,7 @@ QString meets(const Telling& telling)
              words::point(along == 0 ? Point{level, there} : Point{there, level}));
 }
 
-/// As corrected: how far the end moves, from where it was given.
+/// Corrected form: how far the end moves from its original place.
 QString way(const Telling& telling)
 {
     const int number = endOutside(telling);
@@ -138,7 +138,8 @@ QString moved(const Telling& telling)
            + tr("Its outcode is now %1.").arg(codeAndRegion(telling, number));
 }
 
-/// The corrected form's new outcode, before and after the edges are left out that have cut the end.
+/// The corrected form's new outcode, before and after the bits of edges that have cut the end are
+/// cleared.
 QString newCode(const Telling& telling)
 {
     const int number = endOutside(telling);
@@ -153,7 +154,7 @@ QString newCode(const Telling& telling)
         .arg(words::end(number), outcodeText(done), codeAndRegion(telling, number));
 }
 
-/// The tests that are about no edge.
+/// The tests without an edge.
 QString decided(const Telling& telling)
 {
     const bool published = words::isPublished(telling);

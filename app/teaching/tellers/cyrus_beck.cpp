@@ -17,14 +17,13 @@ QString tr(const char* text) { return QCoreApplication::translate("tellers", tex
 using words::knownCompared;
 using words::knownNumber;
 
-/// The line of the corrected form that does what the step's line does: published, line 3 computes
-/// the normal.
+/// The corresponding line of the corrected form: in the published form, line 3 computes the normal.
 int lineOf(const Telling& telling)
 {
     return telling.step.line - (words::isPublished(telling) ? 1 : 0);
 }
 
-/// Lines 5 to 12: what one edge says.
+/// Lines 5 to 12: the tests at one edge.
 QString asked(const Telling& telling)
 {
     const QString edge = telling.edgeText();
@@ -57,7 +56,7 @@ QString asked(const Telling& telling)
     }
 }
 
-/// Line 14: what is left when all edges have been asked.
+/// Line 14: what remains after all edges.
 QString concluded(const Telling& telling)
 {
     if (telling.holds())
@@ -68,7 +67,7 @@ QString concluded(const Telling& telling)
         .arg(knownNumber(telling, "tE"), knownNumber(telling, "tL"));
 }
 
-/// A variable gets its value at an edge.
+/// The assignment of a variable at an edge.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;
@@ -133,7 +132,7 @@ constexpr auto variables = std::to_array<VariableUnit>({
     {"xw", ValueUnit::X},
     {"yw", ValueUnit::Y},
 });
-/// The normals of the print are as long as the edges.
+/// The normals of the published form are as long as the edges.
 constexpr auto publishedVariables = std::to_array<VariableUnit>({
     {"nx", ValueUnit::Length},
     {"ny", ValueUnit::Length},

@@ -18,14 +18,14 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// How far a point lies outside a window; 0: it does not.
+/// The distance of a point outside a window; 0 if it is not outside.
 double outside(const Point& p, const clipping::Window& window)
 {
     return std::max(
         {window.min.x - p.x, p.x - window.max.x, window.min.y - p.y, p.y - window.max.y, 0.0});
 }
 
-/// An edge that both ends of the given line lie beyond.
+/// An edge that both ends of the original line lie beyond.
 Edge commonEdge(const Specimen& specimen)
 {
     const unsigned common = clipping::outcodeOf(specimen.line.a, specimen.window)
@@ -36,7 +36,7 @@ Edge commonEdge(const Specimen& specimen)
                                                 : Edge::Top;
 }
 
-/// What is truly inside.
+/// The exact visible part.
 std::optional<clipping::Segment> exactPiece(const Specimen& specimen)
 {
     return clipping::exactAlgorithm().corrected.clip(specimen.line, specimen.window);

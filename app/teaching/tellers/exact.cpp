@@ -16,9 +16,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// An end of the line, and the edges that it has to pass.
+/// An end of the line, and the edges that the line crosses near it.
 struct Side {
-    Edge x, y;             ///< those that the line passes there
+    Edge x, y;             ///< the edges that the line passes there
     bool beyondX, beyondY; ///< whether the end lies beyond them
 };
 
@@ -39,7 +39,7 @@ Side exitOf(const Specimen& specimen)
                   specimen.window);
 }
 
-/// Lines 1 and 3: whether both ends are beyond one edge of an axis.
+/// Lines 1 and 3: whether both ends are beyond the same edge of an axis.
 QString bothBeyond(const Telling& telling)
 {
     const auto axis = telling.step.line == 1 ? 0 : 1;
@@ -50,7 +50,7 @@ QString bothBeyond(const Telling& telling)
         .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
 
-/// Line 6: which way the line goes.
+/// Line 6: the direction of the line.
 QString direction(const Telling& telling)
 {
     const auto& [a, b] = telling.specimen.line;
@@ -177,7 +177,7 @@ const Teaching exactTeaching{
     .key = "exact",
     .sentence = sentence,
     .overlay = turnOverlay,
-    .figure = {.line = {{-160, 10}, {-20, 120}}}, // close by a corner
+    .figure = {.line = {{-160, 10}, {-20, 120}}}, // close to a corner
     .variables = variables,
 };
 

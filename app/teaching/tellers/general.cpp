@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-// What is said of an algorithm that has no sentences of its own: its pseudo-code, with numbers.
+// The sentences of an algorithm without its own: its pseudo-code, with numbers.
 
 namespace app {
 
@@ -24,7 +24,7 @@ QString evenly(const QString& formula)
     return withTexts(formula, [](const QString& name) { return name; });
 }
 
-/// "At the left edge, " before what is about an edge.
+/// "At the left edge, " before a sentence about an edge.
 QString atEdge(const Telling& telling, const QString& said)
 {
     const QString edge = telling.edgeText();
@@ -56,7 +56,7 @@ QString asked(const Telling& telling, const QStringList& code)
                                            : tr("is %1? %2: %3.").arg(question, numbers, answer)));
 }
 
-/// "dx = x2 - x1 = 70 - (-160) = 230", without saying anything twice.
+/// "dx = x2 - x1 = 70 - (-160) = 230", without repetition.
 QString setTo(const QString& name, const QStringList& texts)
 {
     QStringList said{name};
@@ -66,7 +66,7 @@ QString setTo(const QString& name, const QStringList& texts)
     return said.join(QStringLiteral(" = "));
 }
 
-/// What the line sets, as far as this step tells it.
+/// The assignments of the line, as far as this step reports them.
 QStringList assignments(const Telling& telling, const QStringList& code)
 {
     const auto all = assignmentsIn(lineOf(telling, code), code);
@@ -79,7 +79,7 @@ QStringList assignments(const Telling& telling, const QStringList& code)
         });
         if (!isTold)
             continue;
-        QStringList later; // these are not set yet
+        QStringList later; // these are not assigned yet
         for (std::size_t j = all[i].isParameter ? 0 : i; j < all.size(); ++j)
             if (const auto other = after.of(all[j].name); other && (j >= i || all[j].isParameter))
                 later << other->name;
@@ -90,7 +90,7 @@ QStringList assignments(const Telling& telling, const QStringList& code)
     return said;
 }
 
-/// Every value of the step, where its line does not say how they came about.
+/// All values of the step, for a line that does not show how they are computed.
 QStringList values(const Telling& telling)
 {
     QStringList said;

@@ -17,7 +17,7 @@ QString tr(const char* text)
     return QCoreApplication::translate("kodituwakku-wijeweera-chamikara", text);
 }
 
-/// Whether the line is vertical, horizontal, a point.
+/// Whether the line is vertical, horizontal, or a point.
 QString direction(const Telling& telling)
 {
     const auto& [a, b] = telling.specimen.line;
@@ -41,8 +41,8 @@ QString point(const Telling& telling)
         .arg(words::point(telling.specimen.line.a));
 }
 
-/// Whether a horizontal or vertical line runs between the two edges along it: axis 0 if it is
-/// vertical, for then its x is asked.
+/// Whether a horizontal or vertical line lies between the two edges parallel to it: axis 0 for a
+/// vertical line, because its x is tested.
 QString between(const Telling& telling, glm::length_t axis)
 {
     const auto& a = telling.specimen.line.a;
@@ -77,7 +77,7 @@ QString tooShort(const Telling& telling, glm::length_t axis)
                      .arg(name, words::number(length));
 }
 
-/// Whether an end must be pushed to the step's edge.
+/// Whether an end must be moved to the step's edge.
 QString push(const Telling& telling, int number)
 {
     if (words::asksTheWay(telling))
@@ -87,7 +87,7 @@ QString push(const Telling& telling, int number)
                            : tr("%1.").arg(words::whetherBeyond(telling, number));
 }
 
-/// Whether the other end, as it was given, is beyond the same edge.
+/// Whether the other end is beyond the same edge at its original place.
 QString other(const Telling& telling)
 {
     const QString where = words::beyond(telling.edge(), telling.specimen.y);
@@ -146,7 +146,7 @@ QString correctedTest(const Telling& telling, int number)
     }
 }
 
-/// What a variable is now.
+/// The new value of a variable.
 QString given(const Telling& telling, int number)
 {
     const auto& name = telling.step.name;
@@ -195,7 +195,7 @@ QString sentence(const Telling& telling)
     }
 }
 
-/// Of the line y = mx + c.
+/// The variables of the line y = mx + c.
 constexpr auto variables = std::to_array<VariableUnit>({
     {"m", ValueUnit::Bare},
     {"c", ValueUnit::FixedLength},

@@ -22,7 +22,7 @@ words::PartNames namesIn(const Telling& telling)
     return {"u0", "u1", words::isPublished(telling) ? 19 : 20};
 }
 
-/// Lines 2, 7 and 12: how the line runs at one edge.
+/// Lines 2, 7 and 12: the direction of the line at one edge.
 QString direction(const Telling& telling)
 {
     const QString edge = telling.edgeText(), p = knownNumber(telling, "p");
@@ -41,7 +41,7 @@ QString direction(const Telling& telling)
         .arg(p, edge);
 }
 
-/// Lines 4, 5, 9 and 10: what a crossing changes.
+/// Lines 4, 5, 9 and 10: the effect of a crossing.
 QString crossing(const Telling& telling)
 {
     const QString edge = telling.edgeText();
@@ -73,7 +73,7 @@ QString crossing(const Telling& telling)
     }
 }
 
-/// What the signs of p and q say of the line at an edge.
+/// The meaning of the signs of p and q for the line at an edge.
 QString atEdge(const Telling& telling)
 {
     const double p = telling.known("p").value_or(0), q = telling.known("q").value_or(0);
@@ -86,7 +86,7 @@ QString atEdge(const Telling& telling)
                  .arg(words::number(q));
 }
 
-/// A variable gets its value at an edge, on lines 1 to 12 or where they are called.
+/// The assignment of a variable at an edge, on lines 1 to 12 or at the calls.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;
@@ -136,7 +136,7 @@ const Teaching liangBarskyTeaching{
     .sentence = sentence,
     .parameter = "r",
     .overlay = parameterOverlay,
-    .figure = {.mark = Mark::Divide}, // a parameter, and where it is on the line
+    .figure = {.mark = Mark::Divide}, // a parameter and its place on the line
     .variables = variables,
 };
 

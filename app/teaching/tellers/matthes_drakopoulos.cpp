@@ -13,7 +13,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// Whether both ends are beyond one edge of an axis.
+/// Whether both ends are beyond the same edge of an axis.
 QString bothBeyond(const Telling& telling)
 {
     const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
@@ -48,7 +48,7 @@ QString oneBeyond(const Telling& telling, int number)
         .arg(end, where, numbers, telling.edgeText());
 }
 
-/// How far the line goes on the other axis on its way to the edge.
+/// How far the line goes along the other axis on its way to the edge.
 QString wayTo(const Telling& telling, int number)
 {
     const int from = words::isPublished(telling) ? 1 : number;
@@ -60,7 +60,7 @@ QString wayTo(const Telling& telling, int number)
                       words::isPublished(telling) ? std::optional(slope) : std::nullopt);
 }
 
-/// After both axes, only x can still be outside, and only if the line misses.
+/// After both axes, only x can still be outside, and only if the line misses the window.
 QString stillBeyond(const Telling& telling)
 {
     const auto &a = telling.step.segment.a, &b = telling.step.segment.b;
@@ -75,7 +75,7 @@ QString stillBeyond(const Telling& telling)
         .arg(words::number(a.x), words::number(b.x));
 }
 
-/// The last test, of line 19 as published, of line 20 as corrected.
+/// The last test: on line 19 of the published form, on line 20 of the corrected one.
 bool isLastTest(const clipping::Step& step, const Telling& telling)
 {
     return step.line == (words::isPublished(telling) ? 19 : 20);

@@ -45,7 +45,7 @@ QString beyondBoth(const Telling& telling, const char* one, const char* other)
                          telling.specimen.y);
 }
 
-/// Line 2: whether both ends are beyond one edge.
+/// Line 2: whether both ends are beyond the same edge.
 QString bothBeyond(const Telling& telling)
 {
     const QString one = codeText(telling, "code1"), two = codeText(telling, "code2");
@@ -57,7 +57,7 @@ QString bothBeyond(const Telling& telling)
                      .arg(one, two);
 }
 
-/// Whether an end is outside, and has to be sought.
+/// Whether an end is outside, so that a search for it is needed.
 QString sought(const Telling& telling, int number)
 {
     const QString code = codeText(telling, number == 1 ? "code1" : "code2");
@@ -80,7 +80,7 @@ QString nearAndFar(const Telling& telling, bool share)
                        .arg(near, far);
 }
 
-/// Which half is dropped.
+/// Which half is discarded.
 QString halved(const Telling& telling)
 {
     const QString code = codeAndRegion(telling, "M");
@@ -105,7 +105,7 @@ QString rejected(const Telling& telling)
         .arg(beyondBoth(telling, "near", "far"));
 }
 
-/// An end has been found.
+/// The result of the search for an end.
 QString found(const Telling& telling)
 {
     const bool published = words::isPublished(telling);
@@ -179,7 +179,7 @@ QString correctedTest(const Telling& telling)
     }
 }
 
-/// A variable gets its value.
+/// The assignment of a variable.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;

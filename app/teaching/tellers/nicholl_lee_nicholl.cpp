@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 
-// The procedures work in a frame that may be turned or mirrored; the steps, and these sentences,
-// are about the line as it was given.
+// The procedures work in a frame that may be rotated or mirrored; the steps and these sentences
+// refer to the original line.
 
 namespace app {
 
@@ -26,7 +26,7 @@ constexpr std::array linesOfEndOne{2, 3, 9, 10, 51, 52};
 constexpr std::array cutsOfEndOne{31, 39, 49};
 constexpr int displayLine = 5, notBelowLine = 21, insideLine = 52;
 
-/// The edge on the other axis than the step's that an end is beyond.
+/// The edge of the other axis that an end is beyond.
 Edge otherEdge(const Telling& telling, int end)
 {
     const auto axis = 1 - clipping::axisOf(telling.edge());
@@ -35,7 +35,7 @@ Edge otherEdge(const Telling& telling, int end)
                                                                       : Edge::None;
 }
 
-/// What a comparison with a corner of the window shows; `end` lies beyond the corner.
+/// The result of a comparison with a corner of the window; `end` lies beyond the corner.
 struct Corner {
     QString name, edge, other;
 };
@@ -46,7 +46,7 @@ Corner cornerBeyond(const Telling& telling, int end)
             edgeWords(other, telling.specimen.y)};
 }
 
-/// The procedures are written for one region of End 1; what is done where it is in another.
+/// The procedures are written for one region of End 1; this is what happens in the other regions.
 QString whereEndOneIs(const Telling& telling)
 {
     const QString beyond = words::whetherBeyond(telling, 1);
@@ -110,11 +110,11 @@ QString whereEndTwoIs(const Telling& telling)
     }
 }
 
-/// A question about a corner of the window: which of two products is larger.
+/// A test for a corner of the window: which of two products is larger.
 struct CornerTest {
     int line;
     std::string_view first, second;
-    int end; ///< that lies beyond the corner
+    int end; ///< the end that lies beyond the corner
     enum { Enters, Leaves, Misses } asks;
 };
 constexpr std::array cornerTests{
@@ -131,7 +131,7 @@ const CornerTest* cornerTestOf(const Telling& telling)
     return telling.step.what == clipping::What::Test && test != cornerTests.end() ? test : nullptr;
 }
 
-/// A test of slopes, as products.
+/// A comparison of slopes, as products.
 QString passesCorner(const Telling& telling, const CornerTest& test)
 {
     const Corner corner = cornerBeyond(telling, test.end);
@@ -155,7 +155,7 @@ QString passesCorner(const Telling& telling, const CornerTest& test)
         .arg(corner.name, relation, corner.edge);
 }
 
-/// One product, or two of one line of the pseudo-code.
+/// One product, or two from one line of the pseudo-code.
 QString product(const Telling& telling)
 {
     const auto& last = telling.step.values.back();
@@ -187,7 +187,7 @@ QString extent(const Telling& telling)
         .arg(words::value(telling, "dx"), words::value(telling, "dy"));
 }
 
-/// Where the ends are in the plane that has been turned or mirrored for a procedure.
+/// The ends in the plane that has been rotated or mirrored for a procedure.
 QString turned(const Telling& telling)
 {
     const auto end = [&](const char* x, const char* y) {
@@ -238,7 +238,8 @@ QString sentence(const Telling& telling)
     }
 }
 
-/// The line and the window are known; told again, they are those of a turned plane.
+/// The line and the window have known values; repeated in a trace, they are those of a rotated
+/// plane.
 constexpr auto variables = std::to_array<VariableUnit>({
     {"pxmin", ValueUnit::Area},
     {"pxmax", ValueUnit::Area},

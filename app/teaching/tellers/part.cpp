@@ -27,7 +27,7 @@ QString needed(const Telling& telling, const PartNames& names)
         .arg(value, end(isEnd2 ? 2 : 1));
 }
 
-/// Whether a single point is left, of a line whose End 1 has moved.
+/// Whether only a single point remains of a line whose End 1 has moved.
 QString touches(const Telling& telling, const PartNames& names)
 {
     const QString numbers = knownCompared(telling, names.start, names.stop);
@@ -41,7 +41,7 @@ QString touches(const Telling& telling, const PartNames& names)
                      .arg(numbers);
 }
 
-/// The corrected form holds an end inside that it has not moved.
+/// The corrected form clamps an end that no cut has moved to the window.
 QString held(const Telling& telling, int number)
 {
     const bool stays = !telling.before || telling.before->segment == telling.step.segment;

@@ -34,13 +34,13 @@ QString edgeOfTable(const Telling& telling, unsigned k)
     return edgeWords(edgesFromCorners[k % 4], telling.specimen.y);
 }
 
-/// "left" or "right" of the line's direction; where y points down, the sides change.
+/// "left" or "right" of the line's direction; if y points down, the sides are swapped.
 QString sideOfLine(const Telling& telling, bool positive)
 {
     return positive == (telling.specimen.y == YAxis::Up) ? tr("left") : tr("right");
 }
 
-/// The numbers that say where a corner lies: it is on the positive side if the first is greater.
+/// The numbers that determine the side of a corner: positive if the first is greater.
 std::array<double, 2> numbersOf(const Telling& telling, unsigned corner)
 {
     const auto value = [&](const char* name) { return telling.known(name).value_or(0); };
@@ -55,7 +55,7 @@ QString cornerText(const Telling& telling, unsigned k)
     return words::corner(edgesFromCorners[k], edgesFromCorners[(k + 3) % 4], telling.specimen.y);
 }
 
-/// The answer for a corner: c[0] to c[3].
+/// The side of a corner: c[0] to c[3].
 QString cornerSide(const Telling& telling)
 {
     const auto& name = telling.step.name;
@@ -99,7 +99,7 @@ QString pattern(const Telling& telling)
         .arg(text, QString::number(c), crossed[0], crossed[1]);
 }
 
-/// The edges that the table names.
+/// The edges in the table.
 QString named(const Telling& telling)
 {
     const unsigned i = known(telling, "i"), j = known(telling, "j");
@@ -111,7 +111,7 @@ QString named(const Telling& telling)
              edgeOfTable(telling, j));
 }
 
-/// As published: at which of the two edges an end is cut.
+/// Published form: at which of the two edges an end is cut.
 QString masked(const Telling& telling, int end)
 {
     const QString code = codeText(telling, end == 1 ? "code1" : "code2");
@@ -125,7 +125,7 @@ QString masked(const Telling& telling, int end)
              edgeOfTable(telling, known(telling, "j")));
 }
 
-/// As corrected: whether an end has to move.
+/// Corrected form: whether an end has to move.
 QString isOutside(const Telling& telling, int end)
 {
     const QString code = codeText(telling, end == 1 ? "code1" : "code2");
@@ -134,7 +134,7 @@ QString isOutside(const Telling& telling, int end)
         .arg(words::end(end), code);
 }
 
-/// The questions that only one of the forms asks, or on a line of its own.
+/// The tests that only one of the forms has, or has on another line.
 QString testOfPublished(const Telling& telling)
 {
     switch (telling.step.line) {
@@ -181,7 +181,7 @@ QString test(const Telling& telling)
     return published ? testOfPublished(telling) : testOfCorrected(telling);
 }
 
-/// The line before the corners are asked.
+/// The line before the corners are tested.
 QString line(const Telling& telling)
 {
     return words::isPublished(telling)
@@ -194,7 +194,7 @@ QString line(const Telling& telling)
                      .arg(knownNumber(telling, "dx"), knownNumber(telling, "dy"));
 }
 
-/// As corrected: f[0] and f[1], or f[2] and f[3].
+/// Corrected form: f[0] and f[1], or f[2] and f[3].
 QString products(const Telling& telling)
 {
     const bool first = telling.step.name == "f[1]";
@@ -204,7 +204,7 @@ QString products(const Telling& telling)
              edgeOfTable(telling, first ? 1 : 3), knownNumber(telling, first ? "f[1]" : "f[3]"));
 }
 
-/// As published: how the line meets an edge.
+/// Published form: the intersection of the line with an edge.
 QString meeting(const Telling& telling)
 {
     const auto& name = telling.step.name;
@@ -295,7 +295,7 @@ constexpr auto variables = std::to_array<VariableUnit>({
     {"X[k]", ValueUnit::X},
     {"Y[k]", ValueUnit::Y},
 });
-/// Lines and points of the print are vectors of three: x, y and w.
+/// Lines and points of the published form are vectors of three: x, y and w.
 constexpr auto publishedVariables = std::to_array<VariableUnit>({
     {"ex[n]", ValueUnit::Bare},
     {"ey[n]", ValueUnit::Bare},

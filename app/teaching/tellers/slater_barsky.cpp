@@ -33,7 +33,7 @@ QString order(const Telling& telling)
         .arg(words::compared(a.x, b.x));
 }
 
-/// Whether both ends are right of the window, or both left of it.
+/// Whether both ends are to the right of the window, or both to its left.
 QString besideTheWindow(const Telling& telling)
 {
     if (telling.holds())
@@ -46,7 +46,7 @@ QString besideTheWindow(const Telling& telling)
              words::end(last(telling)), relation(last(telling), Edge::Left));
 }
 
-/// The walk's cell as a place: "the middle cell, which is the window", "the cell left of the
+/// The current cell as a place: "the middle cell, which is the window", "the cell left of the
 /// window".
 QString place(const Telling& telling)
 {
@@ -84,7 +84,7 @@ QString rising(const Telling& telling)
     return tr("The walk goes neither up nor down (dy: %1).").arg(relation);
 }
 
-/// The edge in whose line the side lies that the walk leaves its cell by.
+/// The edge whose infinite line contains the side at which the walk leaves its cell.
 Edge crossed(const Telling& telling)
 {
     if (telling.holds())
@@ -94,7 +94,7 @@ Edge crossed(const Telling& telling)
                          : (row == 2 ? Edge::Top : Edge::Bottom);
 }
 
-/// By which side the walk leaves its cell: by the right one if the test holds.
+/// The side at which the walk leaves its cell: the right one if the test holds.
 QString leaving(const Telling& telling)
 {
     const double e = telling.known("e").value_or(0);
@@ -120,7 +120,7 @@ QString leaving(const Telling& telling)
         .arg(relation, edge);
 }
 
-/// What a test about the walk's cell decides.
+/// The meaning of a test of the current cell.
 enum class Fate : std::uint8_t { Misses, Enters, Leaves };
 
 QString inCell(const Telling& telling, const char* cells, Fate fate)
@@ -152,7 +152,7 @@ QString insideTest(const Telling& telling)
                                  .arg(words::end(last(telling)));
 }
 
-/// The tests that only the published form has, from line 22 on.
+/// The tests of the published form only, from line 22 on.
 QString publishedTest(const Telling& telling)
 {
     switch (telling.step.line) {
@@ -185,7 +185,7 @@ QString publishedTest(const Telling& telling)
     }
 }
 
-/// Those of the corrected form, from line 19 on.
+/// The tests of the corrected form, from line 19 on.
 QString correctedTest(const Telling& telling)
 {
     switch (telling.step.line) {
@@ -256,7 +256,7 @@ QString nextCell(const Telling& telling)
     return telling.value("e") ? cell + u' ' + nextCorner(telling) : cell;
 }
 
-/// What a variable is now.
+/// The new value of a variable.
 QString given(const Telling& telling)
 {
     const auto& name = telling.step.name;

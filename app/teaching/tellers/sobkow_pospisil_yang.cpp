@@ -16,7 +16,7 @@ QString tr(const char* text) { return QCoreApplication::translate("sobkow-pospis
 
 int endNamed(const Telling& telling) { return telling.known("i") == 2.0 ? 2 : 1; }
 
-/// What the code of both regions picks.
+/// The script that the code of both regions selects.
 QString script(const Telling& telling)
 {
     const QString code = words::value(telling, "code");
@@ -29,7 +29,7 @@ QString script(const Telling& telling)
                   : tr("This one does and asks no more than this pair needs."));
 }
 
-/// A question of the script. Where the rounded end is on the edge, the way it has gone decides.
+/// A test of the script. If the rounded end is on the edge, the distance that it moved decides.
 QString question(const Telling& telling)
 {
     const int end = endNamed(telling);
@@ -58,7 +58,7 @@ QString tested(const Telling& telling)
     return question(telling);
 }
 
-/// Where an end gets to on its way to an edge, before it is held.
+/// Where an end would arrive at an edge, before it is clamped.
 QString arrival(const Telling& telling)
 {
     const int end = endNamed(telling);
@@ -69,7 +69,7 @@ QString arrival(const Telling& telling)
            + u' ' + tr("There %1 = %2.").arg(name, words::value(telling, telling.step.name));
 }
 
-/// Whether rounding has put an end beyond a side of the other axis.
+/// Whether rounding has put an end beyond an edge of the other axis.
 QString held(const Telling& telling)
 {
     const bool isLow = telling.step.line % 4 == 1; // the second line of a procedure

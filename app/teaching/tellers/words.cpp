@@ -14,7 +14,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("tellers", text); }
 
-/// The edge that is seen where this one is, with y up.
+/// The edge that is seen in the place of this edge, with y up.
 std::size_t asSeen(clipping::Edge edge, YAxis y)
 {
     const auto at = std::size_t(edge);
