@@ -9,7 +9,7 @@ namespace {
 void list(const Given& given)
 {
     const TableOutput output = tableOutput(given);
-    // In a terminal the ideas need the room; a name says no more than its key.
+    // In a terminal the column of ideas needs the room; a name tells no more than its key.
     const bool isText = output.format.key == tableFormats().front().key;
     Table table{isText ? QStringList{"key", "abbr.", "year", "idea"}
                        : QStringList{"key", "abbreviation", "name", "year", "idea"}};

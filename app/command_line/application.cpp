@@ -19,7 +19,7 @@ bool paints(const QStringList& arguments)
     });
 }
 
-/// Qt tries them from left to right; a display that cannot be reached is none.
+/// Qt tries them from left to right; a display that cannot be reached counts as none.
 QByteArray platforms()
 {
     const QByteArray asked = qgetenv("QT_QPA_PLATFORM");
@@ -39,7 +39,7 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, i
 {
     if (!paints(arguments))
         return std::make_unique<QCoreApplication>(argc, argv);
-    // A command says itself what is wrong; Qt's own warnings are about displays it can do without.
+    // A command reports errors itself; Qt's own warnings concern displays that it does not need.
     QLoggingCategory::setFilterRules(QStringLiteral("qt.qpa.*=false\ndefault.warning=false"));
     qputenv("QT_QPA_PLATFORM", platforms());
     return std::make_unique<QGuiApplication>(argc, argv);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto eachRun = "each-run";
 
-/// The measures without --measure: all of them in a report that people read.
+/// The measures without --measure: all of them for a report that people read.
 QString usualMeasures(const Given& given, bool forPeople)
 {
     QStringList keys{QStringLiteral("clip")};
@@ -40,7 +40,7 @@ Table analysed(const Analysis& analysis, const PlannedTrial& trial)
                            {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
-/// In the order of trials, the paper's own numbers before the first that repeats them.
+/// In the order of trials; the paper's own numbers come before the first trial that repeats them.
 std::vector<Table> tablesOf(const Study& study, Against against)
 {
     std::vector<Table> tables;
@@ -78,7 +78,7 @@ void bench(const Given& given)
 {
     const auto output = tableOutput(given);
     const auto files = filesGiven(given);
-    againstGiven(given); // refuses before the work
+    againstGiven(given); // throws before the work
     const Wanted wanted = wantedGiven(given, usualMeasures(given, !files.empty()));
     if (wanted.measures.empty() && !files.empty())
         throw WrongUsage{Commands::tr("Reports and charts need clip, draw or total in --measure.")};

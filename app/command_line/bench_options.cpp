@@ -37,7 +37,7 @@ QString allMeasures()
     return (keysOf(measures()) + keysOf(analyses())).join(QStringLiteral(", "));
 }
 
-/// In the scene's own numbers.
+/// A rectangle in the scene's own units.
 std::optional<clipping::Window> plainRectangle(const Given& given, const QString& option)
 {
     const auto lengths = given.rectangle(option);
@@ -51,7 +51,7 @@ std::optional<clipping::Window> plainRectangle(const Given& given, const QString
     return clipping::Window{{l[0].value, l[1].value}, {l[2].value, l[3].value}};
 }
 
-// Its own; given ones stand in the tables.
+// Reports the drawing's own window; a given window is in the tables.
 void sayWindow(const Imported& imported, const clipping::Window& window)
 {
     const bool saved =
@@ -62,7 +62,7 @@ void sayWindow(const Imported& imported, const clipping::Window& window)
     say(Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported)));
 }
 
-/// The lines that a drawing shows, and its window.
+/// Takes the visible lines of a drawing, and its window.
 void takeDrawing(const Given& given, const QString& path, ExperimentOptions& options)
 {
     const auto imported = readFile(path);
@@ -85,7 +85,7 @@ void takeScene(const Given& given, ExperimentOptions& options)
     if (scene.startsWith(file) && scene.size() > file.size())
         return takeDrawing(given, scene.mid(file.size()), options);
     const auto rows = testScenes();
-    // The last is none of the rows: with a path it was a drawing's.
+    // The last key is not a row: its path was handled as a drawing.
     options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];
 }
 
@@ -116,7 +116,7 @@ EaselMaker easelGiven(const Given& given, bool draws)
                       .arg(kind.name)};
 }
 
-/// Threads and other cores' work are seen by the clock on the wall alone.
+/// Only the wall clock measures the work of several threads and cores.
 void takeThreads(const Given& given, ExperimentOptions& options)
 {
     if (!given.has(QStringLiteral("threads")))

@@ -34,7 +34,7 @@ std::vector<Command> commands()
 
 namespace {
 
-// Among the options, which end at --.
+// Searches the options, which end at --.
 bool asks(const QStringList& arguments, const QStringList& names)
 {
     const auto end = std::find(arguments.begin(), arguments.end(), QStringLiteral("--"));
@@ -72,7 +72,7 @@ QString overview()
                      0);
 }
 
-// Also of folders and libraries, which no format looks at.
+// Also for folders and libraries, which no format examines.
 void refuseLostNames(const QStringList& arguments)
 {
     for (const QString& argument : arguments)
@@ -98,7 +98,8 @@ bool isCommandLine(const QStringList& arguments)
 
 int runCommandLine(const QStringList& arguments)
 {
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); // the same everywhere
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); // the same on every
+                                                                           // machine
     answerSignals();
     const auto command = commandOf(arguments);
     const QString name = command ? QLatin1StringView(command->key) : QString();

@@ -43,7 +43,7 @@ CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Outp
     return options;
 }
 
-// A cut that leaves nothing, or nothing visible, is rarely what was wanted: says why.
+// A cut that leaves nothing, or nothing visible, is rarely intended: reports the reason.
 void sayNothingIsLeft(const Imported& imported, const Document& before, const Document& after,
                       Keep keep)
 {
@@ -66,7 +66,7 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
 
 void report(const Imported& imported, const Document& before, const CutCounts& counts)
 {
-    const std::size_t hidden = hiddenObjects(before).size(); // the cut reached all of them
+    const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
     sayLosses(imported);
     QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
                        .arg(counts.whole)
@@ -84,8 +84,7 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
                 .arg(hidden - counts.hidden));
 }
 
-/// Leaves out what is hidden where that is asked for, or the file could not hide it; gives how many
-/// objects that were.
+/// Removes hidden objects if requested, or if the file cannot hide them; returns their number.
 std::size_t dropHidden(const Given& given, const Output& output, Document& document)
 {
     if (output.format->hides == Hides::Yes && !given.has(QStringLiteral("drop-hidden")))
@@ -103,7 +102,7 @@ void sayDropped(const Given& given, const Output& output, std::size_t dropped)
         say(Commands::tr("Hidden shapes: %1 left out.").arg(dropped));
 }
 
-/// Says how long each part of the work took, if that is asked for.
+/// Reports the duration of each part of the work, if requested.
 class Stopwatch {
 public:
     void lap(const QString& what)
@@ -148,7 +147,7 @@ void clip(const Given& given)
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);
     Cut result = cut(before, options);
-    result.edit.windows = ClipWindows(); // it is cut
+    result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
     after.apply(result.edit);
     stopwatch.lap(Commands::tr("cut"));

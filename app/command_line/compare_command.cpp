@@ -16,7 +16,7 @@ namespace {
 
 constexpr quint64 mostUlps = 1'000'000'000;
 
-/// In tables: what sees the line.
+/// In tables: which variant sees the line.
 constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Difference::Kind
 
 Comparison comparisonOf(const Given& given)
@@ -78,7 +78,7 @@ Table tableOf(const Comparison& comparison, const Scene& scene, const Difference
     return table;
 }
 
-/// What is true of all of them as one row, without the lines that differ.
+/// The facts about all lines in one row, without the lines that differ.
 Table summed(Table table)
 {
     table.names.clear();
@@ -102,7 +102,7 @@ void compare(const Given& given)
     const Differences found = extended({window}, comparison, scene.lines(), scene.lines().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
-    // A person who wants the sum, or where there is no difference, gets the sentence alone.
+    // In text format, a summary or a comparison without differences prints only the sentence.
     const bool forPerson = output.format.key == QStringLiteral("text");
     const bool whole = !given.has(QStringLiteral("summary"));
     Table table = tableOf(comparison, scene, found, summary);

@@ -17,7 +17,7 @@ namespace {
 constexpr double most = 1e150; // differences of such numbers, and their products, are finite
 constexpr int mostSide = 4096;
 
-/// Numbers between separators, as many as wanted.
+/// `wanted` numbers between separators.
 std::optional<std::vector<double>> numbersOf(const QString& text, QChar separator, qsizetype wanted)
 {
     std::vector<double> numbers;
@@ -71,7 +71,7 @@ void setSize(CostPlan& plan, const QString& text)
     plan.rows = int((*n)[1]);
 }
 
-/// Who is shown, or that all are asked.
+/// Sets the variant that is shown, or all candidates for the cheapest.
 void setAlgorithms(CostPlan& plan, const Given& given)
 {
     const bool cheapest = given.has(QStringLiteral("cheapest"));

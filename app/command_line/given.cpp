@@ -29,7 +29,7 @@ QString dashed(const QString& name)
     return (name.size() > 1 ? QStringLiteral("--") : QStringLiteral("-")) + name;
 }
 
-/// Why the parser refuses what was given.
+/// Why the parser rejects the arguments.
 QString refusalOf(const QCommandLineParser& parser, const Command& command)
 {
     const QStringList unknown = parser.unknownOptionNames();
@@ -43,7 +43,7 @@ QString refusalOf(const QCommandLineParser& parser, const Command& command)
         .arg(dashed(unknown.front()), dashed(nearestTo(unknown.front().toLower(), names)));
 }
 
-// A number or a length, but beyond what can be calculated with: its form is not to blame.
+// Whether a number or a length is beyond the range of calculation: its form is correct.
 bool isTooLarge(const QString& text)
 {
     const std::string all = trimmed(text);
@@ -51,7 +51,7 @@ bool isTooLarge(const QString& text)
     double value = 0;
     const auto [end, error] = std::from_chars(first, all.data() + all.size(), value);
     const std::string_view number(first, std::size_t(end - first));
-    // One that is too small has no other error.
+    // A number that is too small has the same error code.
     if (error != std::errc::result_out_of_range || number.find("e-") != number.npos
         || number.find("E-") != number.npos)
         return false;
@@ -63,7 +63,8 @@ std::optional<quint64> wholeNumber(const QString& text)
     bool isNumber = false;
     if (const quint64 number = text.toULongLong(&isNumber); isNumber)
         return number;
-    constexpr double most = 9007199254740992;       // 2^53: up to there a double holds each
+    constexpr double most = 9007199254740992;       // 2^53: up to there a double represents each
+                                                    // integer
     const auto number = parseNumber(trimmed(text)); // 1e6
     if (!number || *number < 0 || *number > most || *number != std::floor(*number))
         return std::nullopt;
@@ -264,7 +265,7 @@ QString wrapped(const QString& text, qsizetype indent, qsizetype width)
 
 namespace {
 
-/// Where the second column begins: after the first one, but no farther right than `most`.
+/// The start of the second column: after the first one, but not to the right of `most`.
 qsizetype secondColumn(const std::vector<std::pair<QString, QString>>& rows, qsizetype most)
 {
     qsizetype column = 0;
@@ -274,7 +275,7 @@ qsizetype secondColumn(const std::vector<std::pair<QString, QString>>& rows, qsi
     return column > 0 ? column : most;
 }
 
-// A command line, broken where a shell reads on.
+// A command line, wrapped where a shell continues reading.
 QString brokenExample(const QString& example)
 {
     constexpr qsizetype indent = 6;

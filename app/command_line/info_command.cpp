@@ -24,7 +24,7 @@ QString text(double value)
     return QString::fromStdString(number);
 }
 
-// A short number instead of one that rounding errors alone put beside it: 3.3 for
+// Replaces a number that differs from a short one only by rounding errors: 3.3 for
 // 3.3000000000000003. 0.3333333333333333 stays.
 double withoutNoise(double value)
 {
@@ -41,7 +41,7 @@ QString calculated(const clipping::Window& box)
         {{withoutNoise(min.x), withoutNoise(min.y)}, {withoutNoise(max.x), withoutNoise(max.y)}});
 }
 
-// A sum, which may be beyond all numbers.
+// A sum, which may have overflowed.
 QString rounded(double value)
 {
     constexpr double most = std::numeric_limits<double>::max();
@@ -64,13 +64,13 @@ QString stateOf(const Container& container)
            + (container.locked ? Commands::tr(", locked") : QString());
 }
 
-// Groups of other programs may have none.
+// Groups from other programs may have no name.
 QString nameOf(const Container& container)
 {
     return container.name.isEmpty() ? container.svgId : container.name;
 }
 
-// Where each object's lines begin when all are counted, and the end.
+// The index of each object's first line among all lines, and the end.
 std::vector<std::size_t> linesBefore(const Document& document, Contents& all)
 {
     const Objects& objects = document.objects();
@@ -84,7 +84,7 @@ std::vector<std::size_t> linesBefore(const Document& document, Contents& all)
     return before;
 }
 
-// Each with what is in it and in those in it, which follow further to the right.
+// Each container with its contents and those of its children, which follow with more indent.
 Rows containerRows(const Containers& containers, std::span<const std::size_t> linesBefore)
 {
     Rows rows;
@@ -122,7 +122,7 @@ QString operationText(WindowOperation operation)
                                                   : Commands::tr("intersects");
 }
 
-// One that is nothing but a rectangle is its numbers alone.
+// A window that is only a rectangle is described by its numbers alone.
 QString windowText(const ClipWindow& window, bool only)
 {
     QString text = window.name.isEmpty() ? QString() : Commands::tr("“%1”: ").arg(window.name);

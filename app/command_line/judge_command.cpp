@@ -57,7 +57,7 @@ void judge(const Given& given)
     const bool isText = output.format.key == tableFormats().front().key;
     auto tables =
         plug_in::tablesOf(verdict, isText ? plug_in::Reader::Terminal : plug_in::Reader::File);
-    if (isText) // the first line has left the screen by then
+    if (isText) // the first line has scrolled off the screen by then
         tables.push_back({.names = {}, .title = plug_in::sentence(verdict)});
     writeTables(output, tables);
     if (!verdict.passed())

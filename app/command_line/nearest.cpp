@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-/// How many letters must be typed, left out or exchanged to make one word of the other.
+/// The number of letters to insert, delete or exchange to turn one word into the other.
 std::size_t distance(const QString& word, const QString& other)
 {
     std::vector<std::size_t> row(std::size_t(other.size()) + 1);

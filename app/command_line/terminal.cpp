@@ -32,8 +32,8 @@ void printWith(const Filling& write)
 
 void say(const QString& line) { std::fputs((line + u'\n').toUtf8().constData(), stderr); }
 
-// Opened the wrong way round, so that reading or writing is an error as it was. open() takes the
-// lowest number that is free; standard error is not missed.
+// The substitutes are opened in the wrong mode, so that reading or writing remains an error. open()
+// takes the lowest free number; output to a closed standard error is discarded.
 void holdStandardStreams()
 {
     struct Stream {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr quint64 leastWidth = 64, mostWidth = 8192;
 
-/// The window of the paper, where none is given.
+/// The paper's window, the default.
 constexpr clipping::Window usualWindow{{-100, -75}, {100, 75}};
 
 QStringList formatKeys()
@@ -62,7 +62,7 @@ TraceExport exportOf(const Given& given)
     return trace;
 }
 
-/// What --format says, or the name's ending; text where neither is given.
+/// The format of --format, or of the name's ending; text by default.
 const TraceFormat& formatOf(const Given& given, const QString& output)
 {
     if (given.has(QStringLiteral("format")))
@@ -86,7 +86,7 @@ std::vector<QByteArray> bytesOf(const TraceExport& trace, const TraceFormat& for
     return *std::move(bytes);
 }
 
-/// Where several files of that name would be, none is replaced unless that is asked for.
+/// Throws if one of several files exists already, unless replacing is requested.
 void refuseOverwriting(const Given& given, const QStringList& paths)
 {
     const QStringList existing = existingOf(paths);

@@ -13,13 +13,13 @@
 namespace app {
 namespace {
 
-// Where lengths with a unit count from.
+// The origin of lengths with a unit.
 Point cornerOf(const Imported& imported)
 {
     return imported.paged ? imported.document.page().min : Point{};
 }
 
-// By an option.
+// Whether an option gives the window.
 bool isChosen(const Given& given)
 {
     return given.has(QStringLiteral("window")) || given.has(QStringLiteral("page"));
@@ -27,7 +27,7 @@ bool isChosen(const Given& given)
 
 bool isBare(const Length& length) { return length.unit == Unit::User; }
 
-// Bare numbers and lengths count from different points, so a rectangle of both would be elsewhere.
+// Plain numbers and lengths have different origins, so a rectangle of both would be misplaced.
 void refuseMixture(const Given& given, const std::array<Length, 4>& lengths)
 {
     if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
@@ -38,7 +38,7 @@ void refuseMixture(const Given& given, const std::array<Length, 4>& lengths)
                 .arg(*given.text(QStringLiteral("window")))};
 }
 
-// One without area is a window: it is closed, and keeps what lies on it.
+// A window without area is valid: it is closed, and keeps what lies on it.
 void refuseInverted(const Given& given, const clipping::Window& window)
 {
     const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;
@@ -54,7 +54,7 @@ void refuseInverted(const Given& given, const clipping::Window& window)
                               "Give XMIN,YMIN,XMAX,YMAX.")};
 }
 
-// A length counts from the paper's corner, a bare number is the drawing's own.
+// A length is relative to the paper's corner, a plain number to the drawing's origin.
 double placeOf(const Length& length, double corner, double unit)
 {
     return isBare(length) ? length.value : corner + toUserUnits(length, unit);
@@ -116,7 +116,7 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
 ClipWindows windowsOf(const Given& given, const Imported& imported)
 {
     const ClipWindows& saved = imported.document.windows();
-    const clipping::Window window = windowOf(given, imported); // refuses what is wrong
+    const clipping::Window window = windowOf(given, imported); // throws for invalid options
     if (!isChosen(given) && !regionOf(saved).everything())
         return saved;
     return {{{.shape = RectangleShape{window}}}};

@@ -14,15 +14,16 @@ struct Place {
     Real x, y;
 };
 
-constexpr Real mostSpan = 12;       // windows beside each other that a true scale may show
-constexpr Real leastGap = 1 / 1e4L; // of what is shown: less cannot be seen
+constexpr Real mostSpan = 12;       // the largest extent of a true scale, in windows
+constexpr Real leastGap = 1 / 1e4L; // share of the extent: smaller gaps cannot be seen
 
 Place placeOf(const glm::dvec2& p) { return {p.x, p.y}; }
 bool isSomewhere(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-/// One end may be infinitely far away; it is then beyond all others.
+/// One end may be infinitely far away; it then lies beyond all other numbers.
 bool isAnywhere(const glm::dvec2& p) { return !std::isnan(p.x) && !std::isnan(p.y); }
 
-/// Where a line that misses the window crosses the lines of its edges, in order.
+/// Adds the points where a line that misses the window crosses the infinite lines of its edges, in
+/// order.
 void addCrossings(std::vector<Place>& way, const clipping::Segment& s, const clipping::Window& w)
 {
     const Place a = placeOf(s.a), d{Real(s.b.x) - s.a.x, Real(s.b.y) - s.a.y};
@@ -109,7 +110,7 @@ void CaseScale::spread(const HardCase& hard)
     }
 }
 
-/// In order only; but the window is a good part of the picture.
+/// Keeps only the order; the window takes a good part of the picture.
 void CaseScale::rank(Axis& axis, double low, double high) const
 {
     const auto inside = [&](std::size_t i) {

@@ -16,7 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
 
-// What a canvas can show and zoom to: the extent of a drawing, in user units.
+// The extents of drawings that a canvas can show and zoom to, in user units.
 constexpr double leastExtent = 1e-6, mostExtent = 1e12;
 
 } // namespace

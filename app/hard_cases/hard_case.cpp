@@ -25,7 +25,7 @@ QString translated(const QJsonObject& entry, QLatin1StringView field)
                           : QCoreApplication::translate("hard cases", text.toUtf8().constData());
 }
 
-/// Four decimal numbers, "nan" and "inf" among them. The shortest text that reads back is exact.
+/// Four decimal numbers, including "nan" and "inf". The shortest text that reads back is exact.
 std::optional<Numbers> numbers(const QJsonValue& value)
 {
     const QList<QByteArray> words = value.toString().toLatin1().simplified().split(' ');
@@ -42,7 +42,7 @@ std::optional<Numbers> numbers(const QJsonValue& value)
     return all;
 }
 
-/// Fills in what can be read; or says which field is wrong.
+/// Fills in the fields that can be read; or returns which field is wrong.
 QString fill(HardCase& hard, const QJsonObject& entry)
 {
     const auto line = numbers(entry[QLatin1StringView("line")]);

@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr double margin = 0.13; // of the shorter side, for the ends' numbers
+constexpr double margin = 0.13; // share of the shorter side, for the ends' numbers
 
 class PortraitPainter {
 public:
@@ -36,7 +36,8 @@ public:
     {
         paintWindow();
         stroke(wayPath(), QPen(colours_.muted, 1.25 * unit_, Qt::DashLine, Qt::FlatCap));
-        if (answer_ && answer_->visible && !answer_->good()) // wider, and seen below the truth
+        if (answer_ && answer_->visible && !answer_->good()) // wider, and painted below the exact
+                                                             // part
             paintPiece(*answer_->visible, colours_.differs, 5);
         if (hard_.visible)
             paintPiece(*hard_.visible, colours_.visible, 2.5);
@@ -71,7 +72,7 @@ private:
         painter_.drawPath(path);
     }
 
-    /// Of a window inside out, which contains nothing, only where its edges are said to be.
+    /// For an inverted window, which contains nothing, paints only the positions of its edges.
     void paintWindow()
     {
         const auto& [min, max] = hard_.window;
@@ -84,12 +85,13 @@ private:
         path.addRect(QRectF(at(min), at(max)).normalized());
         if (min == max)
             path.addEllipse(at(min), 8 * unit_, 8 * unit_);
-        else if (min.x == max.x || min.y == max.y) // so that it shows around what lies on it
+        else if (min.x == max.x || min.y == max.y) // so that it is visible around a line that lies
+                                                   // on it
             pen.setWidthF(7 * unit_);
         stroke(path, pen);
     }
 
-    /// An edge that is not a number is left open.
+    /// An edge that is NaN is left open.
     void paintHalfWindow(const QPen& pen)
     {
         const QRectF r = picture_;
@@ -116,7 +118,7 @@ private:
         painter_.drawEllipse(at(piece.b), radius, radius);
     }
 
-    /// A ring, and its number on the side away from the line.
+    /// Paints a ring, and the end's number on the side away from the line.
     void paintEnd(const glm::dvec2& end, const glm::dvec2& other, const QString& number)
     {
         if (isNowhere(end))

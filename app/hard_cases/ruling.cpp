@@ -48,7 +48,7 @@ bool isEndless(const Variant& variant, const HardCase& hard)
                   == clipping::Outcome::DidNotEnd;
 }
 
-/// Whether the line is visible after all sides of the window have moved out by so many ulps.
+/// Whether the line is visible if all edges of the window are moved outwards by that many ulps.
 bool meetsMoved(const HardCase& hard, double ulps)
 {
     const double way = ulps * ulpFor(hard.line, hard.window);
@@ -56,7 +56,7 @@ bool meetsMoved(const HardCase& hard, double ulps)
     return clipping::exactAlgorithm().corrected.clip(hard.line, moved).has_value();
 }
 
-/// Of what is wrong about visibility.
+/// The ruling on a wrong visibility: Allowed if the contract excuses it.
 Ruling excusedOr(Ruling wrong, const HardCase& hard, const Variant& variant)
 {
     if (variant.form == clipping::Form::Published || variant == exactVariant())
@@ -82,7 +82,7 @@ Ruling rulingOf(const CaseAnswer& answer, const HardCase& hard)
     return answer.ulps > answer.variant.algorithm->ulps ? Ruling::Moved : Ruling::Right;
 }
 
-/// Two digits tell how bad it is.
+/// Two significant digits show how bad the error is.
 QString roughText(double length)
 {
     return QLocale()

@@ -24,9 +24,9 @@ constexpr std::size_t linesOfAPair = 8, someLines = 500;
 /// Away from the origin, and neither square nor symmetrical.
 constexpr Window awayWindow{{3, 7}, {11, 10}};
 
-// ---- Whole numbers ----
-// Ends on a grid, with differences that are powers of two: every quotient is exact, so every right
-// formula decides right.
+// ---- Integers ----
+// Ends on a grid, with differences that are powers of two: every quotient is exact, so every
+// correct formula decides correctly.
 
 constexpr int gridLast = 9;
 constexpr Window gridWindow{{2, 3}, {6, 5}}, gridTall{{1, 2}, {5, 7}};
@@ -37,7 +37,7 @@ bool isSimple(double difference)
     return size == 0 || size == 1 || size == 2 || size == 4 || size == 8;
 }
 
-/// All lines of the grid that are wanted.
+/// Adds all lines of the grid that satisfy `wanted`.
 template <class Wanted>
 void addGrid(Questions& to, const Window& window, Wanted wanted)
 {
@@ -137,7 +137,8 @@ Questions regionPairs(const Scope& scope)
     return all;
 }
 
-/// Through the middle of the window and around it, each one to and fro; some straight.
+/// Through the middle of the window and around it, each line in both directions; some
+/// axis-parallel.
 Questions directions(const Scope& scope)
 {
     Questions all;
@@ -155,8 +156,8 @@ Questions directions(const Scope& scope)
     return all;
 }
 
-/// Through the lower left corner or an ulp beside it, in tenths, which no double holds: where a
-/// textbook's Cohen-Sutherland cuts at one edge for ever, because its sum is never the edge.
+/// Through the lower left corner or an ulp beside it, in tenths, which are not exact in double: a
+/// textbook's Cohen-Sutherland may cut at one edge forever, because its sum never equals the edge.
 void addTenths(Questions& to)
 {
     for (int corner = 1; corner <= 9; ++corner)
@@ -169,7 +170,7 @@ void addTenths(Questions& to)
             }
 }
 
-/// Past a corner, a little inside or outside of it, at both sides of what a float can tell.
+/// Past a corner, slightly inside or outside, by distances around the precision of float.
 Questions nearCorners(const Scope& scope)
 {
     Questions all;
@@ -203,7 +204,7 @@ Questions sizes(const Scope& scope)
     if (scope.strictness == Strictness::Clearcuts)
         for (const int power : {1010, 520, -520, -1060})
             addScaled(all, dice, std::exp2(power));
-    for (std::size_t i = 0; i < someLines; ++i) { // a window in the middle of nowhere
+    for (std::size_t i = 0; i < someLines; ++i) { // a window far from the origin
         const Window far{1e9 * paperSpace.min, 1e9 * paperSpace.max};
         all.push_back({{dice.in(paperWindow), dice.in(far)}, paperWindow});
     }
@@ -243,7 +244,7 @@ Questions random(const Scope& scope)
     return all;
 }
 
-/// Every twentieth line of the others, in any order.
+/// Every twentieth line of the other categories, in random order.
 Questions again(const Scope& scope)
 {
     constexpr std::size_t step = 20;

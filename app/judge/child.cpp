@@ -33,10 +33,11 @@ void limit(__rlimit_resource what, rlim_t most)
     ::setrlimit(what, &both);
 }
 
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ // they take terabytes of addresses
+#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ // they reserve terabytes of address
+                                                                // space
 void limitMemory() {}
 #else
-/// Address space that is in use now: the first number of statm, in pages.
+/// The address space in use: the first number of statm, in pages.
 rlim_t usedMemory()
 {
     rlim_t pages = 0;
@@ -47,7 +48,8 @@ rlim_t usedMemory()
 void limitMemory() { limit(RLIMIT_AS, usedMemory() + memoryLimit); }
 #endif
 
-/// Processes and threads that the user has now, whom the system counts together.
+/// The current number of the user's processes and threads, for which the system has one common
+/// limit.
 rlim_t tasksOfTheUser()
 {
     rlim_t count = 0;
@@ -58,20 +60,20 @@ rlim_t tasksOfTheUser()
         if (!id.front().isDigit() || ::stat(folder.constData(), &owner) != 0
             || owner.st_uid != ::getuid() || !stat.open(QIODevice::ReadOnly))
             continue;
-        const QByteArray all = stat.readAll(); // the name may hold spaces and brackets
+        const QByteArray all = stat.readAll(); // the name may contain spaces and brackets
         constexpr int threads = 17;            // field 20, counted after the name
         count += all.mid(all.lastIndexOf(')') + 2).split(' ').value(threads).toULong();
     }
     return count;
 }
 
-/// The system does not hold root to the limit of processes; the warden ends those afterwards.
+/// The limit of processes does not apply to root; the warden ends such processes afterwards.
 void limitEverything()
 {
-    ::setsid(); // so that a signal to its group reaches nothing else
+    ::setsid(); // so that a signal to its group reaches no other process
     for (const int signal :
          {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE, SIGXFSZ, SIGXCPU})
-        std::signal(signal, SIG_DFL); // a crash is told by its signal
+        std::signal(signal, SIG_DFL); // the judge recognizes a crash by its signal
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, processorSeconds);
     limit(RLIMIT_FSIZE, largestFile);
@@ -79,7 +81,7 @@ void limitEverything()
     limitMemory();
 }
 
-/// The pipes to the judge, out of the way of what the library reads and prints.
+/// The pipes to the judge, moved away from the library's standard input and output.
 struct Pipes {
     FILE* in;
     int out;
@@ -92,13 +94,14 @@ Pipes pipesOfTheJudge()
     const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
     ::dup2(nothing, STDIN_FILENO);
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
-    std::setvbuf(stdout, nullptr, _IOLBF, 0); // so that a crash loses little
+    std::setvbuf(stdout, nullptr, _IOLBF, 0); // so that little is lost in a crash
     return pipes;
 }
 
 bool send(int out, const void* data, std::size_t size)
 {
-    return ::write(out, data, size) == ssize_t(size); // less than PIPE_BUF: whole or not at all
+    return ::write(out, data, size) == ssize_t(size); // less than PIPE_BUF: written whole or not at
+                                                      // all
 }
 
 Answer answerTo(const Question& question, Clip clip)
@@ -107,7 +110,7 @@ Answer answerTo(const Question& question, Clip clip)
     constexpr std::size_t margin = 4;
     std::array<double, 4 + 2 * margin> room;
     room.fill(unwritten);
-    const Question given = question; // whatever it does to it
+    const Question given = question; // a copy, in case the library changes its input
     Answer answer{};
     answer.returned = clip(&given.line.a.x, &given.window.min.x, room.data() + margin);
     for (std::size_t i = 0; i < room.size(); ++i)
@@ -118,7 +121,8 @@ Answer answerTo(const Question& question, Clip clip)
     return answer;
 }
 
-/// Each answer is sent at once: so many have come, and the next line is the one that it hangs in.
+/// Sends each answer at once, so that the judge knows on which line the library hangs: the first
+/// one without an answer.
 void answerAll(const Pipes& pipes, Clip clip)
 {
     Question question;
@@ -154,7 +158,7 @@ int runChild(const QStringList& arguments)
             answerAll(pipes, library.clip);
     }
     std::fflush(stdout);
-    ::_exit(0); // nothing of the library runs after this
+    ::_exit(0); // no code of the library runs after this
 }
 
 } // namespace app::plug_in

@@ -10,10 +10,11 @@
 namespace app::plug_in {
 namespace {
 
-constexpr int glance = 20; // milliseconds between two looks at the clocks
+constexpr int glance = 20; // milliseconds between two readings of the clocks
 constexpr qsizetype mostPrinted = 2000;
-constexpr qint64 mostUnread = 1 << 20; // of answers: only a library that never stops has more
-constexpr int wardensTime = 10'000;    // milliseconds, of which it needs some
+constexpr qint64 mostUnread = 1 << 20; // bytes of answers: only a library that never stops sends
+                                       // more
+constexpr int wardensTime = 10'000;    // milliseconds, more than the warden needs
 
 } // namespace
 
@@ -23,14 +24,14 @@ ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
     group_ = process_.processId();
 }
 
-/// The warden kills what the library left, also where it has ended itself, and ends then.
+/// The warden kills all processes of the library, even after the library has ended, and then ends.
 ChildProcess::~ChildProcess()
 {
     process_.terminate();
     if (process_.waitForFinished(wardensTime))
         return;
     if (group_ > 0)
-        ::kill(pid_t(-group_), SIGKILL); // the warden leads it
+        ::kill(pid_t(-group_), SIGKILL); // the group of the warden
     process_.kill();
     process_.waitForFinished();
 }
@@ -43,7 +44,8 @@ ChildProcess::News ChildProcess::waitForStart(const Patience& patience, const st
     return news;
 }
 
-/// The third field of its line in /proc, after the name, which may hold anything.
+/// Reads the third field of the process's line in /proc, after the name, which may contain
+/// anything.
 bool ChildProcess::isAsleep() const
 {
     QFile stat(QStringLiteral("/proc/%1/stat").arg(library_));
@@ -84,7 +86,7 @@ ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patien
         keepPrinted();
         if (available() > mostUnread)
             return News::Stuck;
-        if (available() != had) { // it moves
+        if (available() != had) { // there is progress
             had = available();
             wall.restart();
             used = processorSeconds();
@@ -92,7 +94,7 @@ ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patien
             return News::Ended;
         } else if (processorSeconds() - used > patience.processorSeconds) {
             return News::Stuck;
-        } else if (!isAsleep()) { // it works, or waits for a processor
+        } else if (!isAsleep()) { // it computes, or waits for a processor
             wall.restart();
         } else if (double(wall.elapsed()) > 1000 * patience.wallSeconds) {
             return News::Asleep;

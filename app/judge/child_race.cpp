@@ -16,11 +16,11 @@ using clipping::Clipped;
 using clipping::Segment;
 using clipping::Window;
 
-/// The rows with a `clipAll` that calls line by line have one each, and no room for more.
+/// Each row needs a `clipAll` of its own that calls line by line; there are at most this many.
 constexpr std::size_t mostRows = 32;
 
-Clip own;                   ///< a pointer to a function holds nothing, so this process holds it
-RaceCheck* check = nullptr; ///< likewise
+Clip own;                   ///< global, because a function pointer has no context
+RaceCheck* check = nullptr; ///< for the same reason
 
 std::optional<Segment> clipOwn(const Segment& line, const Window& window)
 {
@@ -52,7 +52,7 @@ std::size_t clipAllOf(std::span<const Segment> in, const Window& window, std::sp
     return oneByOne(in, window, out, clipping::algorithms()[row].corrected.clip);
 }
 
-/// The library first, then the rows.
+/// The library first, then the algorithms of the catalogue.
 template <std::size_t... row>
 std::vector<clipping::Algorithm> contenders(std::index_sequence<row...>)
 {

@@ -12,8 +12,8 @@
 namespace app::plug_in {
 namespace {
 
-/// The fourth field of its line in /proc, after the name, which may hold anything; 0 if it has
-/// gone.
+/// Reads the fourth field of the process's line in /proc, after the name, which may contain
+/// anything; 0 if the process has ended.
 pid_t parentOf(pid_t process)
 {
     std::ifstream stat("/proc/" + std::to_string(process) + "/stat");

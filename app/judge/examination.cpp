@@ -19,20 +19,20 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr std::size_t mostAtOnce = 1024; ///< questions on their way
-constexpr double someTime = 30;          ///< milliseconds between two looks at the time
-constexpr int mostDeaths = 6;            ///< crashes and lines without end, before it is given up
-constexpr int mostOfACategory = 2;       ///< of them, before the next category is asked about
-constexpr std::size_t mostShown = 8;     ///< findings of a category
+constexpr std::size_t mostAtOnce = 1024; ///< questions sent at a time
+constexpr double someTime = 30;          ///< milliseconds between two readings of the time
+constexpr int mostDeaths = 6;            ///< crashes and endless lines before the test is given up
+constexpr int mostOfACategory = 2;       ///< crashes and endless lines before the next category
+constexpr std::size_t mostShown = 8;     ///< findings shown of a category
 
-/// Why there was no answer.
+/// Why the child gave no answer.
 QString deathText(const ChildProcess& child)
 {
     return child.crashed() ? signalText(child.exitCode())
                            : PlugIn::tr("exit code %1").arg(child.exitCode());
 }
 
-/// By the first word that the child says.
+/// From the first word of the child.
 std::optional<Unusable> whyUnusable(const QString& word)
 {
     if (word == QLatin1StringView(hello::notLoadable))
@@ -44,14 +44,14 @@ std::optional<Unusable> whyUnusable(const QString& word)
     return std::nullopt;
 }
 
-/// The bits as whole numbers: NaN equals itself, and -0 is not 0.
+/// The bits as integers: NaN equals itself, and -0 differs from 0.
 template <class Numbers>
 auto bitsOf(const Numbers& numbers)
 {
     return std::bit_cast<std::array<std::uint64_t, sizeof(Numbers) / sizeof(double)>>(numbers);
 }
 
-/// If nothing is visible, what was written to visible[] does not count.
+/// If nothing is visible, the contents of visible[] are ignored.
 bool sameAnswer(const Answer& one, const Answer& other)
 {
     if ((one.returned != 0) != (other.returned != 0))
@@ -113,7 +113,7 @@ void Examination::prepare()
     }
 }
 
-/// What the child has used and printed is known only as long as it is there.
+/// The child's processor time and output are known only while it exists.
 void Examination::leave()
 {
     if (!child_)
@@ -124,7 +124,7 @@ void Examination::leave()
     child_.reset();
 }
 
-/// Of the time that there is: 1 or more when it is up.
+/// The share of the time limit that is used: 1 or more when the time is up.
 double Examination::spent() const
 {
     if (case_.seconds <= 0)
@@ -134,7 +134,7 @@ double Examination::spent() const
     return std::max(processor, wall) / case_.seconds;
 }
 
-/// What was found before a crash stays, also where the library cannot be loaded again.
+/// Findings from before a crash are kept, even if the library cannot be loaded again.
 void Examination::unusable(Unusable why, const QString& more)
 {
     if (wasLoaded_) {
@@ -151,7 +151,7 @@ Examination::Went Examination::open()
     const QString path = QFileInfo(case_.library).absoluteFilePath();
     child_ = std::make_unique<ChildProcess>(
         programOf(case_), QStringList{QLatin1StringView(childKey), QStringLiteral("answer"), path});
-    // The child's own start takes some, too.
+    // The child's own start takes time, too.
     constexpr Patience patience{4, 30};
     auto news = child_->waitForStart(patience, follower_.stop);
     if (news == ChildProcess::News::Came)
@@ -176,7 +176,8 @@ Examination::Went Examination::open()
     return Went::On;
 }
 
-/// Of the time that is left: by its lines, but not less than any other category that is left.
+/// The share of the remaining time: in proportion to its lines, but at least as much as any other
+/// remaining category.
 double Examination::shareOf(std::size_t category) const
 {
     double lines = 0;
@@ -193,7 +194,7 @@ Examination::Went Examination::ask(std::size_t category)
         return Went::Over;
     const double share = shareOf(category);
     auto& questions = questions_[category];
-    if (categories()[category].asked == Asked::Again) // what was answered
+    if (categories()[category].asked == Asked::Again) // the questions that were answered
         std::erase_if(questions, [this](const Question& q) { return !first_.at(bitsOf(q)); });
     return askAll(category, questions, now + (1 - now) * share);
 }
@@ -254,7 +255,7 @@ void Examination::hear(std::size_t category, const Question& question, const Ans
     verdict_.mostOff = std::max({verdict_.mostOff, found.off, found.outside});
 }
 
-/// Whether the first answer was right is told in its own category.
+/// Whether the first answer was correct is recorded in its own category.
 void Examination::hearAgain(std::size_t category, const Question& question, const Answer& answer)
 {
     ++verdict_.categories[category].judged;
@@ -265,7 +266,7 @@ void Examination::hearAgain(std::size_t category, const Question& question, cons
              judged(question, answer, case_.contract, categories()[category].visibilityUlps).off});
 }
 
-/// The line that had no answer is the one to blame; the others are asked again of a new child.
+/// Blames the line without an answer; the other lines are sent again to a new child.
 Examination::Went Examination::mourn(ChildProcess::News news, std::size_t category,
                                      const Question& question)
 {

@@ -21,12 +21,12 @@ struct PlugIn {
 };
 
 constexpr double mostLines = 100'000, fewestLines = 2000;
-constexpr double raceNanoseconds = 4e9; ///< what the library may take of a race
+constexpr double raceNanoseconds = 4e9; ///< of the library in a race
 
-/// As many runs as it takes to tell the library from every row.
+/// As many runs as a test of the library against every algorithm needs.
 std::size_t runs() { return usualRounds(clipping::algorithms().size() + 1); }
 
-/// As many lines as there is time for; a line is clipped in some dozen turns.
+/// As many lines as the time allows; a line is clipped in some dozen turns.
 std::uint64_t linesFor(double nanoseconds)
 {
     const double most = raceNanoseconds / (2 * (double(runs()) + 1) * std::max(nanoseconds, 1.0));
@@ -39,7 +39,7 @@ std::size_t raceCategory()
                        - categories().begin());
 }
 
-/// What was wrong in the race is wrong.
+/// Adds the errors of the race to the verdict.
 void addFindings(Verdict& verdict, const RaceFindings& found)
 {
     verdict.categories.push_back({.lines = found.lines,
@@ -60,7 +60,7 @@ void addFindings(Verdict& verdict, const RaceFindings& found)
     }
 }
 
-/// The library ended the race, or did not go on: a fault, whose line is not known.
+/// The library ended the race or hung: a fault, whose line is unknown.
 void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child,
             std::uint64_t lines)
 {
@@ -78,7 +78,7 @@ void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child
     verdict.noTimes = PlugIn::tr("It was not timed: it did not come to the end of the race.");
 }
 
-/// Sleeping is no fault, but nothing is known of these lines.
+/// Sleeping is not a fault, but these lines remain untested.
 void addSleep(Verdict& verdict, std::uint64_t lines)
 {
     verdict.categories.push_back({.lines = std::size_t(lines)});
@@ -96,8 +96,8 @@ QStringList raceArguments(const Case& which, std::uint64_t lines)
             wordOf(which.contract.strictness)};
 }
 
-/// Reads what the child tells until the race is over, or it tells no more. Times count only after
-/// the findings, which count once.
+/// Reads the child's reports until the race is over or there are no more. Times are accepted only
+/// after the findings; findings only once.
 ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Case& which,
                           const Follower& follower)
 {
@@ -105,7 +105,7 @@ ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Case& whi
     auto news = child.waitForStart(start, follower.stop);
     if (news == ChildProcess::News::Came)
         news = child.waitForLine(start, follower.stop);
-    child.readLine(); // what it is called is known
+    child.readLine(); // the algorithm's name is known already
     while (news == ChildProcess::News::Came && !verdict.times) {
         news = child.waitForLine(patience, follower.stop);
         if (news != ChildProcess::News::Came)
@@ -121,7 +121,7 @@ ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Case& whi
     return news;
 }
 
-/// False: it was stopped.
+/// Returns false if it was stopped.
 bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
 {
     if (verdict.judged() < verdict.lines() && verdict.wrong() == 0) {

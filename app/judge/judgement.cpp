@@ -37,7 +37,7 @@ std::optional<Segment> clipped(const Segment& line, const Window& window)
     return clip(line, window);
 }
 
-/// Every edge further out; further in if negative. Numbers stay finite.
+/// Moves every edge outwards; inwards if `by` is negative. Numbers stay finite.
 Window moved(const Window& window, double by)
 {
     constexpr double most = std::numeric_limits<double>::max();
@@ -58,7 +58,7 @@ bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
            == std::bit_cast<std::array<std::uint64_t, 2>>(q);
 }
 
-/// Whether an end of the line that is inside is not the end of the piece, bit for bit.
+/// Whether an end of the line that is inside differs from the end of the piece in any bit.
 bool movedInside(const Question& q, const Segment& piece)
 {
     const auto moves = [&](const glm::dvec2& from, const glm::dvec2& to) {
@@ -67,7 +67,7 @@ bool movedInside(const Question& q, const Segment& piece)
     return moves(q.line.a, piece.a) || moves(q.line.b, piece.b);
 }
 
-/// Of a piece where there truly is one.
+/// The fault of a piece where the exact result has a piece, too.
 std::optional<Fault> misplaced(const Question& q, const Segment& piece, const Segment& truth,
                                const Contract& contract, double ulp)
 {

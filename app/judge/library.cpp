@@ -9,7 +9,7 @@
 namespace app::plug_in {
 namespace {
 
-/// One line of letters that can be shown.
+/// One line of printable characters.
 std::string plain(const char* text)
 {
     constexpr std::size_t most = 300;

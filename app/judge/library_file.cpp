@@ -17,7 +17,7 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-/// As a shell reads it back.
+/// Quoted for a shell.
 QString quoted(const QString& path)
 {
     const auto isPlain = [](QChar c) {
@@ -30,10 +30,10 @@ QString quoted(const QString& path)
     return u'\'' + (path.startsWith(u'-') ? QStringLiteral("./") : QString()) + inside + u'\'';
 }
 
-/// One row of the catalogue of what a library is made from.
+/// One row of the catalogue of files from which a library is made.
 struct Source {
     QStringList endings;
-    QString name;    ///< after "is"
+    QString name;    ///< the text after "is"
     QString command; ///< %1: the library, %2: the file
 };
 
@@ -60,7 +60,7 @@ QString commandFor(const QString& command, const QFileInfo& file)
     return command.arg(libraryBeside(file), quoted(file.filePath()));
 }
 
-/// Where the header is missing the command would fail: it is saved first.
+/// Without the header compilation would fail, so the command saves it first.
 NoLibrary sourceCode(const Source& source, const QFileInfo& file)
 {
     QString command = commandFor(source.command, file);
@@ -80,7 +80,7 @@ NoLibrary textFile(const QFileInfo& file)
                 .arg(file.filePath())};
 }
 
-/// An object file and a program with a fixed address cannot be loaded.
+/// Rejects object files and programs with a fixed address, which cannot be loaded.
 std::optional<NoLibrary> elfFile(const QByteArray& head, const QFileInfo& file)
 {
     std::uint16_t type = ET_DYN;

@@ -12,9 +12,9 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-constexpr int unfinished = -1, untested = -2; ///< instead of points: time was up
+constexpr int unfinished = -1, untested = -2; ///< instead of points: the time was up
 
-/// That is right; of nothing, all.
+/// The share that is right; 1 if there are none.
 double share(std::size_t wrong, std::size_t all)
 {
     return all == 0 ? 1 : 1 - double(std::min(wrong, all)) / double(all);

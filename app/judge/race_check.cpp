@@ -17,7 +17,7 @@ namespace {
 using clipping::Clipped;
 using clipping::Segment;
 
-constexpr double allowedUlps = Contract{}.ulps; ///< of a visibility, on any numbers
+constexpr double allowedUlps = Contract{}.ulps; ///< for a visibility, with any numbers
 constexpr std::size_t mostKept = 8;
 
 std::array<std::uint64_t, 4> bitsOf(const Segment& segment)
@@ -25,7 +25,7 @@ std::array<std::uint64_t, 4> bitsOf(const Segment& segment)
     return std::bit_cast<std::array<std::uint64_t, 4>>(segment);
 }
 
-/// The pieces have just been written, so reading them takes nothing out of the cache.
+/// The pieces have just been written, so reading them does not evict anything from the cache.
 std::uint64_t sumOf(std::span<const Clipped> pieces)
 {
     std::uint64_t sum = pieces.size();
@@ -49,11 +49,11 @@ Answer answerOf(const std::optional<Segment>& piece)
     return {{piece->a.x, piece->a.y, piece->b.x, piece->b.y}, 1, 0};
 }
 
-/// The pieces, line by line.
+/// Iterates over the pieces, line by line.
 class Reader {
 public:
     explicit Reader(std::span<const Clipped> pieces) : left_(pieces) {}
-    /// Of lines in rising order.
+    /// The piece of a line; call it with ascending lines.
     std::optional<Segment> of(std::size_t line)
     {
         if (left_.empty() || left_.front().source != line)
@@ -167,7 +167,7 @@ void RaceCheck::turn(std::span<const Segment> lines, const clipping::Window& win
     paused_ += clock_.nanoseconds() - start;
 }
 
-/// A race has the same lines in every run; those of a class are others.
+/// Each run of a race has the same lines; the lines of a class are different ones.
 bool RaceCheck::isKnown(std::span<const Segment> lines) const
 {
     return lines.size() == lines_.size() && !lines.empty() && lines.front() == lines_.front()

@@ -39,7 +39,7 @@ QString signalName(int signal)
 {
     if (const char* name = ::sigabbrev_np(signal))
         return QStringLiteral("SIG") + QLatin1StringView(name);
-    // The C library keeps some real-time signals for itself, below its SIGRTMIN.
+    // The C library reserves some real-time signals below its SIGRTMIN.
     const int offset = signal - SIGRTMIN;
     return QStringLiteral("SIGRTMIN%1%2")
         .arg(offset < 0 ? QStringLiteral("-") : QStringLiteral("+"))

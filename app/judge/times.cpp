@@ -63,7 +63,7 @@ std::vector<Summary> summariesOf(const Times& times)
     return all;
 }
 
-/// The table's columns have the names of the experiment's, and so its headings.
+/// The columns have the names of the experiment's columns, and therefore the same headings.
 Table tableOf(const Times& times, const QString& key, const QString& title,
               const QStringList& names)
 {

@@ -115,7 +115,7 @@ QString tooSlowText(const Verdict& v)
              durationText(v.seconds * wallFactor), untested);
 }
 
-/// Of a library that is right when asked, and slept in the race.
+/// The sentence for a library without errors that slept in the race.
 QString asleepText(const Verdict& v)
 {
     return PlugIn::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "

@@ -17,7 +17,7 @@ struct PlugIn {
     Q_DECLARE_TR_FUNCTIONS(PlugIn)
 };
 
-/// So many digits that it reads back bit for bit; with an exponent where that is shorter.
+/// As many digits as are needed to read back bit for bit; with an exponent if that is shorter.
 QString number(double value)
 {
     if (std::isnan(value))
@@ -49,7 +49,7 @@ QString words(const std::optional<clipping::Segment>& piece)
     return piece ? words(piece->a, piece->b, QStringLiteral("→")) : PlugIn::tr("nothing");
 }
 
-/// In the coordinates' unit.
+/// The error in the unit of the coordinates.
 double distanceOf(const Finding& one)
 {
     return one.ulps * ulpFor(one.question.line, one.question.window);
@@ -67,7 +67,7 @@ QString outcomeWord(const Verdict& v)
 
 QString errorText(const Finding& finding)
 {
-    constexpr double mostRounding = 1e6; // of ulps: beyond, no rounding is to blame
+    constexpr double mostRounding = 1e6; // in ulps: a larger error cannot be rounding
     if (!(finding.ulps > 0))
         return {};
     if (finding.ulps < mostRounding)
@@ -119,7 +119,7 @@ Table categoryTable(const Verdict& v, Reader reader)
     return table;
 }
 
-/// A file has the number and the distance; people one readable text.
+/// A file has the number and the distance; people get one readable text.
 Table findingTable(const Verdict& v, Reader reader)
 {
     const bool person = reader == Reader::Person, file = reader == Reader::File;

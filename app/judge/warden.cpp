@@ -17,8 +17,9 @@
 namespace app::plug_in {
 namespace {
 
-constexpr timespec moment{0, 5'000'000}; ///< until a killed process has gone
-constexpr int mostMoments = 1000;        ///< for what cannot be killed now, as it waits for a disk
+constexpr timespec moment{0, 5'000'000}; ///< until a killed process has ended
+constexpr int mostMoments = 1000;        ///< for processes that cannot be killed at once, as they
+                                         ///< wait for a disk
 
 sigset_t setOf(std::initializer_list<int> some)
 {
@@ -35,7 +36,7 @@ void killChildren()
         ::kill(one, SIGKILL);
 }
 
-/// A child that has ended, with how it ended; 0 while all are alive, -1 where there is none.
+/// A child that has ended, with its status; 0 while all are running, -1 if there is none.
 pid_t reap(int& status)
 {
     pid_t ended = ::waitpid(-1, &status, WNOHANG);
@@ -44,7 +45,7 @@ pid_t reap(int& status)
     return ended;
 }
 
-/// Kills again and again, since what a killed process started becomes a child only then.
+/// Kills repeatedly, because processes started by a killed process become children only then.
 void killAll(pid_t library, int& statusOfLibrary)
 {
     const sigset_t ended = setOf({SIGCHLD});
@@ -56,12 +57,12 @@ void killAll(pid_t library, int& statusOfLibrary)
             if (one == library)
                 statusOfLibrary = status;
         if (one < 0)
-            return; // there is none any more
+            return; // there are no more children
         ::sigtimedwait(&ended, nullptr, &moment);
     }
 }
 
-/// Until the library's process has ended or the judge wants it to.
+/// Waits until the library's process has ended or the judge requests the end.
 void waitFor(pid_t library, const sigset_t& wanted, int& statusOfLibrary)
 {
     for (;;) {
@@ -90,7 +91,7 @@ void waitFor(pid_t library, const sigset_t& wanted, int& statusOfLibrary)
     ::_exit(EXIT_FAILURE);
 }
 
-/// So that the judge sees the ends of the pipes when the library's process has ended.
+/// Closes the pipes, so that the judge sees their ends when the library's process has ended.
 void letPipesGo()
 {
     const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -103,11 +104,11 @@ void letPipesGo()
 
 void stayBehindAsWarden()
 {
-    ::setsid(); // no signal of a terminal ends it before it has killed
+    ::setsid(); // so that no signal of a terminal ends it before it has killed
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     for (const int signal : {SIGTERM, SIGCHLD, SIGHUP, SIGINT})
-        std::signal(signal, SIG_DFL); // what is ignored cannot be waited for
+        std::signal(signal, SIG_DFL); // sigwait cannot receive ignored signals
     const sigset_t wanted = setOf({SIGTERM, SIGCHLD, SIGHUP, SIGINT});
     ::sigprocmask(SIG_BLOCK, &wanted, nullptr);
     const pid_t warden = ::getpid(), library = ::fork();
@@ -121,7 +122,7 @@ void stayBehindAsWarden()
     if (library < 0)
         ::_exit(EXIT_FAILURE);
     letPipesGo();
-    int status = SIGKILL; // as wait tells it of a process that was killed
+    int status = SIGKILL; // the status of a killed process, as from wait
     waitFor(library, wanted, status);
     killAll(library, status);
     endAs(status);

@@ -60,7 +60,7 @@ void Course::showAgain()
         show();
 }
 
-/// The microscope is covered before it shows anything of the page, not after.
+/// Covers the microscope's steps before it shows anything of the page.
 void Course::show()
 {
     const LessonPage& page = lesson()->pages[page_];
@@ -102,7 +102,7 @@ void Course::showAnswer()
     settle();
 }
 
-/// A question that is no longer open uncovers the steps.
+/// If the question is no longer open, uncovers the steps.
 void Course::settle() { isOpen() ? emit changed() : show(); }
 
 Score Course::score() const

@@ -38,13 +38,13 @@ std::optional<Specimen> specimenOf(const QStringList& words)
     return Specimen{*variant, {*a, *b}, {*min, *max}, YAxis::Up, {}};
 }
 
-/// The step that a page wants to be seen: which of all, or of those with a mark, from 1.
+/// The step that a page shows: the index among all steps, or among those with a mark, from 1.
 struct WantedStep {
     std::optional<Mark> mark;
     std::size_t which;
 };
 
-/// "first", "last", "7"; "cut", or "cut-2" for the second. Nothing: it is none of them.
+/// "first", "last", "7"; "cut", or "cut-2" for the second cut. Empty for any other word.
 std::optional<WantedStep> stepOf(const QString& word)
 {
     struct Row {
@@ -79,13 +79,13 @@ std::optional<WantedStep> stepOf(const QString& word)
                : std::nullopt;
 }
 
-/// What is being read of a lesson.
+/// The state of the parser.
 struct Reading {
     Lesson lesson;
     LessonPage page;
-    bool looked = false; ///< some page has said what to look at
+    bool looked = false; ///< some page has defined a specimen
 
-    /// Takes one line in; false: it is wrong.
+    /// Parses one line; returns false if it is wrong.
     bool take(const QString& line)
     {
         if (line.startsWith(QStringLiteral(":: ")))
@@ -128,7 +128,7 @@ struct Reading {
             return false;
         page.specimen.origin = lesson.title;
         lesson.pages.push_back(page);
-        page = {.text = {}, .specimen = page.specimen}; // one goes on looking at the same
+        page = {.text = {}, .specimen = page.specimen}; // the next page keeps the specimen
         return true;
     }
 };
@@ -154,7 +154,7 @@ Result<Lesson> readLesson(const QString& key, const QString& text)
     return Result<Lesson>::of(reading.lesson);
 }
 
-// THE CATALOGUE. To add a lesson: its file in resources/lessons/ and its key here.
+// THE CATALOGUE. To add a lesson: write its file in resources/lessons/, and add its key here.
 const std::vector<Lesson>& lessons()
 {
     static const std::vector<Lesson> all = [] {

@@ -44,7 +44,7 @@ Question shuffled(Question question)
     std::ranges::sort(question.choices, {}, [&](const QString& choice) {
         return QCryptographicHash::hash(
             (question.prompt + question.reason + choice).toUtf8(),
-            QCryptographicHash::Md5); // qHash has another seed each time
+            QCryptographicHash::Md5); // qHash has another seed in each run
     });
     question.right = int(question.choices.indexOf(right));
     return question;

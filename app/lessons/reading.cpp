@@ -16,12 +16,12 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t mostCases = 6; // on a page: the zoo has all of them
+constexpr std::size_t mostCases = 6; // on a page; the gallery has all of them
 const QString ending = QStringLiteral(".md");
 
 QString tr(const char* text) { return QCoreApplication::translate("reading", text); }
 
-/// What goes wrong, and a link to watch it.
+/// What fails, and a link that shows it.
 QString itemOf(const HardCase& hard, const Variant& variant)
 {
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
@@ -31,7 +31,7 @@ QString itemOf(const HardCase& hard, const Variant& variant)
     return text + u'\n';
 }
 
-/// Where its published form fails, a line each.
+/// The cases at which the published form fails, a line each.
 QString hardCasesOf(const clipping::Algorithm& algorithm)
 {
     if (!algorithm.published)

@@ -34,7 +34,7 @@ QByteArray instruction(const Origin& origin, const QDateTime& ended)
            + "?>\n";
 }
 
-/// Nothing for a file that is not one of ours, or not whole.
+/// Empty for a file from elsewhere, or an incomplete file.
 std::optional<Leftover> described(const QString& file)
 {
     QFile in(file);
@@ -58,7 +58,8 @@ std::optional<Leftover> described(const QString& file)
     return Leftover{file, {text(1), text(2), time(3)}, time(4), nullptr};
 }
 
-/// By a lock file that says which process holds it; that of a dead one is taken over.
+/// Claims it by a lock file that names the owning process; the lock of an ended process is taken
+/// over.
 bool claim(Leftover& leftover)
 {
     auto lock = std::make_shared<QLockFile>(leftover.file + QStringLiteral(".lock"));
@@ -93,7 +94,8 @@ std::optional<QString> writeLeftover(const Document& document, const Origin& ori
         QDir().mkpath(QFileInfo(folder.path()).path());
         QDir().mkdir(folder.path(), mine);
     } else {
-        QFile::setPermissions(folder.path(), mine); // it may have been copied back, or unpacked
+        QFile::setPermissions(folder.path(), mine); // the folder may have been copied or unpacked
+                                                    // with other permissions
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
         if (auto wrong = svg::write(document, out, {}))

@@ -25,8 +25,8 @@ namespace {
 constexpr std::array deadly{SIGTERM, SIGHUP, SIGINT};
 constexpr unsigned char noMore = 0; // no signal has this number
 
-// A handler sees nothing but these. A process that is forked, and does not yet run another program,
-// has them as well, but is not meant.
+// The only data that a handler reads. A forked process that has not yet started another program has
+// this data as well, but must not act on it.
 std::atomic<int> pipeEnd = -1;
 std::atomic<pid_t> watched = 0;
 static_assert(decltype(pipeEnd)::is_always_lock_free && decltype(watched)::is_always_lock_free,
@@ -41,13 +41,14 @@ void tellPipe(int signal)
     errno = before;
 }
 
-/// One for each process, never closed: a handler that still runs in another thread would write into
-/// the file that got the number next.
+/// One for each process, never closed: a handler that is still running in another thread would
+/// write into the file that gets the same number next.
 class Pipe {
 public:
     Pipe() = default;
 
-    /// Whether there is one. After a fork, the pipe of the parent is not used.
+    /// Opens it if necessary; returns whether it is open. After a fork, the parent's pipe is not
+    /// used.
     bool open()
     {
         if (owner_ == getpid())
@@ -68,7 +69,7 @@ private:
 
 Pipe pipeToThread;
 
-/// While it lives, this thread takes no signals, nor do the threads that it starts.
+/// During its lifetime, this thread and the threads that it starts receive no signals.
 class NoSignals {
 public:
     NoSignals()
@@ -97,7 +98,7 @@ private:
     _exit(128 + signal);
 }
 
-/// The first signal that comes; nothing more is to come: 0.
+/// The first signal that arrives; 0 at the end.
 int nextSignal(int pipe)
 {
     unsigned char number = noMore;
@@ -106,7 +107,7 @@ int nextSignal(int pipe)
     return number;
 }
 
-/// Until a signal comes, which then ends the process, or until no more is to come.
+/// Waits for a signal, which then ends the process, or for the end of the watch.
 void waitForSignal(int pipe, const std::function<void(int signal)>& last)
 {
     if (const int signal = nextSignal(pipe); signal != noMore) {
@@ -122,7 +123,7 @@ struct SignalWatch::Parts {
     std::thread thread;
 };
 
-// The thread takes no signals itself: the handler may then run in any other.
+// The thread itself receives no signals: the handler may run in any other thread.
 SignalWatch::SignalWatch(std::function<void(int signal)> last) : parts_(std::make_unique<Parts>())
 {
     if (!pipeToThread.open())
@@ -132,7 +133,7 @@ SignalWatch::SignalWatch(std::function<void(int signal)> last) : parts_(std::mak
         parts_->thread = std::thread(
             [end = pipeToThread.readEnd(), last = std::move(last)] { waitForSignal(end, last); });
     } catch (const std::system_error&) {
-        return; // no more threads: signals end the process as they always do
+        return; // no more threads: signals end the process as usual
     }
     pipeEnd = pipeToThread.writeEnd();
     watched = getpid();
@@ -156,8 +157,8 @@ SignalWatch::~SignalWatch()
     if (!parts_->thread.joinable())
         return;
     pipeEnd = -1;
-    // A full pipe holds signals: the process is about to end. So it is, as a rule, where a signal
-    // stands before this byte.
+    // A full pipe contains signals, so the process is about to end. The same usually holds if a
+    // signal precedes this byte.
     [[maybe_unused]] const auto written = write(pipeToThread.writeEnd(), &noMore, 1);
     parts_->thread.join();
 }

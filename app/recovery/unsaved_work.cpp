@@ -19,10 +19,11 @@ UnsavedWork::Written UnsavedWork::write() const
     if (!changed && !document_.inHand)
         return {};
     if (document_.inHand) {
-        document = withOwnStyles(document); // that of the object may never come into the edited one
+        document = withOwnStyles(document); // the object's style must not get into the edited
+                                            // document
         Objects objects = document.objects().slice(0, 0);
         objects.append(document_.inHand->object);
-        // The layer may have gone since this was said.
+        // The layer may have been deleted meanwhile.
         const ContainerId said = document_.inHand->into;
         const ContainerId into = document.containers().contains(said)
                                      ? said

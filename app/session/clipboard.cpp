@@ -10,7 +10,7 @@ namespace {
 
 const QString svgType = QStringLiteral("image/svg+xml");
 
-// An object of the drawing it comes from, in the units of another page.
+// An object from a page with other units, scaled to this page.
 Object scaled(Object object, double factor)
 {
     const Placement where{Point(factor)};
@@ -23,7 +23,7 @@ Object scaled(Object object, double factor)
     return object;
 }
 
-// The document with those objects alone, in the containers that they are in.
+// The document with only these objects, in their containers.
 Document only(Document document, const ObjectRanges& objects)
 {
     const ObjectRanges others =

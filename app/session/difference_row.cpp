@@ -37,7 +37,7 @@ bool isThere(const Session& session, const Difference& difference)
     return session.differences.asked() && difference.source < session.scene.lines().size();
 }
 
-/// Of a line that is there.
+/// The piece of one side; the line must exist.
 std::optional<Segment> pieceOf(const Session& session, const Difference& difference, Side side)
 {
     return clipped(variantOf(*session.differences.asked(), side),
@@ -66,7 +66,7 @@ QString pieceText(const std::optional<Segment>& piece, const Number& number)
                : Rows::tr("%1 → %2", "from, to").arg(point(piece->a), point(piece->b));
 }
 
-/// In the unit of rulers and fields, and with as many decimals as there.
+/// In the unit of rulers and fields, with as many decimals.
 template <Side side>
 QString shortPieceText(const Session& session, const Difference& difference)
 {
@@ -80,7 +80,7 @@ QString shortPieceText(const Session& session, const Difference& difference)
     return pieceText(pieceOf(session, difference, side), rounded);
 }
 
-/// Of the piece that only one of the two sees, in user units.
+/// The length of the piece that only one side sees, in user units.
 double lengthOf(const Session& session, const Difference& difference)
 {
     const auto piece =
@@ -88,7 +88,7 @@ double lengthOf(const Session& session, const Difference& difference)
     return piece ? glm::distance(piece->a, piece->b) : 0;
 }
 
-/// How far the ends of two pieces are apart, whichever way round they run.
+/// The distance of the ends of two pieces, in either direction.
 double distanceOf(const Session& session, const Difference& difference)
 {
     const auto a = pieceOf(session, difference, Side::A), b = pieceOf(session, difference, Side::B);
@@ -98,7 +98,7 @@ double distanceOf(const Session& session, const Difference& difference)
                     std::max(glm::distance(a->a, b->b), glm::distance(a->b, b->a)));
 }
 
-/// The least length that does not read as zero, in user units.
+/// The least length that is not displayed as zero, in user units.
 double leastToRead(const Session& session)
 {
     const Unit unit = session.display().unit;
@@ -157,7 +157,7 @@ QString placeText(const Session& session, const Difference& difference)
 Key byLine(const Session&, const Difference& difference) { return {double(difference.source), 0}; }
 Key byKind(const Session&, const Difference& difference) { return {double(difference.kind), 0}; }
 
-/// Ends that are apart come first: by less than any piece is long, as a rule.
+/// Ends that are apart come first: their distance is usually less than the length of any piece.
 Key byAmount(const Session& session, const Difference& difference)
 {
     if (difference.kind == Kind::EndsApart)
@@ -166,7 +166,7 @@ Key byAmount(const Session& session, const Difference& difference)
     return {1, std::isfinite(length) ? length : std::numeric_limits<double>::infinity()};
 }
 
-/// By where it begins; what is not seen, or is not a number, comes last.
+/// By the first end of the piece; invisible pieces and NaNs come last.
 template <Side side>
 Key byPiece(const Session& session, const Difference& difference)
 {
@@ -217,7 +217,7 @@ std::span<const DifferenceColumn> differenceColumns()
                          byPiece<Side::A>, false},
         DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,
                          byPiece<Side::B>, false},
-        // Objects, and layers, come in the order of their lines.
+        // Objects and layers are in the order of their lines.
         DifferenceColumn{
             [](const Comparison&) { return Rows::tr("Layer and shape"); },
             [](const Comparison&) { return Rows::tr("Where in the drawing the line is"); },

@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-/// Only the line may be another one: the rest is ours.
+/// Only the line may differ: everything else is as this class set it.
 bool sameButLine(Specimen one, const Specimen& other)
 {
     one.line = other.line;
@@ -126,7 +126,7 @@ void DrawnLine::adopt()
         show(*inspected, now.variant);
 }
 
-/// The microscope was given another line: the user chose one, or a lesson shows its own.
+/// The microscope got another specimen: the person chose one, or a lesson shows its own.
 void DrawnLine::notice()
 {
     if (showing_)

@@ -47,12 +47,12 @@ QString edgeName(Edge edge)
     }
 }
 
-/// How values are said: in which unit, and as the values of whom.
+/// The unit of values, and the variant that reports them.
 struct Measure {
     Variant variant;
     Unit unit;
     double millimetresPerUnit;
-    Point origin; ///< from which places are counted
+    Point origin; ///< the origin of positions
 
     bool isFromZero() const { return origin == Point(0); }
     double inUnit(double length) const { return app::inUnit(length, unit, millimetresPerUnit); }
@@ -63,14 +63,14 @@ struct Measure {
     }
 };
 
-/// Six digits say enough here; the last of seventeen would hide the first.
+/// Six significant digits are enough here; seventeen would be unreadable.
 QString shortNumber(double number)
 {
     QString text = QLocale().toString(number, 'g', 6);
     return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
 }
 
-/// A number in the unit of the inspection; nothing: it means nothing there.
+/// A number in the unit of the inspection; empty: it has no meaning there.
 std::optional<double> shownNumber(const clipping::NamedValue& value, const Measure& measure)
 {
     if (value.kind != clipping::ValueKind::Number)
@@ -97,7 +97,7 @@ std::optional<double> shownNumber(const clipping::NamedValue& value, const Measu
     }
 }
 
-/// "D = 100"; empty: its number means nothing in this unit.
+/// "D = 100"; empty: its number has no meaning in this unit.
 QString valueText(const clipping::NamedValue& value, const Measure& measure)
 {
     const auto number = shownNumber(value, measure);
@@ -108,7 +108,7 @@ QString valueText(const clipping::NamedValue& value, const Measure& measure)
                                                       : shortNumber(*number));
 }
 
-/// A step in one word: the variable that it sets, or else its kind.
+/// A step in one word: the variable that it assigns, otherwise its kind.
 std::string_view wordOf(const clipping::Step& step)
 {
     static constexpr std::array words{

@@ -6,9 +6,9 @@
 namespace app {
 namespace {
 
-constexpr std::size_t mostStyles = 8192; // looked at: some 30 µs
+constexpr std::size_t mostStyles = 8192; // examined: takes about 30 µs
 
-// One if all objects of the block have the same.
+// Only one style if all objects of the block share it.
 std::span<const StyleIndex> stylesIn(const ObjectBlock& block, std::size_t first, std::size_t end)
 {
     const std::span<const StyleIndex> styles(block.styles);

@@ -26,7 +26,7 @@ void placeClipWindow(Session& session, const clipping::Window& window)
                 .arg(countText(ClipWindows::most)));
 }
 
-/// More layers than a file keeps apart would be one layer when it is opened again.
+/// Layers beyond the limit of a file would be merged when the file is opened again.
 static bool hasRoomForALayer(const Containers& containers)
 {
     const auto isLayer = [&](ContainerId id) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int tenthOfASecond = 100;
 constexpr double sliceMilliseconds = 5;
-constexpr qint64 longEnough = 10'000; // milliseconds, of a big drawing, whose rounds take long
+constexpr qint64 longEnough = 10'000; // milliseconds; for large drawings, whose rounds take long
 
 } // namespace
 
@@ -21,7 +21,7 @@ LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), s
         timer->setSingleShot(true);
         timer->setInterval(tenthOfASecond);
     }
-    connect(&work_, &QTimer::timeout, this, &LiveRace::work); // whenever nothing else is to be done
+    connect(&work_, &QTimer::timeout, this, &LiveRace::work); // when there are no other events
     connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
     connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
     connect(&session, &Session::previewChanged, this, &LiveRace::followWindow);
@@ -53,7 +53,7 @@ void LiveRace::stop()
         timer->stop();
 }
 
-// Requests to paint are posted, and a timer waits for all that is posted: the frame comes first.
+// Paint requests are queued, and a timer waits for all queued events: the frame comes first.
 void LiveRace::followWindow()
 {
     if (running() && !race_->running() && !isOnWhatIsShown())
@@ -74,7 +74,7 @@ bool LiveRace::upToDate() const
     return running() && !race_->running() && race_->rounds() > 0 && isOnWhatIsShown();
 }
 
-// The scene hears of it first: its lines are the new ones already.
+// The scene handles the change first, so its lines are already the new ones.
 void LiveRace::follow(const DocumentChange& change)
 {
     if (!change.drawing() || !running() || isOnWhatIsShown())

@@ -15,7 +15,7 @@ namespace {
 constexpr qsizetype longestPath = 4096; // characters
 const QString key = QStringLiteral("recent");
 
-/// One text a file, so that the settings stay a file that people can read.
+/// One text for each file, so that the settings file stays readable for people.
 QString written(const RecentFile& file)
 {
     return QStringLiteral("%1 %2 %3")
@@ -27,7 +27,7 @@ QString written(const RecentFile& file)
 std::optional<RecentFile> read(const QString& text)
 {
     const QString path = text.section(u' ', 2);
-    // The settings are a file that anything may have written.
+    // Other programs may have written the settings file.
     const bool garbled =
         std::ranges::any_of(path, [](QChar c) { return c.category() == QChar::Other_Control; });
     if (path.size() > longestPath || garbled || !QFileInfo(path).isAbsolute())

@@ -120,7 +120,7 @@ std::optional<QString> Session::save(const QString& path)
     return std::nullopt;
 }
 
-// What is not emitted here is said after the scene has followed.
+// All other signals are emitted after the scene has followed the change.
 void Session::follow(const DocumentChange& change)
 {
     const Containers& containers = now().containers();
@@ -132,7 +132,7 @@ void Session::follow(const DocumentChange& change)
         updateWindows();
     ObjectRanges selected =
         change.everything ? ObjectRanges() : followed(selection_, change.splices);
-    if (change.containers) // by undo, too: what is hidden or locked now cannot be edited
+    if (change.containers) // also by undo: hidden or locked objects cannot be edited
         selected = without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
     selectionFollowed_ = selectionFollowed_ || selected != selection_;
     selection_ = std::move(selected);
@@ -146,7 +146,7 @@ void Session::say(const DocumentChange& change)
         emit selectionChanged();
     if (change.drawing())
         inspect(std::nullopt);
-    if (change.windows || change.page) // without a clip window the page is compared
+    if (change.windows || change.page) // without a clip window, algorithms are compared at the page
         emit previewChanged();
 }
 

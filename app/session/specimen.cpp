@@ -15,20 +15,19 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Microscope", text); }
 
-/// A line that crosses a window from below to above, through two of its edges' lines on either
-/// side.
+/// A line that crosses the infinite line of ymin, enters the window at xmin and leaves it at ymax.
 clipping::Segment across(const clipping::Window& window)
 {
     const Point size = window.max - window.min;
     return {window.min - 0.3 * size, window.max + Point(-0.15, 0.4) * size};
 }
 
-/// How much there is to see of a line; compared from the first member on.
+/// How interesting a line is; compared from the first member on.
 struct Ranked {
-    bool unlocked = false; ///< locked layers hold grids and the like
+    bool unlocked = false; ///< locked layers usually hold grids
     int cutEnds = 0;
     double length = 0;    ///< of a line with one end cut
-    std::size_t line = 0; ///< one of the scene's
+    std::size_t line = 0; ///< an index into the scene's lines
 
     bool operator>(const Ranked& other) const
     {
@@ -47,7 +46,7 @@ Ranked rankOf(const clipping::Segment& line, const clipping::Window& window)
     return ranked;
 }
 
-/// Of lines that there are.
+/// The most interesting line; there must be at least one line.
 std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
                       const ObjectRanges& locked)
 {

@@ -9,7 +9,7 @@ namespace app {
 extern const QuestionKind visibleQuestion, regionQuestion, nextQuestion, edgeQuestion,
     cheaperQuestion, rightQuestion;
 
-// THE CATALOGUE. To add a kind of question: its file here, and its line.
+// THE CATALOGUE. To add a kind of question: write its file here, and add its line.
 std::span<const QuestionKind> questionKinds()
 {
     static const std::array all{visibleQuestion, regionQuestion,  nextQuestion,

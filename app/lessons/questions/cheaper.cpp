@@ -13,7 +13,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 struct Operation {
-    const char* word; ///< as lessons write it
+    const char* word; ///< as written in lessons
     const char* name;
     std::uint64_t clipping::OperationCounts::*count;
 };
@@ -23,7 +23,8 @@ constexpr std::array operations{
     Operation{"comparisons", "comparisons", &clipping::OperationCounts::comparisons},
     Operation{"additions", "additions", &clipping::OperationCounts::additions}};
 
-/// "ask cheaper divisions cs nln": which of two needs fewer of them for this line.
+/// "ask cheaper divisions cs nln": which of two algorithms needs fewer of these operations for the
+/// line.
 std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
                             const QStringList& words)
 {

@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
-/// What happens next, in words: of the steps that do more than look and compare.
+/// The kinds of next steps that can be asked for, in words: not steps that only look or compare.
 struct Event {
     Mark mark;
     const char* words;

@@ -22,7 +22,7 @@ QString whereabouts(unsigned code, YAxis y)
                             : tr("beyond %1").arg(beyond.join(tr(" and ")));
 }
 
-/// "ask region 2": which outcode End 2 has. The wrong ones turn left and right, or above and below.
+/// "ask region 2": which outcode End 2 has. Wrong choices swap left and right, or above and below.
 std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
                             const QStringList& words)
 {

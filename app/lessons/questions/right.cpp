@@ -13,10 +13,10 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
-/// One verdict on what a form finds: the answer that one can choose, and why it is right.
+/// One verdict on the result of a form: the text of the choice, and the reason.
 struct Verdict {
     const char* choice;
-    const char* reason; ///< %1: by how many ulps
+    const char* reason; ///< %1: the error in ulps
 };
 constexpr std::array verdicts{
     Verdict{"Yes, apart from rounding",
@@ -29,7 +29,7 @@ constexpr std::array verdicts{
             "One end that it finds is off by %1 ulps of the largest coordinate."},
     Verdict{"No, it never ends", "It repeats the same cuts forever. The program had to stop it."}};
 
-/// Which of them.
+/// The index of the verdict.
 int verdictOn(const Walk& walk, const std::vector<Difference>& found)
 {
     if (walk.outcome == clipping::Outcome::DidNotEnd)
@@ -49,7 +49,7 @@ QString promptFor(const Variant& variant)
                : tr("Does the corrected %1 get this line right?").arg(name);
 }
 
-/// "ask right": whether what this form finds is what there is, within the contract's ulps.
+/// "ask right": whether the result of this form is correct within the ulps of its contract.
 std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::size_t,
                             const QStringList&)
 {

@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
-/// "ask visible": which of the four ways the line ends. What `exact` says.
+/// "ask visible": which of four results the line has, according to `exact`.
 std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, const QStringList&)
 {
     const auto piece = clipped(exactVariant(), specimen.line, specimen.window);
