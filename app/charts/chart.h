@@ -35,14 +35,12 @@ Box boxOf(std::span<const double> numbers); ///< of at least one number, all fin
 using Figure = std::variant<std::monostate, Bar, Box>;
 
 struct ChartRow {
-    Variant variant{}; ///< colour and marker, hollow if published; without an algorithm: the text
-                       ///< colour, and no marker
+    Variant variant{}; ///< colour and marker, hollow if published; empty: text colour
     QString name;      ///< "CS"
     QString note{};    ///< "as published"; left out if space is short
     QString value{};               ///< "23.9 ns", left of the panel
     std::vector<Figure> figures;   ///< one for each panel
-    std::optional<double> other{}; ///< the value the bar is compared with: a hollow marker below
-                                   ///< the bar
+    std::optional<double> other{}; ///< value to compare with: a hollow marker below the bar
     QStringList numbers{};         ///< one for each column
     QString detail{};              ///< all details, one fact per line: shown on hover
 };
@@ -80,8 +78,7 @@ struct Chart {
     bool oneScale = true;               ///< the same scale in all panels
     QStringList columns{};              ///< headings of the numbers on the right
     std::vector<ChartRow> rows;
-    std::vector<RowGroup> groups{};    ///< a row may be in several groups; no group contains
-                                       ///< another
+    std::vector<RowGroup> groups{};    ///< a row may be in several; none contains another
     std::optional<double> reference{}; ///< a line through all rows, e.g. at 1
     QStringList notes{};               ///< sentences below
 };

@@ -28,8 +28,7 @@ struct ChartLayout {
     std::vector<double> columnRights; ///< right edges of the columns that are shown
     double bracket;                   ///< left edge of the first lane of group brackets
     double bracketLane;               ///< distance between lanes, from bracket to bracket
-    std::vector<std::size_t> lanes;   ///< the lane of each group; overlapping groups are in
-                                      ///< different lanes
+    std::vector<std::size_t> lanes;   ///< of each group; overlapping groups have different lanes
     QRectF ticks;                     ///< one line of text
     QRectF units;                     ///< one line of text; empty without units
     QRectF sentences;                 ///< the place of sentencesOf

@@ -29,11 +29,9 @@ struct Command {
     QString summary; ///< one sentence
     std::vector<Option> options;
     QStringList examples; ///< whole command lines
-    qsizetype operands;   ///< the number of arguments that are not options; any other number is a
-                          ///< wrong usage
+    qsizetype operands;   ///< the exact number of arguments that are not options
     void (*run)(const Given& given); ///< throws WrongUsage or Failure (refusal.h)
-    bool paints = false;             ///< whether it needs fonts or OpenGL, and therefore a
-                                     ///< QGuiApplication
+    bool paints = false;             ///< needs fonts or OpenGL, so a QGuiApplication
     QStringList limits{};            ///< limits of its input, a sentence each
 };
 std::vector<Command> commands();

@@ -63,8 +63,7 @@ std::optional<quint64> wholeNumber(const QString& text)
     bool isNumber = false;
     if (const quint64 number = text.toULongLong(&isNumber); isNumber)
         return number;
-    constexpr double most = 9007199254740992;       // 2^53: up to there a double represents each
-                                                    // integer
+    constexpr double most = 9007199254740992;       // 2^53: all integers up to it are exact
     const auto number = parseNumber(trimmed(text)); // 1e6
     if (!number || *number < 0 || *number > most || *number != std::floor(*number))
         return std::nullopt;

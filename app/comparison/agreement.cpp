@@ -101,8 +101,7 @@ QString sentence(const Dissent& dissent)
 std::vector<Dissent> dissents(const SceneLines& lines, const Window& window, const Variant& chosen)
 {
     std::vector<Dissent> found = allToJudge(chosen);
-    const Variant corrected{chosen.algorithm}; // stands for the majority, which has the same
-                                               // contract
+    const Variant corrected{chosen.algorithm}; // the majority's contract
     for (const SceneLines::Run& run : lines.runs())
         judge(found, run, window, corrected);
     std::erase_if(found, [](const Dissent& one) { return one.none(); });

@@ -12,8 +12,7 @@ struct Difference {
     enum class Kind : std::uint8_t { OnlyA, OnlyB, EndsApart };
 
     std::uint32_t source; ///< index of the line among the compared segments
-    Kind kind;            ///< only A sees the line, only B sees it, or both see it with different
-                          ///< ends
+    Kind kind;            ///< only A sees the line, only B does, or both with different ends
     /// In ulps of the largest |coordinate| of line and window: the distance between the ends, or
     /// the length of the piece that only one variant sees (0: a point).
     double ulps;

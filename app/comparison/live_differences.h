@@ -9,8 +9,7 @@ namespace app {
 /// Which variants are compared: A against B.
 struct Comparison {
     Variant a, b = exactVariant();
-    std::optional<double> ulps{}; ///< allowed distance between ends; empty: what both contracts
-                                  ///< allow together
+    std::optional<double> ulps{}; ///< allowed distance of ends; empty: the sum of both contracts
 
     double allowed() const { return ulps.value_or(contractUlps(a, b)); }
     friend bool operator==(const Comparison&, const Comparison&) = default;

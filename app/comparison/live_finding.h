@@ -26,8 +26,7 @@ public:
     void finish();           ///< finishes the result before it returns
 
 signals:
-    void changed();    ///< the question, the result, or that the result is not up to date for a
-                       ///< while
+    void changed();    ///< the question, the result, or whether it is up to date
     void begun();      ///< started to examine so many lines that it takes a while
     void progressed(); ///< more lines were examined
 

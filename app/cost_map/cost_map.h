@@ -56,8 +56,7 @@ double costOf(const Variant& variant, const CostMeasure& measure, const clipping
 struct CostMap {
     CostPlan plan;
     std::vector<float> values{};           ///< the cost; in a map of the cheapest: the least cost
-    std::vector<std::uint32_t> cheapest{}; ///< for each cell: bit n is variant n. Several bits: a
-                                           ///< tie
+    std::vector<std::uint32_t> cheapest{}; ///< bit n is variant n; several bits: a tie
 
     bool complete() const { return values.size() == plan.cells(); }
     std::size_t at(int column, int row) const

@@ -20,8 +20,7 @@ namespace app {
 namespace {
 
 constexpr int stripe = 7;             // logical pixels, for a tie
-constexpr double softness = 0.35;     // share of the paper's colour mixed into an algorithm's
-                                      // colour
+constexpr double softness = 0.35;     // share of the paper's colour in an area
 constexpr double leastShare = 0.0002; // of all cells: smaller regions have no label
 
 QColor mixed(const QColor& one, const QColor& other, double share)

@@ -8,10 +8,8 @@ namespace app {
 /// Connected cells that are alike: of one cost, or with the same cheapest algorithms.
 struct CostRegion {
     std::size_t cells = 0;
-    int column = 0, row = 0; ///< of one of the cells farthest from the region's border, near their
-                             ///< middle
-    int reach = 0;           ///< the region contains this many cells around that cell in every
-                             ///< direction
+    int column = 0, row = 0; ///< of a cell farthest from the border, near the middle
+    int reach = 0;           ///< cells of the region around it in every direction
 };
 
 /// All regions of a whole map, in the order of their first cells.

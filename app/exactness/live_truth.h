@@ -42,8 +42,7 @@ private:
     std::optional<Question> asked_;
     Truths found_, growing_; ///< growing_: the result in progress
     TruthCounts counts_;     ///< of the result, by the yardstick that was asked for
-    std::vector<std::vector<clipping::Clipped>> pieces_; ///< the pieces of the result, by error
-                                                         ///< class
+    std::vector<std::vector<clipping::Clipped>> pieces_; ///< pieces, by error class
 };
 
 } // namespace app

@@ -14,8 +14,7 @@ namespace app {
 /// remainder: nearest + rest is the exact value to a relative error of 2^-106.
 struct TrueEnd {
     glm::dvec2 nearest{}; ///< each coordinate rounded to the nearest double, to even in a tie
-    glm::dvec2 rest{};    ///< exact value - nearest: at most half a unit in the last place of
-                          ///< `nearest`
+    glm::dvec2 rest{};    ///< exact value - nearest: at most half an ulp of `nearest`
     bool isNew = false;   ///< on an edge of the window; else an end of the line
 
     /// point - exact value, with a relative error below 2^-51.

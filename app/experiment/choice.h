@@ -32,8 +32,7 @@ struct Choice {
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
     std::vector<clipping::Form> forms{clipping::Form::Published};
-    std::vector<const clipping::Algorithm*> algorithms{}; ///< for a scene; a table of the paper has
-                                                          ///< its own
+    std::vector<const clipping::Algorithm*> algorithms{}; ///< for a scene, not for the paper
     EaselMaker easel = nullptr;                           ///< null: nothing is drawn
     bool explained = true; ///< also explained by class, operations and accuracy
 };

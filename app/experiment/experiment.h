@@ -19,8 +19,7 @@ struct ExperimentOptions {
     std::size_t warmUps = 1;         ///< whole runs that are not counted, at least one
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
-    EaselMaker easel = nullptr;              ///< makes the draw target, e.g. rasterEasel; null:
-                                             ///< nothing is drawn
+    EaselMaker easel = nullptr;              ///< makes the draw target; null: nothing is drawn
     Precision precision = Precision::Double; ///< single: corrected forms only
     std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
     Clock clock = processorClock();          ///< the wall clock if there are several threads

@@ -167,7 +167,7 @@ EaselMaker openGlEasel()
             if (auto easel = std::make_unique<GlEasel>(field, surface, std::move(context));
                 easel->works())
                 return easel;
-        return rasterEasel(field); // its name tells
+        return rasterEasel(field); // its name says so
     };
 }
 

@@ -40,8 +40,7 @@ enum class Outcome : std::uint8_t {
 /// The test of one thing against another.
 struct PairTest {
     double p = 1;     ///< corrected by Holm's method within its family of tests
-    double ratio = 1; ///< time of the first ÷ time of the other in the same round: the median of
-                      ///< rounds
+    double ratio = 1; ///< time of the first ÷ time of the other: the median over rounds
     Outcome outcome = Outcome::NotSignificant;
 };
 

@@ -10,8 +10,7 @@ namespace app {
 /// What was measured, how, and on which machine: everything that tables, charts and reports show.
 struct Record {
     ExperimentOptions options;
-    QString easel; ///< the draw target, with its clock if that is another; empty if nothing was
-                   ///< drawn
+    QString easel; ///< the draw target, and its clock if another; empty: nothing was drawn
     std::vector<std::pair<QString, QString>> circumstances;
     std::vector<Timing> timings;
 };

@@ -36,8 +36,7 @@ public:
     {
         paintWindow();
         stroke(wayPath(), QPen(colours_.muted, 1.25 * unit_, Qt::DashLine, Qt::FlatCap));
-        if (answer_ && answer_->visible && !answer_->good()) // wider, and painted below the exact
-                                                             // part
+        if (answer_ && answer_->visible && !answer_->good()) // wider, below the exact part
             paintPiece(*answer_->visible, colours_.differs, 5);
         if (hard_.visible)
             paintPiece(*hard_.visible, colours_.visible, 2.5);
@@ -85,8 +84,7 @@ private:
         path.addRect(QRectF(at(min), at(max)).normalized());
         if (min == max)
             path.addEllipse(at(min), 8 * unit_, 8 * unit_);
-        else if (min.x == max.x || min.y == max.y) // so that it is visible around a line that lies
-                                                   // on it
+        else if (min.x == max.x || min.y == max.y) // visible around a line on it
             pen.setWidthF(7 * unit_);
         stroke(path, pen);
     }

@@ -170,7 +170,7 @@ void addTenths(Questions& to)
             }
 }
 
-/// Past a corner, slightly inside or outside, by distances around the precision of float.
+/// Past a corner, inside or outside by 2^-36 to 2^-4: below and above the precision of float.
 Questions nearCorners(const Scope& scope)
 {
     Questions all;
@@ -204,7 +204,7 @@ Questions sizes(const Scope& scope)
     if (scope.strictness == Strictness::Clearcuts)
         for (const int power : {1010, 520, -520, -1060})
             addScaled(all, dice, std::exp2(power));
-    for (std::size_t i = 0; i < someLines; ++i) { // a window far from the origin
+    for (std::size_t i = 0; i < someLines; ++i) { // lines to ends far from the window
         const Window far{1e9 * paperSpace.min, 1e9 * paperSpace.max};
         all.push_back({{dice.in(paperWindow), dice.in(far)}, paperWindow});
     }

@@ -33,8 +33,7 @@ void limit(__rlimit_resource what, rlim_t most)
     ::setrlimit(what, &both);
 }
 
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ // they reserve terabytes of address
-                                                                // space
+#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ // they reserve terabytes
 void limitMemory() {}
 #else
 /// The address space in use: the first number of statm, in pages.
@@ -100,8 +99,7 @@ Pipes pipesOfTheJudge()
 
 bool send(int out, const void* data, std::size_t size)
 {
-    return ::write(out, data, size) == ssize_t(size); // less than PIPE_BUF: written whole or not at
-                                                      // all
+    return ::write(out, data, size) == ssize_t(size); // less than PIPE_BUF: all or nothing
 }
 
 Answer answerTo(const Question& question, Clip clip)

@@ -12,8 +12,7 @@ namespace {
 
 constexpr int glance = 20; // milliseconds between two readings of the clocks
 constexpr qsizetype mostPrinted = 2000;
-constexpr qint64 mostUnread = 1 << 20; // bytes of answers: only a library that never stops sends
-                                       // more
+constexpr qint64 mostUnread = 1 << 20; // bytes: only a library that never stops sends more
 constexpr int wardensTime = 10'000;    // milliseconds, more than the warden needs
 
 } // namespace

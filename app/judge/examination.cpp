@@ -176,8 +176,8 @@ Examination::Went Examination::open()
     return Went::On;
 }
 
-/// The share of the remaining time: in proportion to its lines, but at least as much as any other
-/// remaining category.
+/// The share of the remaining time: in proportion to its lines, but at least an equal
+/// share among the remaining categories.
 double Examination::shareOf(std::size_t category) const
 {
     double lines = 0;

@@ -30,8 +30,7 @@ struct FaultInfo {
     Fault fault;
     QString key;      ///< in files: "lost"
     QString name;     ///< "Lost", translated
-    QString sentence; ///< completes a sentence after the library's name: "loses lines that are
-                      ///< visible"
+    QString sentence; ///< follows the library's name: "loses lines that are visible"
     bool fatal;       ///< whether the child process has ended
 };
 std::span<const FaultInfo> faults();

@@ -13,8 +13,7 @@ struct Finding {
     Question question;
     std::optional<clipping::Segment> expected;
     std::optional<clipping::Segment> got; ///< empty also if there was no answer
-    double ulps = 0; ///< error of the ends, or distance outside the window; 0 if neither is
-                     ///< meaningful
+    double ulps = 0; ///< error of the ends, or distance outside the window; 0: no meaning
     QString more{};  ///< for a crash: the reason
 };
 
@@ -47,8 +46,7 @@ struct Verdict {
     Contract contract{};
     std::optional<Unusable> unusable{};
     QString more{};    ///< of an unusable library: the loader's message, or the reason of the crash
-    QString command{}; ///< of an uncompiled file: the command that makes a library of it; may be
-                       ///< empty
+    QString command{}; ///< makes a library of an uncompiled file; may be empty
     /// In the order of categories(); the last one only after a race.
     std::vector<CategoryCount> categories{};
     std::vector<std::size_t> byFault = std::vector<std::size_t>(faults().size());

@@ -18,8 +18,7 @@ namespace app::plug_in {
 namespace {
 
 constexpr timespec moment{0, 5'000'000}; ///< until a killed process has ended
-constexpr int mostMoments = 1000;        ///< for processes that cannot be killed at once, as they
-                                         ///< wait for a disk
+constexpr int mostMoments = 1000;        ///< some processes wait for a disk and end late
 
 sigset_t setOf(std::initializer_list<int> some)
 {

@@ -14,8 +14,7 @@ struct Question {
     QStringList choices; ///< three to five, all different, so that two tries are no guarantee
     int right = 0;       ///< index into the choices
     QString reason;      ///< why it is right, shown after the answer
-    QString hint;        ///< shown after a wrong first answer: how to find the answer, not what it
-                         ///< is
+    QString hint;        ///< shown after a wrong first answer: the way to the answer
 };
 
 /// The steps that would reveal the answer and are hidden while the question is open.

@@ -21,8 +21,7 @@ enum class Emphasis : std::uint8_t { Quiet, Lit };
 struct OverlayArea {
     std::vector<Point> corners{}; ///< in order; empty: nothing of it is visible
     QString label{};              ///< "1001", "LT"; empty: lines that end there are not visible
-    std::uint32_t strong = 0;     ///< the characters of the label that are emphasized; bit 0: the
-                                  ///< first
+    std::uint32_t strong = 0;     ///< emphasized characters of the label; bit 0: the first
     Emphasis emphasis = Emphasis::Quiet;
     bool pointed = false; ///< the pointer is in this area, by the library's own computation
     enum class Ground : std::uint8_t { Clear, Hatched };

@@ -36,8 +36,7 @@ Way wayOf(const clipping::Segment& s, const clipping::Window& w)
 /// One test: on which side of the line the corner of two edges lies.
 struct Question {
     Edge edge[2];
-    bool decides; ///< whether the line misses the window; otherwise only at which edge it enters or
-                  ///< leaves
+    bool decides; ///< whether the line is visible; else only at which edge it is cut
 };
 std::vector<Question> questionsOf(const Way& way)
 {

@@ -12,8 +12,7 @@ using clipping::Clipped;
 
 namespace {
 
-constexpr std::size_t blockSize = 16384; // lines: takes some milliseconds even with the slowest
-                                         // variant
+constexpr std::size_t blockSize = 16384; // lines: some milliseconds even for the slowest
 constexpr std::size_t leastTelling = 6;  // rounds, from which their spread is meaningful
 
 /// At least one block: a race without lines still has rounds.

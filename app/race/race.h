@@ -24,8 +24,7 @@ struct RaceFrame {
 struct RaceRow {
     Variant variant;
     std::vector<double> milliseconds{}; ///< for all lines, of the last rounds, the newest last
-    std::size_t ofThisFrame = 0;        ///< number of these that belong to the current frame: the
-                                        ///< last ones
+    std::size_t ofThisFrame = 0;        ///< how many of them, at the end, are of this frame
     std::size_t visible = 0;            ///< number of visible lines
     DifferenceCounts differences{};     ///< A is the variant, B `exact`
     double operations = 0; ///< per line: comparisons, additions, multiplications, divisions

@@ -94,8 +94,7 @@ std::optional<QString> writeLeftover(const Document& document, const Origin& ori
         QDir().mkpath(QFileInfo(folder.path()).path());
         QDir().mkdir(folder.path(), mine);
     } else {
-        QFile::setPermissions(folder.path(), mine); // the folder may have been copied or unpacked
-                                                    // with other permissions
+        QFile::setPermissions(folder.path(), mine); // it may have been copied or unpacked
     }
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
         if (auto wrong = svg::write(document, out, {}))

@@ -19,8 +19,7 @@ UnsavedWork::Written UnsavedWork::write() const
     if (!changed && !document_.inHand)
         return {};
     if (document_.inHand) {
-        document = withOwnStyles(document); // the object's style must not get into the edited
-                                            // document
+        document = withOwnStyles(document); // keeps the edited document's styles
         Objects objects = document.objects().slice(0, 0);
         objects.append(document_.inHand->object);
         // The layer may have been deleted meanwhile.

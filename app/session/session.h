@@ -52,8 +52,7 @@ private:
 public:
     History history;
     Scene scene{document};
-    LiveDifferences differences{document, scene}; ///< between two variants, while a panel shows
-                                                  ///< them
+    LiveDifferences differences{document, scene}; ///< of two variants, while shown
     LiveTruth truth{document, scene};             ///< how exact an algorithm is, while shown
     Microscope microscope;            ///< one line, step by step
     Course course{microscope};        ///< the lesson in progress, if any
@@ -109,8 +108,7 @@ signals:
     void displayChanged();
     void selectionChanged();
     void inspectedChanged();
-    void previewChanged(); ///< preview() or windows() changed: by a gesture, a command, undo or
-                           ///< load
+    void previewChanged(); ///< preview() or windows(): by a gesture, a command, undo or load
     void fileChanged();
     void loaded(); ///< a different drawing: fit the view
     /// Something could not be done; the sentence says what, why, and what to do. Any part of the
@@ -125,8 +123,7 @@ private:
     Display display_;
     ObjectRanges selection_;
     bool selectionFollowed_ = false; ///< the selection has changed, and this was not signalled yet
-    mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< empty: not
-                                                                             ///< computed
+    mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;
     ClipWindows windows_; ///< the current ones: each frame reads them

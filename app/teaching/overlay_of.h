@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Computes the overlay anew at each call, in the time of a few traces. For invalid numbers (not
+/// Computes the overlay again at each call, in the time of a few traces. For invalid numbers (not
 /// finite, or an inverted window) the overlay has only a caption that says so.
 Overlay overlayOf(const OverlaySubject& subject);
 

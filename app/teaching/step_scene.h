@@ -18,8 +18,7 @@ struct CutPoint {
 struct StepScene {
     enum class State : std::uint8_t { Working, Accepted, Rejected };
     State state = State::Working;
-    clipping::Segment left{};                 ///< the remaining part; not valid if the line is
-                                              ///< rejected
+    clipping::Segment left{};                 ///< what remains; invalid if rejected
     std::vector<clipping::Segment> discarded; ///< by earlier steps
     std::vector<clipping::Segment> discardedNow;
     std::vector<CutPoint> cuts{}; ///< so far, in order
