@@ -27,7 +27,7 @@ public:
 
 signals:
     void changed();    ///< the question, the result, or whether it is up to date
-    void begun();      ///< started to examine so many lines that it takes a while
+    void begun();      ///< a long examination of many lines has started
     void progressed(); ///< more lines were examined
 
 protected:

@@ -28,7 +28,7 @@ struct Explanation {
     std::vector<Accuracy> accuracies;
 };
 
-/// All that is measured in one session, by the window or the command line.
+/// Everything that one study measures, in the window or on the command line.
 struct Plan {
     std::vector<PlannedTrial> trials;
     std::vector<Measure> measures;           ///< those that are reported
@@ -44,7 +44,7 @@ struct Trial {
     Record record;
 };
 
-/// All results of one session: what tables, charts and reports show.
+/// All results of a study: what tables, charts and reports show.
 struct Study {
     std::vector<Measure> measures;
     std::vector<Trial> trials;

@@ -22,7 +22,7 @@ enum class Asked : std::uint8_t { Once, Again, InTheRace };
 /// One row of the catalogue of tests of a library.
 struct Category {
     QString key;           ///< in files: "corners"
-    QString name;          ///< translated, like the next text
+    QString name;          ///< "Corners", translated, like the next text
     QString meaning;       ///< one sentence
     double visibilityUlps; ///< how far edges may move to excuse a wrong visibility
     std::vector<Question> (*questions)(const Scope& scope); ///< depend only on the scope

@@ -36,11 +36,7 @@ public:
     qint64 available() const { return process_.bytesAvailable(); }
 
     double processorSeconds() const; ///< used by the child; 0 after it ended
-    QString printed() const
-    {
-        return QString::fromLocal8Bit(printed_);
-    } ///< the begin of its
-      ///< output
+    QString printed() const { return QString::fromLocal8Bit(printed_); } ///< its first part
     bool crashed() const { return process_.exitStatus() == QProcess::CrashExit; }
     int exitCode() const { return process_.exitCode(); } ///< or the signal of a crash
 

@@ -56,7 +56,7 @@ struct Verdict {
     double seconds = 0;              ///< the time limit (Case::seconds)
     QString notReloaded{};           ///< why it could not be loaded again after a crash
     QString raceEnd{};               ///< why the library ended the race
-    QString printed{};               ///< the begin of its output
+    QString printed{};               ///< the first part of its output
     std::optional<Times> times{};
     QString noTimes{}; ///< why there are no times
 

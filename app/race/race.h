@@ -29,8 +29,8 @@ struct RaceRow {
     DifferenceCounts differences{};     ///< A is the variant, B `exact`
     double operations = 0; ///< per line: comparisons, additions, multiplications, divisions
 
-    /// The times of this frame's rounds, or of all rounds while those are too few; the same number
-    /// for every row of a race. And their summary.
+    /// The times of this frame's rounds, or of all rounds while those are too few, and their
+    /// summary. Every row of a race has the same number of times.
     std::span<const double> times() const;
     Summary summary() const { return summaryOf(times()); }
 };

@@ -24,8 +24,8 @@ public:
 
     /// Goes to the next or previous lines, cyclically.
     void go(std::ptrdiff_t lines);
-    /// Chooses another algorithm or form; if the microscope shows the drawing's line, for the
-    /// drawing too.
+    /// Chooses another algorithm or form; if the microscope shows the drawing's line, also for the
+    /// drawing, except a known misprint.
     void choose(const Variant& variant);
     /// Restores the line as it is in the drawing.
     void back();

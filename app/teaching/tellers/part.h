@@ -7,7 +7,7 @@
 
 namespace app::words {
 
-/// The names of the parameters at the begin and the end of the part, and the pseudo-code line that
+/// The names of the parameters at the start and the end of the part, and the pseudo-code line that
 /// tests whether End 2 moves.
 struct PartNames {
     const char *start, *stop;
