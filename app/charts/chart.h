@@ -35,7 +35,7 @@ Box boxOf(std::span<const double> numbers); ///< of at least one number, all fin
 using Figure = std::variant<std::monostate, Bar, Box>;
 
 struct ChartRow {
-    Variant variant{}; ///< colour and marker, hollow if published; empty: text colour
+    Variant variant{}; ///< colour and marker (published: hollow); null: text colour, no marker
     QString name;      ///< "CS"
     QString note{};    ///< "as published"; left out if space is short
     QString value{};               ///< "23.9 ns", left of the panel
@@ -66,7 +66,7 @@ struct LegendEntry {
 struct Panel {
     QString heading{};
     QString unit{};       ///< of the axis: "nanoseconds a line"
-    bool fromZero = true; ///< only for boxes may this be false
+    bool fromZero = true; ///< may be false only for boxes
 };
 
 struct Chart {

@@ -98,7 +98,7 @@ bool isCommandLine(const QStringList& arguments)
 
 int runCommandLine(const QStringList& arguments)
 {
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); // the same anywhere
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); // the same everywhere
     answerSignals();
     const auto command = commandOf(arguments);
     const QString name = command ? QLatin1StringView(command->key) : QString();

@@ -16,7 +16,7 @@ struct PortraitColours {
 };
 struct PortraitLook {
     PortraitColours colours;
-    double unit = 1; ///< the width of a stroke in logical pixels
+    double unit = 1; ///< size of a logical pixel
 };
 
 /// Paints a hard case, y up: the window, the line with its ends numbered, the exact visible part

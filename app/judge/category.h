@@ -24,7 +24,7 @@ struct Category {
     QString key;           ///< in files: "corners"
     QString name;          ///< "Corners", translated, like the next text
     QString meaning;       ///< one sentence
-    double visibilityUlps; ///< how far edges may move to excuse a wrong visibility
+    double visibilityUlps; ///< how far edges may move to excuse a wrong visibility; 0: never
     std::vector<Question> (*questions)(const Scope& scope); ///< depend only on the scope
     Asked asked = Asked::Once;
 };

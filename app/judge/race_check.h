@@ -24,7 +24,7 @@ struct RaceFindings {
     std::size_t visible = 0, wrongVisible = 0; ///< visible lines, and the wrong ones of these
     std::size_t outside = 0; ///< ends that rounding left outside the window, within the contract
     double mostOff = 0;      ///< in ulps, of the right answers
-    std::vector<RaceFinding> first{}; ///< the first wrong lines
+    std::vector<RaceFinding> first{}; ///< some of the wrong lines
 
     std::size_t wrong() const;
 };

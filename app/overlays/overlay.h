@@ -63,7 +63,7 @@ struct OverlayAxis {
     double from = 0, to = 1;   ///< the visible part is between them; empty if from > to
 };
 
-/// A parameter with four digits, which is finer than the pixels of a screen.
+/// A parameter with four digits: between 0 and 1 this is finer than the pixels of a screen.
 QString parameterText(double t);
 
 struct OverlayTable {

@@ -101,7 +101,7 @@ QString detailOf(const CutPoint& cut, bool now, YAxis y)
 
 void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
 {
-    constexpr std::size_t mostTold = 4; // of more cuts only the valid ones have a label
+    constexpr std::size_t mostTold = 4; // of more cuts only the final ones have a label
     for (const CutPoint& cut : scene.cuts) {
         if (!frame.shows(cut.at))
             continue;
