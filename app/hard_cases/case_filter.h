@@ -18,8 +18,8 @@ struct CaseFilter {
 /// The cases that pass the filter, in the order of the gallery.
 std::vector<const HardCase*> casesFor(const CaseFilter& filter);
 
-/// A choice of filters: all cases, the cases at which a published form or a known misprint fails,
-/// and those of each kind of fault. Each has a name with its number of cases: "CS as published
+/// A filter that can be chosen: all cases, the cases at which one published form or known misprint
+/// fails, or the cases with one kind of fault. Its name has the number of cases: "CS as published
 /// fails (17)".
 struct CaseChoice {
     QString name;
