@@ -24,18 +24,19 @@ enum class Reach : std::uint8_t { Window, Canvas };
 /// over it.
 struct ActionInfo {
     std::string_view key; ///< the action's objectName; empty: a separator
-    QString text;         ///< with its mnemonic; "…" if more is asked
+    QString text;         ///< with its mnemonic; ends in "…" if the command opens a dialog
     QList<QKeySequence> keys = {};
     Reach reach = Reach::Window;
     std::string_view icon = {};
     void (*run)(MainWindow& window) = nullptr;
     bool (*enabled)(const MainWindow& window) = nullptr; ///< null: always
-    bool (*checked)(const MainWindow& window) = nullptr; ///< null: not a switch
-    std::string_view group = {};                         ///< of which one is on
-    QString needs = {}; ///< why it is disabled, and what to do first; its keys say so, too
+    bool (*checked)(const MainWindow& window) = nullptr; ///< null: not checkable
+    std::string_view group = {}; ///< exclusive: one of its actions is checked; empty: none
+    /// Why it is disabled, and what to do first; its disabled shortcut shows this too.
+    QString needs = {};
 };
 
-/// One menu: its commands, and what is filled in from another catalogue (tools, algorithms …).
+/// One menu: its commands, and entries from another catalogue (tools, algorithms …).
 struct MenuInfo {
     QString title;
     std::vector<ActionInfo> rows;
@@ -45,10 +46,10 @@ struct MenuInfo {
 /// Every menu, in the order of the menu bar.
 std::span<const MenuInfo> menus();
 
-/// Puts them into the window. The commands then follow the session by themselves.
+/// Adds every menu to the window. The actions are updated whenever the session changes.
 void addMenus(MainWindow& window);
 
-/// A standard key with fallbacks for desktops that have none, and further keys.
+/// A standard key, with fallbacks for desktops that do not define it, and further keys.
 QList<QKeySequence> keys(QKeySequence::StandardKey standard,
                          const QList<QKeySequence>& further = {});
 

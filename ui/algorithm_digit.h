@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// The key that chooses an algorithm while the canvas has the focus: 0 the usual one, 1 to 9 the
+/// The key that chooses an algorithm while the canvas has the focus: 0 the default one, 1 to 9 the
 /// first nine of the catalogue; empty for the others.
 inline QString digitOf(const clipping::Algorithm& algorithm)
 {

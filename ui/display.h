@@ -9,13 +9,13 @@ class QApplication;
 
 namespace ui {
 
-/// Why no window can be shown, as far as the environment tells, with what to do; empty: it says
-/// nothing against it.
+/// Why no window can be shown, judged by the environment variables, and what to do; empty if
+/// nothing prevents it.
 QString whyNoDisplay();
 
-/// The application. Where there is no way to show windows (a display that cannot be reached, a
-/// platform that does not exist) Qt would abort; this says one sentence on standard error and ends
-/// the program with the exit code for what failed.
+/// The application. Where windows cannot be shown (unreachable display, unknown platform) Qt would
+/// abort; this function instead writes one sentence to standard error and exits with the code for a
+/// failure.
 std::unique_ptr<QApplication> startApplication(int& argc, char** argv);
 
 } // namespace ui

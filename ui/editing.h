@@ -5,7 +5,7 @@
 
 namespace ui {
 
-// What the Edit menu does with the selection and the clipboard (SVG). Each is one undo step.
+// The Edit menu's functions on the selection and the clipboard (SVG). Each is one undo step.
 
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
@@ -14,7 +14,7 @@ bool paste(app::Session& session);
 QString nothingToPaste();
 void duplicateSelection(app::Session& session);
 void deleteSelection(app::Session& session);
-/// All that can be seen and is not locked.
+/// Selects every object that is visible and not locked.
 void selectAll(app::Session& session);
 
 } // namespace ui

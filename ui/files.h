@@ -13,8 +13,8 @@
 
 namespace ui {
 
-/// What the File menu does with one session. Unsaved changes are asked about before anything
-/// replaces them; reading, cutting and big writes keep the window alive.
+/// The File menu's functions on one session. Asks about unsaved changes before it replaces them.
+/// Reading, cutting and large writes do not block the window.
 class Files : public QObject {
     Q_OBJECT
 
@@ -27,26 +27,26 @@ public:
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
-    /// Made by the program; false: kept.
+    /// Opens a document made by the program; false: the person kept the current one.
     bool openMade(app::Document document, const QString& title);
     bool save();                                           ///< true: saved
     bool saveAs();
     void exportCut();
     void crop(); ///< undoable
     bool mayClose();
-    /// Opens a drawing that an earlier run left, as one that is not saved; false: it stays where it
-    /// is.
+    /// Opens a drawing that an earlier run left, marked as unsaved; false: cancelled, or its file
+    /// was unreadable and has been set aside.
     bool recover(app::Leftover& leftover);
 
     Questions& questions() { return *questions_; }
-    app::Origin origin() const; ///< to go on with the document after the program was ended
+    app::Origin origin() const; ///< restored with the document after a crash or signal
     QString name() const;       ///< for the title: the file's, the sample's, or "Untitled"
     QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
     std::vector<app::RecentFile> recent() const;
     void forgetRecent();
 
 signals:
-    void documentWanted(); ///< complete, with what is in hand: it is about to be saved or replaced
+    void documentWanted(); ///< finish the gesture: the document is about to be saved or replaced
     void told(const ui::Message& message);
     void recentChanged();
     void nameChanged();
@@ -62,7 +62,7 @@ private:
     QWidget& window_;
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
-    QDateTime seen_; ///< when the file was last changed, as far as we know
+    QDateTime seen_; ///< the file's modification time when we last read or wrote it
 };
 
 } // namespace ui

@@ -3,7 +3,7 @@
 
 #include "app/session/session.h"
 
-// Steps to undo that several places of the interface offer. None is made where nothing would
+// Undoable steps that several places of the interface offer. No step is pushed if nothing would
 // change.
 
 namespace ui {
@@ -11,7 +11,7 @@ namespace ui {
 /// Chooses the side of the clip windows that is kept.
 void setKeep(app::Session& session, app::Keep keep);
 
-/// Lays the clip window on the page; a new one if there is none.
+/// Makes the clip window cover the page; adds one if there is none.
 void layWindowOnPage(app::Session& session);
 
 } // namespace ui

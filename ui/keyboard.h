@@ -9,10 +9,10 @@ class QKeyEvent;
 
 namespace ui {
 
-/// What the key that was pressed is on an American keyboard, by its place: for keys that have no
-/// Latin letter or digit of their own, as the digits of a French keyboard and all letters of a
-/// Greek one, where a shortcut with a letter or a digit could not be typed. Nothing: it says itself
-/// what it is, or its place is not known (only Linux's are).
+/// The key at the same place on an American keyboard, for keys that type no Latin letter or digit,
+/// such as the digits of a French keyboard and all letters of a Greek one. Without it shortcuts
+/// with letters or digits could not be typed there. Nothing: the key types a Latin letter or digit,
+/// or its place is unknown (only Linux's scan codes are known).
 std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event);
 
 } // namespace ui

@@ -8,22 +8,24 @@
 
 namespace ui {
 
-/// Every colour of the program, light or dark; nothing outside look.cpp spells one. The accent
-/// means the clip window and nothing else, the selection what is chosen, lit or focused.
+/// Every colour of the program, light or dark; only look.cpp contains colour values. The accent is
+/// used for the clip window alone, the selection colour for whatever is selected, hovered or
+/// focused.
 struct Look {
     bool dark;
     QColor window, panel, base, canvas, paper;
-    QColor rule, border, control; ///< dividers; fields; check and radio outlines
+    /// Dividers; field borders; outlines of check boxes and radio buttons.
+    QColor rule, border, control;
     QColor text, muted;
     QColor accent, onAccent;
-    QColor selection, onSelection, tint; ///< tint: the ground of a chosen row
+    QColor selection, onSelection, tint; ///< tint: the background of a selected row
     QColor hover;
-    QColor differs; ///< what differs, always thicker and counted in words too
+    QColor differs; ///< differing lines, which are always also thicker and counted in words
     QColor warning, warningGround, good;
     double ghost; ///< opacity of the removed part
 };
 
-/// The look that belongs to a palette: the light or the dark one.
+/// The light or the dark look, whichever matches the palette.
 const Look& lookOf(const QPalette& palette);
 
 enum class Theme : std::uint8_t { System, Light, Dark };
@@ -38,7 +40,7 @@ constexpr int optionsHeight = 40, dockTitleHeight = 28, rowHeight = 26, denseRow
               fieldHeight = 26, statusHeight = 26, toolButton = 30, toolBarWidth = 44, radius = 3;
 } // namespace space
 
-/// The body font times look.md's factors: tables, status and captions are 0.92 of it.
+/// Table, status and caption text is 0.92 times the body font's size.
 QFont captionFont(const QFont& body);
 QFont semiBold(QFont font);
 

@@ -8,11 +8,11 @@
 
 namespace ui {
 
-/// The icon :/icons/KEY.svg, recoloured at every painting: black becomes the palette's text colour
-/// (45 % of it when disabled), the drawing's orange the accent. Unknown keys give an empty picture.
+/// The icon :/icons/KEY.svg, recoloured each time it is painted: black becomes the palette's text
+/// colour (45 % opacity when disabled), orange the accent. An unknown key gives an empty picture.
 QIcon icon(std::string_view key);
 
-/// A picture of it in one colour.
+/// The icon in one colour.
 QPixmap tinted(const QIcon& icon, const QSize& size, double pixelRatio, const QColor& colour);
 
 } // namespace ui

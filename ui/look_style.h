@@ -6,7 +6,7 @@
 namespace ui {
 
 /// Fusion without gradients, bevels and frames inside frames: flat fields and buttons, tabs with a
-/// line of the selection colour, tool bars and status bar parted by one rule.
+/// line in the selection colour, tool bars and status bar separated by one rule.
 class LookStyle : public QProxyStyle {
     Q_OBJECT
 

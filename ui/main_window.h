@@ -29,8 +29,8 @@ class StartPanel;
 class StatusBar;
 class WindowNote;
 
-/// The editor's window around one session: menus, bars, canvas and panels. It only puts them
-/// together; what a command does is in its row (menus/) and in Files.
+/// The editor's window around one session: menus, bars, canvas and panels. It only assembles them;
+/// the commands are implemented in their rows (menus/) and in Files.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     explicit MainWindow(Backend backend = Backend::Automatic, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// What answers instead of dialogs (tests).
+    /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
 
     app::Session& session() { return session_; }
@@ -52,10 +52,10 @@ public:
     ExactnessPanel& exactnessPanel() { return *exactnessPanel_; }
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
-    /// The microscope's place in the window; made when it is opened first, null before.
+    /// The microscope's page; null until the microscope is first opened.
     MicroscopePage* microscopePage() const { return microscopePage_; }
 
-    /// The first sample on the canvas, its window ready to drag, and the start panel in front.
+    /// Shows the first sample, its clip window ready to drag, and the start panel in front.
     void showStart();
     void tell(const Message& message) { strip_->tell(message); }
     QString message() const { return strip_->sentence(); }
@@ -64,14 +64,15 @@ public:
     QList<QAction*> panelToggles() const;
     void raisePanel(const QString& key);
     void togglePanel(const QString& key);
-    bool showsPanel(const QString& key) const; ///< perhaps behind another
+    bool showsPanel(const QString& key) const; ///< possibly behind another tab
     void resetLayout();
 
-    /// The lessons, beside the microscope.
+    /// Shows the lessons beside the microscope.
     void showLessons();
     bool showsLessons() const;
 
-    /// For a projector, or back: the whole screen, no panels, wide strokes, large type.
+    /// Enters or leaves presentation mode, for a projector: full screen, no panels, wide strokes,
+    /// large type.
     void togglePresenting();
     bool isPresenting() const { return session_.display().presenting; }
 
@@ -81,7 +82,7 @@ public:
     void refreshActions() { emit actionsOutdated(); }
 
 signals:
-    void actionsOutdated(); ///< what can be done, or is on, may have changed
+    void actionsOutdated(); ///< which actions are enabled or checked may have changed
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -92,7 +93,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    static constexpr int layoutVersion = 1; ///< of what saveState() writes
+    static constexpr int layoutVersion = 1; ///< version of saveState()'s data
     void addCentre();
     void addMicroscope();
     void makeMicroscopePage();
@@ -137,19 +138,19 @@ private:
     Canvas* canvas_;
     QStackedWidget* centre_ = nullptr; ///< the canvas, or the microscope
     MicroscopePage* microscopePage_ = nullptr;
-    QByteArray layoutBefore_; ///< of docks and bars, while there are none: in the microscope, or
-                              ///< presenting
-    QPointer<QWidget> focusBefore_;   ///< while the microscope is open
-    std::optional<QFont> fontBefore_; ///< of the application, while presenting
-    Qt::WindowStates statesBefore_{}; ///< the same
-    /// A panel that went to make room for the microscope, or for those who look on.
+    /// Of docks and bars, while the microscope or a presentation hides them.
+    QByteArray layoutBefore_;
+    QPointer<QWidget> focusBefore_;   ///< the focus to restore when the microscope closes
+    std::optional<QFont> fontBefore_; ///< the application's font to restore after presenting
+    Qt::WindowStates statesBefore_{}; ///< the window's states to restore after presenting
+    /// A panel that is hidden while the microscope is open or while presenting.
     struct HiddenDock {
         QDockWidget* dock;
-        QSize size;   ///< with its tabs
-        bool inFront; ///< of the others in its tabs
+        QSize size;   ///< of its tab group
+        bool inFront; ///< whether it is the current tab of its group
     };
     std::vector<HiddenDock> hiddenDocks_;
-    QList<QToolBar*> barsBefore_; ///< those that were shown then
+    QList<QToolBar*> barsBefore_; ///< tool bars to show again
     MessageStrip* strip_;
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;
@@ -157,16 +158,16 @@ private:
     CostMapPanel* costMapPanel_ = nullptr;
     ExactnessPanel* exactnessPanel_ = nullptr;
     std::unique_ptr<Files> files_;
-    QList<Dock*> docks_;    ///< Start first, then as they are stacked
-    QList<Dock*> wide_;     ///< to compare: above the others, in a wider column
-    QList<Dock*> openWide_; ///< those that are shown
+    QList<Dock*> docks_;    ///< Start first, the others in stacking order
+    QList<Dock*> wide_;     ///< the comparison panels: above the others, in a wider column
+    QList<Dock*> openWide_; ///< the visible ones of wide_
     QList<QAction*> toolActions_;
     WindowNote* note_ = nullptr;
     Arrangement arrangement_ = Arrangement::Stacked;
-    int lowerTabs_ = 0;       ///< of those that are stacked: how many share the lowest place
-    bool arranging_ = false;  ///< docks move because we move them
-    bool ownLayout_ = false;  ///< the person moved them: never rearranged
-    bool inspecting_ = false; ///< a line is in the inspector
+    int lowerTabs_ = 0;       ///< how many of the stacked panels share the lowest place as tabs
+    bool arranging_ = false;  ///< docks move by program, not by the person
+    bool ownLayout_ = false;  ///< the person moved docks: never rearrange them
+    bool inspecting_ = false; ///< the inspector shows a line
     bool starting_ = false;   ///< the start panel is in front
 };
 

@@ -12,8 +12,9 @@ namespace ui {
 
 class MainWindow;
 
-/// Keeps unsaved work when a signal ends the program, and offers what earlier runs have left. It
-/// goes before its window; what it recovered is then saved or given up.
+/// Writes unsaved work when a signal ends the program, and offers work that earlier runs left. Must
+/// be destroyed before its window. Its destructor deletes the recovered leftover, which is by then
+/// saved or given up.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -21,7 +22,8 @@ public:
     explicit Recovery(MainWindow& window, QString folder = app::leftoverFolder());
     ~Recovery() override;
 
-    /// Asks about each leftover until one is recovered; the others wait for the next start.
+    /// Asks about the leftovers until one is recovered or the person postpones; the others wait for
+    /// the next start.
     void offer();
 
 private:
@@ -31,9 +33,9 @@ private:
 
     MainWindow& window_;
     QString folder_;
-    QString file_; ///< where unsaved work goes; the watch knows it from work_
+    QString file_; ///< where unsaved work is written; the signal watch gets it through work_
     app::UnsavedWork work_;
-    std::optional<app::Leftover> recovered_; ///< as long as it is not saved
+    std::optional<app::Leftover> recovered_; ///< until it is saved
     std::optional<app::SignalWatch> watch_;
 };
 

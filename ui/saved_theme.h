@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// The theme that the settings remember, or that of the desktop.
+/// The theme stored in the settings; by default the desktop's.
 inline Theme savedTheme()
 {
     return Theme(app::rememberedNumber(QStringLiteral("theme"), int(Theme::System),

@@ -14,9 +14,9 @@ namespace ui {
 class StatusCell;
 class ZoomButton;
 
-/// The tool's hint at the left; at the right cells as wide as their widest text, so that nothing
-/// ever jumps: position, visible of total, algorithm, times (medians of 60 frames, shown at most
-/// ten times a second), zoom.
+/// The tool's hint at the left. At the right, cells as wide as their widest text, so that nothing
+/// ever jumps: position, visible and total lines, algorithm, times (medians of 60 frames, shown at
+/// most ten times a second), zoom.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -27,8 +27,8 @@ public:
     QString visibility() const;
     QString position() const;
 
-    void showHint(const QString& hint); ///< empty: the tool's
-    /// Where the pointer is in the microscope, in the numbers that it shows.
+    void showHint(const QString& hint); ///< empty: show the tool's hint
+    /// Shows the pointer's position in the microscope, formatted like the microscope's numbers.
     void showPoint(std::optional<app::Point> point);
 
 protected:

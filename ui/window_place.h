@@ -8,14 +8,15 @@ class QWidget;
 
 namespace ui {
 
-/// Gives a window the place that the settings remember under `key`, or its usual size, so that it
-/// is within the screens there are; and as its smallest size `smallest`, or what the screen has.
+/// Gives a window the geometry that the settings store under `key`, or else the size `usual`,
+/// fitted to the available screens. Its minimum size becomes `smallest`, or the screen's size if
+/// that is smaller.
 void restorePlace(QWidget& window, const QString& key, const QSize& usual, const QSize& smallest);
 
-/// Makes it small enough for the screens there are now, and moves it onto one if it is on none.
+/// Shrinks the window to the available screens, and moves it onto one if it is on none.
 void fitToScreens(QWidget& window);
 
-/// Remembers where it is under `key`.
+/// Stores the window's geometry in the settings under `key`.
 void rememberPlace(const QWidget& window, const QString& key);
 
 } // namespace ui

@@ -10,18 +10,18 @@
 
 namespace ui {
 
-/// Where an overlay is painted: on a canvas or under the microscope.
+/// The surface that an overlay is painted on: a canvas or the microscope.
 struct OverlayGround {
-    QRectF room; ///< logical pixels that it may use
+    QRectF room; ///< area that it may use, in logical pixels
     std::function<QPointF(const app::Point&)> onScreen;
     const Look& look;
-    QColor page;                   ///< behind the art, and behind labels
-    std::vector<QRectF> taken{};   ///< what labels keep off: handles, other labels
-    std::vector<QRectF> avoided{}; ///< what they hide only where there is no other place
+    QColor page;                   ///< the colour behind the drawing and behind labels
+    std::vector<QRectF> taken{};   ///< boxes that labels never cover: handles, other labels
+    std::vector<QRectF> avoided{}; ///< boxes that labels cover only if there is no other place
 };
 
-/// Areas, lines, marks with their labels, and over them caption, table and axis of t. In the
-/// painter's font; the painter is left as it was.
+/// Paints areas, lines and marks with their labels, and above them caption, table and axis of t.
+/// Uses the painter's font and restores the painter's state.
 void paintAlgorithmOverlay(QPainter& painter, const app::Overlay& overlay,
                            const OverlayGround& ground);
 

@@ -5,15 +5,15 @@
 
 namespace ui {
 
-/// What is known of OpenGL here.
+/// The result of testing OpenGL on this computer.
 struct GlProbe {
     bool usable = false;   ///< a 3.3 core context can be made and shown
-    bool software = false; ///< it is drawn by the processor (llvmpipe, softpipe)
+    bool software = false; ///< rendered by the CPU (llvmpipe, softpipe)
     QString renderer;
 };
 GlProbe probeGl();
 
-/// The canvas to use, and a sentence why.
+/// The canvas to use, and a sentence that gives the reason.
 struct Choice {
     Backend backend;
     QString reason;

@@ -16,25 +16,26 @@ namespace ui {
 
 enum class Backend : std::uint8_t { Automatic, OpenGL, Raster };
 
-/// What scrolls. Automatic: a touchpad where the system reports its pixels.
+/// The device that scrolls. Automatic: a touchpad if the system reports pixel deltas from one.
 enum class PointingDevice : std::uint8_t { Automatic, Mouse, Touchpad };
 
-/// What the last frame took. `drawMs` is everything but the clipping: building the picture and
+/// The times of the last frame. `drawMs` is everything but the clipping: building the picture and
 /// painting it.
 struct FrameTimes {
     double clipMs = 0, drawMs = 0;
     std::uint64_t clipNanoseconds = 0;
     std::size_t visible = 0, total = 0;
-    std::optional<app::Variant> choice{}; ///< what clipped
-    bool painting = false; ///< its picture is not ready: the last one is shown, moved and scaled
+    std::optional<app::Variant> choice{}; ///< the variant that clipped
+    /// The new picture is not ready: the last one is shown, moved and scaled.
+    bool painting = false;
 };
 
-/// The drawing on the screen, with its rulers, and the tool that works on it. All segments are
-/// clipped at every frame. Colours follow the palette (ui/look.h). The widget that takes
-/// the keyboard is focusProxy().
+/// The drawing on the screen, with rulers and the current tool. All segments are clipped at every
+/// frame. Colours follow the palette (ui/look.h). focusProxy() is the widget that receives the
+/// keyboard.
 ///
-/// Instead of one there may be panes side by side, each with its own algorithm, all with the same
-/// drawing, view, clip window and gesture. What is chosen in the session clips in the active pane.
+/// The canvas may be divided into panes side by side, each with its own algorithm, all with the
+/// same drawing, view, clip window and gesture. The session's variant clips in the active pane.
 class Canvas : public QWidget {
     Q_OBJECT
 
@@ -45,23 +46,23 @@ public:
     ~Canvas() override;
 
     Backend backend() const;       ///< the one in use, never Automatic
-    QString backendReason() const; ///< a sentence: which one, and why
+    QString backendReason() const; ///< a sentence: which backend is used, and why
 
     const app::View& view() const;
-    double zoom() const; ///< 1: 100 %, a millimetre on paper is one on the screen's logical scale
+    double zoom() const; ///< 1 = 100 %: 1 mm on paper is 96 / 25.4 logical pixels
 
     void setTool(std::string_view key); ///< one of ui::tools()
     std::string_view tool() const;
-    QString toolHint() const; ///< what it says now
+    QString toolHint() const; ///< the tool's current hint
 
-    /// One step back or forth: a corner of the polyline in hand, else of the history.
+    /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     bool canUndo() const;
     bool canRedo() const;
     void undo();
     void redo();
-    QString undoText() const; ///< what that step is called
+    QString undoText() const; ///< the name of that step
     QString redoText() const;
-    /// Keeps what can be kept of the gesture: the document is wanted as it is seen.
+    /// Ends the gesture and keeps what is complete, so that the document is as it is seen.
     void endGesture();
     std::optional<app::ObjectInHand> objectInHand() const; ///< what endGesture() would keep now
 
@@ -69,31 +70,34 @@ public:
     void setPointingDevice(PointingDevice device);
 
     void fitDrawing();   ///< the page and everything that is drawn
-    void fitSelection(); ///< nothing selected: the drawing
+    void fitSelection(); ///< the drawing if nothing is selected
     void fitWindow();
-    void go(const app::View& view); ///< of its size; remembered for previousView()
+    /// `view` has the canvas's size; previousView() returns from it.
+    void go(const app::View& view);
     void zoomBy(double factor);
-    void setZoom(double zoom); ///< as zoom()
+    void setZoom(double zoom); ///< in the unit of zoom()
     void previousView();
     void nextView();
 
     const app::Panes& panes() const;
     void setPanes(const app::Panes& panes);
     void activatePane(std::size_t pane);
-    /// The widget that shows a pane's drawing; null where it has no room.
+    /// The widget that shows a pane's drawing; null if there is no room for the pane.
     QWidget* paneSurface(std::size_t pane) const;
 
-    /// Waits until the picture is shown in full quality (tests, screenshots).
+    /// Waits until the picture is shown in full quality; used by tests and screenshots.
     void settle();
 
 signals:
-    void frameShown(const ui::FrameTimes& times);          ///< its times, in the active pane
-    void pointerMoved(std::optional<app::Point> position); ///< in the drawing; nothing: left
-    void hint(const QString& text); ///< what the tool says now; empty: its usual hint
+    void frameShown(const ui::FrameTimes& times); ///< the times of the active pane's frame
+    /// In the drawing; nothing: the pointer has left.
+    void pointerMoved(std::optional<app::Point> position);
+    void hint(const QString& text); ///< the tool's current hint; empty: its usual one
     void toolChanged();
-    void stepsChanged(); ///< what undo() and redo() do, or what is in hand
+    /// The effect of undo() and redo(), or the object being drawn, has changed.
+    void stepsChanged();
     void viewChanged();
-    void panesChanged(); ///< how many, what clips there, or which is the active one
+    void panesChanged(); ///< their number, their variants, or the active one
 
 protected:
     void paintEvent(QPaintEvent* event) override;

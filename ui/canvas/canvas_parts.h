@@ -7,12 +7,12 @@
 
 namespace ui {
 
-/// What a canvas is made of.
+/// The parts of a canvas.
 struct Canvas::Parts {
     Parts(app::Session& session, Backend wish, Canvas& canvas);
 
     PaneWidget& activeWidget() { return *widgets[place(panes.active()).value_or(0)]; }
-    /// The widget that shows a pane; nothing where it has no room.
+    /// The index of the widget that shows a pane; nothing if there is no room for the pane.
     std::optional<std::size_t> place(std::size_t pane) const;
     void repaint();
 
@@ -21,8 +21,9 @@ struct Canvas::Parts {
     RulerCorner corner;
     Ruler top, left;
     app::Panes panes;
-    std::vector<std::size_t> shown;                   ///< the pane of each widget in sight
-    std::vector<std::unique_ptr<PaneWidget>> widgets; ///< those of `shown`, and resting ones
+    std::vector<std::size_t> shown; ///< the pane of each visible widget
+    /// Those of `shown`, then hidden ones for reuse.
+    std::vector<std::unique_ptr<PaneWidget>> widgets;
     bool layingOut = false;
 };
 

@@ -15,28 +15,28 @@
 
 namespace ui {
 
-/// When two frames' keys are equal, so are their pictures.
+/// Frames with equal keys have equal pictures.
 struct FrameKey {
     std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
     app::View view;
     app::ClipRegion region{};
-    std::optional<app::Variant> choice{}; ///< nothing only in the key of no frame
-    std::uint64_t found = 0;              ///< of what differs
+    std::optional<app::Variant> choice{}; ///< never nothing in the key of a frame
+    std::uint64_t found = 0;              ///< of the differences found
     friend bool operator==(const FrameKey&, const FrameKey&) = default;
 };
 
-/// What one of the surfaces that share a controller shows.
+/// The content of one of the surfaces that share a controller.
 struct Pane {
     app::Variant choice;
-    bool active = true;                        ///< has the clip window's handles and label
-    int among = 1;                             ///< so many panes are painted in one frame
-    app::LiveDifferences* fromExact = nullptr; ///< what differs is marked; null: nothing
-    std::uint64_t revision = 0;                ///< of what was found there
+    bool active = true;                        ///< shows the clip window's handles and label
+    int among = 1;                             ///< number of panes painted in one frame
+    app::LiveDifferences* fromExact = nullptr; ///< differences from exact to mark; null: none
+    std::uint64_t revision = 0;                ///< of the differences found in fromExact
 };
 
-/// What all surfaces have in common: the view, the tool, what the pointer and keys do, and what a
-/// frame shows. Panes side by side have one controller, hence one view and one gesture. It knows no
-/// widget.
+/// The state that all surfaces share: the view, the tool, the handling of pointer and keys, and the
+/// content of a frame. Panes side by side have one controller, hence one view and one gesture. It
+/// does not depend on widgets.
 class Controller : public QObject {
     Q_OBJECT
 
@@ -62,33 +62,33 @@ public:
     void fitDrawing();
     void fitSelection();
     void fitWindow();
-    double zoom() const; ///< 1: 100 %, a millimetre on paper is 96 / 25.4 logical pixels
+    double zoom() const; ///< 1 = 100 %: 1 mm on paper is 96 / 25.4 logical pixels
     void setZoom(double zoom);
 
-    /// An event of a widget that shows the drawing; whether it was used up.
+    /// Handles an event of a widget that shows the drawing; true if the event was consumed.
     bool handle(QEvent& event);
-    /// Where the document is wanted, or the view is about to change under the pointer: keeps what
-    /// can be kept of the gesture.
+    /// Ends the gesture and keeps what is complete. To be called before the document is read or the
+    /// view changes under the pointer.
     void endGesture();
     std::optional<app::ObjectInHand> objectInHand() const; ///< what endGesture() would keep now
 
-    /// One step back or forth: a corner of the polyline in hand, else of the history. In the middle
-    /// of a drag, undo() drops the drag and redo() does nothing.
+    /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
+    /// During a drag, undo() cancels the drag and redo() does nothing.
     bool canUndo() const;
     bool canRedo() const;
     void undo();
     void redo();
-    QString undoText() const; ///< what that step is called
+    QString undoText() const; ///< the name of that step
     QString redoText() const;
 
-    /// The clip window as it is now, in the middle of a gesture too.
+    /// The current clip window, also during a gesture.
     std::optional<clipping::Window> clipWindow() const { return session_.clipWindow(); }
-    /// The same; without one, the page.
+    /// clipWindow(), or the page if there is none.
     clipping::Window window() const { return session_.window(); }
     /// Boxes that labels should not hide, in logical pixels.
     const std::vector<QRectF>& letters() const { return letters_.in(view()); }
     QColor pageColour() const;
-    double ghostOpacity() const; ///< of the layer of ghosts
+    double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1
     FrameKey key(const Pane& pane) const
     {
         return {revision_, view(), session_.region(), pane.choice, pane.revision};
@@ -99,16 +99,18 @@ public:
         return session_.scene.clip(session_.region(), pane.choice);
     }
     app::Picture picture(const app::SceneFrame& frame, const Pane& pane, double pixelRatio) const;
-    /// What a pane leaves that is not what exact leaves; null: not known, or not asked for.
+    /// The lines whose results differ between the pane's variant and `exact`; null: not known yet,
+    /// or not asked for.
     const app::Differences* differing(const Pane& pane) const;
 
 signals:
-    void changed(); ///< paint again
+    void changed(); ///< repaint
     void viewChanged();
     void pointerMoved(std::optional<app::Point> position);
     void toolChanged();
     void hintChanged();
-    /// What undo() and redo() do, or what is in hand; of a line that follows the hand every 100 ms.
+    /// The effect of undo() and redo(), or the object being drawn, has changed; for a freehand line
+    /// emitted at most every 100 ms.
     void stepsChanged();
 
 private:
@@ -130,7 +132,7 @@ private:
     bool escape();
     Pointer pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
                       Qt::KeyboardModifiers modifiers);
-    /// What stepsChanged() tells of, as far as a tool changes it.
+    /// The part of what stepsChanged() reports that a tool can change.
     struct Steps {
         bool undo = false, redo = false, takeBack = false;
         std::size_t points = 0;
@@ -138,15 +140,15 @@ private:
     };
     Steps steps() const;
     void tellSteps(const Steps& before);
-    void withTool(const std::function<void()>& call); ///< notices what it changed
+    void withTool(const std::function<void()>& call); ///< calls, then signals what the tool changed
 
     app::Session& session_;
     Navigation navigation_;
     app::Picking picking_;
-    mutable Letters letters_; ///< found when they are asked for
-    app::Display shown_; ///< but for the algorithm, which is each pane's own
+    mutable Letters letters_; ///< computed on demand
+    app::Display shown_;      ///< except the algorithm, which each pane has of its own
     Look look_;
-    app::View toolView_; ///< what tools move; compared with the view after each call
+    app::View toolView_; ///< the view that tools change; compared with the real one after each call
     Workbench bench_;
     const ToolInfo* toolInfo_ = nullptr;
     std::unique_ptr<Tool> tool_;
@@ -155,8 +157,10 @@ private:
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;
-    bool onOffer_ = false; ///< the last click of the left button: it is no tool's
-    QTimer growing_; ///< runs while what is in hand has points that stepsChanged() has not told
+    /// The left button was last pressed on the offered handle, so the tool does not get the click.
+    bool onOffer_ = false;
+    /// Runs while the object being drawn has points not yet reported by stepsChanged().
+    QTimer growing_;
     std::uint64_t revision_ = 1;
 };
 

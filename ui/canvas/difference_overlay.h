@@ -5,10 +5,10 @@
 
 namespace ui {
 
-/// Over a pane whose algorithm leaves other lines than exact: how many, in words, with a sample of
-/// how they are marked. In the lower left corner.
+/// Paints a label in the lower left corner of a pane whose results differ from `exact`: the number
+/// of differing lines in words, with a sample of their marking.
 void paintDifferenceLabel(QPainter& painter, const Controller& controller, const Pane& pane);
-/// The height of that label with the room around it; 0: there is none.
+/// The height of that label with its margins, in logical pixels; 0: no label.
 double differenceLabelHeight(const Controller& controller, const Pane& pane);
 
 } // namespace ui

@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// One straight piece of a stroke as the graphics card takes it (resources/shaders/stroke.vert).
+/// One straight piece of a stroke in the layout of the vertex buffer
+/// (resources/shaders/stroke.vert).
 struct Instance {
     float ax, ay, bx, by; ///< logical pixels from the middle of the view
     std::uint32_t rgba;   ///< red in the lowest byte
@@ -14,11 +15,11 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 28);
 
-/// A plate as a list of draw calls, bottom to top, over two arrays.
+/// A draw list as draw calls, bottom to top, over two arrays.
 struct Batches {
     struct Batch {
         bool filled;                ///< an area; else strokes
-        std::uint32_t first, count; ///< strokes: of instances; area: of contours
+        std::uint32_t first, count; ///< ranges of instances for strokes, of contours for an area
         app::Colour colour{};
         app::FillRule rule{};
     };
@@ -28,11 +29,12 @@ struct Batches {
     std::vector<Batch> batches;
     std::vector<Instance> instances;
     std::vector<Point> points;
-    std::vector<std::int32_t> contourStarts, contourCounts; ///< of points
+    std::vector<std::int32_t> contourStarts, contourCounts; ///< ranges of points
 };
 
-/// Strokes so wide that their joins show, or translucent, become areas; other joins are round. An
-/// opaque area gets an edge half a pixel wide, because the card fills without anti-aliasing.
+/// Strokes that are translucent, or so wide that their joins show, become areas; other joins are
+/// round. An opaque area gets an edge stroke half a pixel wide, because areas are filled without
+/// anti-aliasing.
 Batches batches(const app::Plate& plate, const glm::dvec2& viewSize);
 
 } // namespace ui

@@ -12,20 +12,21 @@
 
 namespace ui {
 
-/// What of the drawing may be letters, which labels should not hide: kept from frame to frame,
-/// until the lines or the view change.
+/// Parts of the drawing that may be letters, which labels should not cover. The result is kept from
+/// frame to frame until the lines or the view change.
 class Letters : public QObject {
     Q_OBJECT
 
 public:
     explicit Letters(const app::Scene& scene, QObject* parent = nullptr);
 
-    /// Their boxes in a view, in its logical pixels; none of a drawing with too many lines.
+    /// Bounding boxes of the letters in a view, in logical pixels; empty for a drawing with too
+    /// many lines.
     const std::vector<QRectF>& in(const app::View& view);
 
 private:
     const app::Scene& scene_;
-    std::optional<app::View> view_; ///< nothing: to be found
+    std::optional<app::View> view_; ///< the view of boxes_; nothing: boxes_ must be computed
     std::vector<QRectF> boxes_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace ui {
 
-/// The view, and how wheel, touchpad and pinch move it.
+/// The view, and its response to wheel, touchpad and pinch gestures.
 class Navigation : public QObject {
     Q_OBJECT
 
@@ -19,9 +19,10 @@ public:
     explicit Navigation(QObject* parent = nullptr);
 
     const app::View& view() const { return view_; }
-    void go(const app::View& view); ///< remembered for back()
+    void go(const app::View& view); ///< back() returns from it
     void resize(const glm::dvec2& size);
-    void show(const clipping::Window& rectangle); ///< fits it; again when the size changes
+    /// Fits it, and fits it again when the size changes.
+    void show(const clipping::Window& rectangle);
     void hold(); ///< keeps the visible part in view when the size changes, until the view moves
     void pan(const QPointF& pixels);
     void zoomAt(const QPointF& screen, double factor);
@@ -29,7 +30,7 @@ public:
     void forth();
 
     void wheel(const QWheelEvent& event);
-    bool gesture(const QNativeGestureEvent& event); ///< whether it was one of ours
+    bool gesture(const QNativeGestureEvent& event); ///< true if the gesture was handled
 
     PointingDevice device = PointingDevice::Automatic;
 
@@ -43,7 +44,7 @@ private:
     app::View view_;
     app::ViewHistory history_;
     app::WheelZoom wheel_;
-    /// What is seen is held without a margin.
+    /// hold() fits without a margin.
     enum class Margin : std::uint8_t { None, Usual };
     struct Fitted {
         clipping::Window rectangle;

@@ -5,11 +5,11 @@
 
 namespace ui {
 
-/// What both canvases paint under the art: the page and what is around it.
+/// Paints what both canvases have under the drawing: the page and its surroundings.
 void paintPaper(QPainter& painter, const Controller& controller);
 
-/// And over it: what the algorithm sees, what is lit, selected or inspected, the clip window with its handles and
-/// size, the tool's preview, where the pointer snapped (look.md section 5).
+/// Paints what both canvases have over the drawing: what the algorithm sees; the hovered, selected
+/// or inspected lines; the clip window with handles and size; the tool's preview; the snap point.
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane);
 
 } // namespace ui

@@ -5,11 +5,11 @@
 
 namespace ui {
 
-/// Where the boxes of an overlay are: its sentence, its table, its axis of t. Empty: not shown,
-/// because there is none, or no room.
+/// The places of an overlay's boxes: sentence, table, axis of t. Empty: not shown, because the
+/// overlay has no such box or there is no room.
 struct OverlayBoxes {
     QRectF caption, table, axis;
-    std::size_t firstRow = 0, rows = 0; ///< of the table, as many as there is room for
+    std::size_t firstRow = 0, rows = 0; ///< the table's visible rows, as many as fit
 
     std::vector<QRectF> all() const { return {caption, table, axis}; }
 };

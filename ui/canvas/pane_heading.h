@@ -9,9 +9,9 @@
 
 namespace ui {
 
-/// What is over a pane: marker, abbreviation, name and form of what clips there, and the middle of
-/// its last clip times, shown at most ten times a second. A menu chooses another algorithm. The
-/// blue line is over the active pane.
+/// The heading of a pane: marker, abbreviation, name and form of its algorithm, and the median of
+/// its last clip times, shown at most ten times a second. A menu chooses another algorithm. A blue
+/// line marks the active pane.
 class PaneHeading : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ signals:
     void pressed();
     void chosen(const app::Variant& choice);
     void closeWanted();
-    void aloneWanted(); ///< this pane and no other
+    void aloneWanted(); ///< close all other panes
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,7 +39,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Where things stand, from left to right; what has no room is not valid.
+    /// The places of the parts, from left to right; a part without room has an invalid rectangle.
     struct Places {
         QRect marker, abbreviation, name, form, choose, time, close;
     };

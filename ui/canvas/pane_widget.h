@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// A pane: its heading, if it has one, over the surface that shows its drawing.
+/// A pane: its heading, if shown, above the surface that shows its drawing.
 class PaneWidget : public QWidget {
     Q_OBJECT
 
@@ -15,13 +15,13 @@ public:
 
     enum class Heading : std::uint8_t { Shown, None };
     void show(const Pane& pane, Heading heading);
-    /// Hides it, with nothing kept for the next time but what is cheap.
+    /// Hides the pane and frees what is expensive to keep.
     void rest();
 
     const Pane& pane() const { return pane_; }
     PaneHeading& heading() { return *heading_; }
     Surface& surface() { return *surface_; }
-    void settle(); ///< waits for full quality, and for what differs
+    void settle(); ///< waits for full quality and for the differences
 
 signals:
     void frameShown(const ui::FrameTimes& times);

@@ -15,14 +15,15 @@
 namespace ui {
 
 /// Paints pictures with OpenGL 3.3 core: each straight piece of a stroke is one instance of a quad
-/// whose fragment shader knows the distance to its edge; areas are written to the stencil first and
-/// covered then. Everything needs the context that was current when it was made.
+/// whose fragment shader knows the distance to its edge; areas are written to the stencil and then
+/// covered. Every call, also the destructor, needs the OpenGL context that was current in make().
 class Renderer {
 public:
-    /// Nothing if the driver does not do what a 3.3 core context promises.
+    /// Null if the driver fails to provide what a 3.3 core context promises.
     static std::unique_ptr<Renderer> make();
 
-    /// Over what is in the current framebuffer, which has a stencil. `viewSize` in logical pixels.
+    /// Paints over the current framebuffer, which must have a stencil. `viewSize` in logical
+    /// pixels, `ghost` is the opacity of removed lines, 0 to 1.
     void paint(const app::Picture& picture, const glm::dvec2& viewSize, double pixelRatio,
                double ghost);
 

@@ -9,9 +9,8 @@ namespace ui {
 
 constexpr int rulerWidth = 20;
 
-/// Ticks in the drawing's unit along an edge of the canvas, the clip window's span tinted, a mark
-/// where the pointer is. 0 is the drawing's own origin, as in every coordinate that the editor
-/// says.
+/// Ticks in the drawing's unit along an edge of the canvas, with the clip window's span tinted and
+/// a mark at the pointer. 0 is the drawing's own origin, as in every coordinate the editor shows.
 class Ruler : public QWidget {
     Q_OBJECT
 
@@ -29,7 +28,7 @@ private:
     Qt::Orientation orientation_;
 };
 
-/// Where the rulers meet: the unit, and a ring while the canvas has the focus.
+/// The corner where the rulers meet: shows the unit, and a ring while the canvas has the focus.
 class RulerCorner : public QWidget {
     Q_OBJECT
 

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// What the pane's algorithm sees of the line that is looked at: the one that is being drawn, else
-/// the one in the inspector, else the one under the pointer; and of the pointer's place.
+/// Paints what the pane's algorithm sees: of one line (the line being drawn, else the inspected
+/// one, else the hovered one) and of the pointer's position.
 void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane& pane);
 
 } // namespace ui

@@ -7,15 +7,15 @@
 
 namespace ui {
 
-/// A widget that shows the drawing: one of two kinds. It asks the controller for its pane's frames
-/// and says how long they took; it knows nothing of tools. Controller and pane outlive it.
+/// A widget that shows the drawing: raster or OpenGL. It asks the controller for its pane's frames
+/// and reports their times; it does not depend on tools. Controller and pane must outlive it.
 class Surface {
 public:
     using Report = std::function<void(const FrameTimes&)>;
     virtual ~Surface() = default;
     virtual QWidget& widget() = 0;
     virtual void settle() {} ///< waits for full quality
-    virtual void forget() {} ///< what it keeps for the next frame: it is not shown for a while
+    virtual void forget() {} ///< frees what it keeps for the next frame, because it is hidden
 };
 
 std::unique_ptr<Surface> makeRasterSurface(Controller& controller, const Pane& pane,

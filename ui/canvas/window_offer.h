@@ -3,12 +3,12 @@
 
 #include "ui/canvas/controller.h"
 
-// Without a clip window, the tools that could move one offer to lay it on the page: a handle at the
-// page's lower edge.
+// Without a clip window, tools that move clip windows offer to add one on the page: a handle at the
+// page's bottom edge.
 
 namespace ui {
 
-/// Where it is, in logical pixels; empty where there is nothing to offer.
+/// The handle's rectangle, in logical pixels; empty if nothing is offered.
 QRectF offerPlace(const Controller& controller);
 void paintOffer(QPainter& painter, const Controller& controller, const Pane& pane);
 

@@ -5,11 +5,11 @@
 
 namespace ui {
 
-/// The clip window: outline with casing; in the active pane handles, and the label that says its
-/// size or place.
+/// Paints the clip window: its outline with a casing and, in the active pane, its handles and a
+/// label with its size or position.
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane);
-/// Where its outline, its handles and its label are in a pane: nothing else may hide them. `font` is the
-/// painter's.
+/// The boxes of the clip window's outline, handles and label in a pane: nothing else may cover
+/// them. `font` is the painter's.
 std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pane,
                                     const QFont& font);
 

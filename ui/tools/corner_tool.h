@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// Draws what fits a rectangle, from corner to corner: Shift makes it as wide as high, Alt grows
-/// it from its centre.
+/// Draws a shape that fits a rectangle, dragged from corner to corner: Shift makes it a square, Alt
+/// starts from its centre.
 class CornerTool : public Tool {
 public:
     void press(const Pointer& pointer, Workbench&) override { from_ = to_ = pointer; }
@@ -28,7 +28,7 @@ public:
     }
 
 protected:
-    /// By corner to corner, so that these are where the pointer was, bit for bit.
+    /// The corners are exactly, bit for bit, the pointer's positions.
     virtual app::Subpath pathIn(const clipping::Window& rectangle) const = 0;
     virtual app::Recipe recipeIn(const clipping::Window& rectangle) const = 0;
     virtual QString undoText() const = 0;

@@ -5,24 +5,24 @@
 
 namespace ui {
 
-/// A new object in the session's pen.
+/// A new object with the session's stroke style.
 app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths,
                      app::Recipe recipe = {});
 
-/// What the drawing tools share: a new object, pushed as one step.
+/// Adds a new object as one undo step; shared by the drawing tools.
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,
           app::Recipe recipe = {});
 
-/// The preview of a path, in the pen's ink.
+/// Paints the preview of a path in the colour of the session's stroke style.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
 
-/// `to`, turned so that the direction from `from` is a multiple of 15 degrees.
+/// `to`, rotated about `from` so that the direction is a multiple of 15 degrees.
 app::Point turned(const app::Point& from, const app::Point& to);
 
-/// Whether the pointer went far enough for a drag.
+/// Whether the pointer has moved far enough for a drag.
 bool dragged(const app::Point& from, const Pointer& to);
 
-/// Shift and Alt, for what is drawn from corner to corner.
+/// The meaning of Shift and Alt for shapes dragged from corner to corner.
 app::Proportion proportionOf(Qt::KeyboardModifiers modifiers);
 app::Anchor anchorOf(Qt::KeyboardModifiers modifiers);
 

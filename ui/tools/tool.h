@@ -22,14 +22,14 @@ namespace ui {
 /// The pointer over the canvas.
 struct Pointer {
     app::Point position; ///< in the drawing, after snapping
-    app::Point raw;      ///< in the drawing, as it is
+    app::Point raw;      ///< in the drawing, before snapping
     app::Point screen;   ///< logical pixels of the canvas
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
 };
 
-/// What a tool works on. It changes the document by pushing commands on session.history, and in no
-/// other way; it pans and zooms through `view`.
+/// What a tool works on. A tool changes the document only by pushing commands on session.history;
+/// it pans and zooms through `view`.
 struct Workbench {
     app::Session& session;
     app::View& view;
@@ -41,56 +41,59 @@ struct Workbench {
         const app::Point s = view.toScreen(p);
         return {s.x, s.y};
     }
-    /// A length of the screen in the drawing.
+    /// Converts a length from screen pixels to drawing units.
     double inDrawing(double pixels) const { return pixels / view.zoom; }
 };
 
-/// Pixels: how near the pointer must come to a line, and how far it must go before it drags.
+/// In logical pixels: how near to a line the pointer hits it, and how far it must move to start a
+/// drag.
 constexpr double reach = 6, dragDistance = 3;
 
-/// How far an arrow key moves things: a millimetre on paper, with Shift ten.
+/// How far an arrow key moves objects, in drawing units: 1 mm on paper, with Shift 10 mm.
 double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
 
-/// Turns what the pointer and keys do into commands: one gesture, one command. In the middle of it
-/// the session's preview says what it would be. The canvas calls it; it never calls the canvas,
-/// which repaints after every call.
+/// Turns pointer and key events into commands: one gesture, one command. During a gesture the
+/// session's preview holds its result so far. The canvas calls the tool and repaints after every
+/// call; the tool never calls the canvas.
 class Tool {
 public:
     virtual ~Tool() = default;
     virtual void press(const Pointer&, Workbench&) {}
-    virtual void move(const Pointer&, Workbench&) {} ///< also without a button: hovering
+    virtual void move(const Pointer&, Workbench&) {} ///< also without a button, for hovering
     virtual void release(const Pointer&, Workbench&) {}
     virtual void doubleClick(const Pointer&, Workbench&) {}
-    virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: used up
-    virtual void leave(Workbench&) {}           ///< the pointer has left: nothing is under it
-    virtual void cancel(Workbench&) {}          ///< drops the gesture, with all that it has made
-    virtual bool busy() const { return false; } ///< in the middle of a gesture
-    /// Esc, another tool, or the document is wanted: what can be kept of a gesture becomes one
-    /// command.
+    virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: consumed
+    virtual void leave(Workbench&) {}           ///< the pointer has left: nothing is hovered
+    virtual void cancel(Workbench&) {}          ///< discards the gesture and everything it has made
+    virtual bool busy() const { return false; } ///< a gesture is in progress
+    /// Called on Esc, when the tool changes, and before the document is read: what is complete of
+    /// the gesture becomes one command.
     virtual void end(Workbench& bench) { cancel(bench); }
 
-    /// A gesture of several steps takes them back and puts them back one by one, in place of Undo
-    /// and Redo in the history.
+    /// During a gesture of several steps, Undo and Redo act on these steps one by one instead of on
+    /// the history.
     virtual bool canTakeBack() const { return false; }
     virtual void takeBack(Workbench&) {}
     virtual bool canPutBack(const Workbench&) const { return false; }
     virtual void putBack(Workbench&) {}
-    virtual QString stepText() const { return {}; } ///< what such a step is called in the menu
-    /// What end() would keep now; nothing: no object.
+    /// The step's name in the Undo and Redo menu entries.
+    virtual QString stepText() const { return {}; }
+    /// The path that end() would keep now; nothing: no object.
     virtual std::optional<app::Subpath> pathInHand() const { return std::nullopt; }
-    virtual std::size_t pointsInHand() const { return 0; } ///< of the path that is being drawn
+    /// Number of points of the path being drawn.
+    virtual std::size_t pointsInHand() const { return 0; }
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
-    virtual bool showsGrips() const { return false; } ///< of the clip window
-    /// The grip of the clip window that a press would drag: it is lit.
+    virtual bool showsGrips() const { return false; } ///< the clip window's handles
+    /// The hovered handle of the clip window, which a press would drag.
     virtual std::optional<app::Grip> litGrip() const { return std::nullopt; }
-    /// The segment that a press would take: it is lit.
+    /// The hovered segment, which a press would select.
     virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
-    /// What to say in the status bar just now; empty: the tool's usual hint.
+    /// The current hint in the status bar; empty: the tool's usual hint.
     virtual QString hint(const Workbench&) const { return {}; }
-    virtual bool draws() const { return false; } ///< new objects, in the session's pen
-    /// What to draw over the drawing, in logical pixels of the canvas.
+    virtual bool draws() const { return false; } ///< adds objects with the session's stroke style
+    /// Paints over the drawing, in logical pixels of the canvas.
     virtual void paint(QPainter&, const Workbench&) const {}
 };
 
@@ -102,7 +105,7 @@ struct ToolInfo {
     QKeySequence shortcut;
     std::unique_ptr<Tool> (*make)();
     enum class Group : std::uint8_t { Same, New };
-    Group group = Group::Same; ///< New: in bars and menus, a line goes before it
+    Group group = Group::Same; ///< New: a separator precedes it in bars and menus
 };
 
 /// Every tool, in the order of the tool bar.

@@ -5,12 +5,12 @@
 
 namespace ui {
 
-/// Dragging the clip window by a handle, its outline or its inside, for the tools that can: the
-/// session's preview while the gesture goes on, and one command at its end.
+/// A drag of the clip window by a handle, its outline or its interior. Sets the session's preview
+/// during the gesture and pushes one command at its end.
 class WindowGesture {
 public:
     void start(app::Grip grip, const Pointer& pointer, const clipping::Window& window);
-    void startNew(const Pointer& pointer); ///< another window, from corner to corner
+    void startNew(const Pointer& pointer); ///< drags a new clip window from corner to corner
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
     void cancel(Workbench& bench);
@@ -19,19 +19,20 @@ public:
 
 private:
     void follow(const Pointer& pointer);
-    std::optional<clipping::Window> window() const; ///< nothing before it is a drag
+    /// Nothing until the pointer has moved far enough for a drag.
+    std::optional<clipping::Window> window() const;
     app::Preview preview() const;
 
     struct State {
         app::Grip grip;
         Pointer from, to;
-        std::optional<clipping::Window> start; ///< nothing: a new one
+        std::optional<clipping::Window> start; ///< nothing: a new window
         bool drags = false;
     };
     std::optional<State> state_;
 };
 
-/// The cursor over a grip.
+/// The cursor over a handle.
 Qt::CursorShape cursorOf(app::Grip grip);
 
 } // namespace ui
