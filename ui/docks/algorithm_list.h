@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// The catalogue of algorithms as a model: one row each.
+/// The catalogue of algorithms as a model: one row per algorithm.
 class AlgorithmModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -20,8 +20,9 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
 };
 
-/// Digit, marker, abbreviation, name, year. What is chosen there is chosen in the session. The row
-/// under the pointer has a "?" in place of the year, and every row a menu: its page.
+/// The list of algorithms: shortcut digit, marker, abbreviation, name, year. Selecting a row
+/// selects its algorithm in the session. The hovered row shows a "?" in place of the year, which
+/// opens the algorithm's page; so does each row's context menu.
 class AlgorithmList : public QListView {
     Q_OBJECT
 
@@ -29,7 +30,7 @@ public:
     explicit AlgorithmList(app::Session& session, QWidget* parent = nullptr);
 
 signals:
-    void aboutWanted(const clipping::Algorithm& algorithm); ///< its page is to be shown
+    void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -41,11 +42,12 @@ private:
     void offerAbout(const QModelIndex& index);
 
     app::Session& session_;
-    QToolButton* about_; ///< "?" on the row under the pointer
+    QToolButton* about_; ///< "?" on the hovered row
     QPersistentModelIndex offered_;
 };
 
-/// Paints a chosen row's tint, with its bar at the left, or a hovered row's ground.
+/// Paints the background of a row: a selected row's tint, with a bar at the left, or a hovered
+/// row's colour.
 void drawRowGround(QPainter& painter, const QStyleOptionViewItem& option);
 
 } // namespace ui

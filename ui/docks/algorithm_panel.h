@@ -11,8 +11,9 @@
 
 namespace ui {
 
-/// Which algorithm clips, in which form, and whether all of them agree on what is seen here. The
-/// comparison is made when nothing has changed for a moment; on big drawings when it is asked for.
+/// Selects the algorithm that clips and its form, and says whether all algorithms agree on this
+/// drawing and clip window. The comparison runs when nothing has changed for a moment; on large
+/// drawings only on request.
 class AlgorithmPanel : public QWidget {
     Q_OBJECT
 
@@ -24,7 +25,7 @@ public:
     const std::vector<app::Dissent>& dissents() const { return dissents_; }
 
 signals:
-    void aboutWanted(const clipping::Algorithm& algorithm); ///< its page is to be shown
+    void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// Paints the cells of a table that sorts this model.
+/// Paints the cells of a table that shows a CompareModel, sorted.
 class CompareCells : public QStyledItemDelegate {
     Q_OBJECT
 

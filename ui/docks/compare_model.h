@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// The rows of a race as a table: what its columns are called, say and are sorted by.
+/// The rows of a race as a table: the columns' headings, texts and sort keys.
 class CompareModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -16,15 +16,14 @@ public:
     enum Role { OrderRole = Qt::UserRole };
 
     using QAbstractTableModel::QAbstractTableModel;
-    /// Other variants make it begin anew.
+    /// Resets the model if the variants are others than before.
     void show(std::span<const app::RaceRow> rows, std::size_t lines);
 
     const app::RaceRow& row(int number) const { return rows_[std::size_t(number)]; }
     std::size_t lines() const { return lines_; }
-    bool timed() const; ///< there are enough lines for times to say something
+    bool timed() const; ///< the drawing has enough lines for meaningful times
     bool sortsBy(int column) const { return timed() || column < Sparkline || column > Spread; }
-    /// The number of the row of that form, or -1.
-    int rowOf(const app::Variant& variant) const; ///< -1: none
+    int rowOf(const app::Variant& variant) const; ///< -1: the variant has no row
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -33,7 +32,7 @@ public:
 
 private:
     std::vector<app::RaceRow> rows_;
-    std::vector<app::Summary> summaries_; ///< one a row
+    std::vector<app::Summary> summaries_; ///< one per row
     std::size_t lines_ = 0;
 };
 

@@ -11,8 +11,8 @@ namespace ui {
 class CompareTable;
 class Segments;
 
-/// Every algorithm on the same frame, with its time and its counts: a race that runs only while the
-/// panel is visible.
+/// Clips the same frame with every algorithm and shows times and operation counts. The race runs
+/// only while the panel is visible.
 class ComparePanel : public QWidget {
     Q_OBJECT
 

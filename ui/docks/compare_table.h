@@ -10,9 +10,9 @@
 
 namespace ui {
 
-/// The rows of a race, sorted by any column. What is chosen there, algorithm and form, is chosen in
-/// the session. The order changes once a second at most. Where space is short it does without the
-/// lines that are visible, the spread, and the sparkline, in this order.
+/// The rows of a race, sorted by any column. Selecting a row selects its algorithm and form in the
+/// session. The order changes at most once a second. If space is short, the table drops the columns
+/// for visible lines, spread and sparkline, in this order.
 class CompareTable : public DenseTable {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
     explicit CompareTable(app::Session& session, QWidget* parent = nullptr);
 
     void showRows(std::span<const app::RaceRow> rows, std::size_t lines);
-    int heightFor(int rows) const; ///< with the header
+    int heightFor(int rows) const; ///< includes the header; in logical pixels
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -39,7 +39,8 @@ private:
     CompareModel model_;
     QSortFilterProxyModel sorted_;
     QElapsedTimer sinceSorted_;
-    std::vector<int> widths_; ///< of one drawing they only grow, so that nothing jumps
+    /// They only grow while the drawing is the same, so that nothing jumps.
+    std::vector<int> widths_;
     bool following_ = false;
 };
 

@@ -15,9 +15,9 @@ class VariantBox;
 class ToolList;
 class Segments;
 
-/// What a line costs that has one end at a fixed point, for every place of the other end, around
-/// the clip window as it is now: of one algorithm, or which one is cheapest. Computes only while it
-/// is seen, and not before the frame that is due.
+/// The cost of clipping a line with one fixed end, for every position of the other end around the
+/// current clip window: the cost of one algorithm, or which algorithm is cheapest. Computes only
+/// while it is visible, and only after the pending frame is shown.
 class CostMapPanel : public QWidget {
     Q_OBJECT
 
@@ -26,14 +26,14 @@ public:
 
     CostMapView& view() { return *view_; }
     const app::LiveCostMap& live() const { return live_; }
-    QString words() const { return words_->text(); } ///< of what is under the pointer
+    QString words() const { return words_->text(); } ///< about the point under the pointer
 
-    /// Writes the fine map; nothing, or the sentence why it could not be done.
+    /// Writes the fine map to `path`; returns a sentence if that fails, else nothing.
     std::optional<QString> exportTo(const QString& path);
     void setQuestions(std::unique_ptr<Questions> questions);
 
 signals:
-    void told(const QString& sentence); ///< what became of a file
+    void told(const QString& sentence); ///< whether the file was written
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -52,7 +52,7 @@ private:
     const app::Session& session_;
     app::LiveCostMap live_;
     app::CostPlan plan_;
-    QTimer soon_; ///< runs while the clip window is elsewhere than that of the plan
+    QTimer soon_; ///< runs while plan_ is for another clip window than the current one
     VariantBox* algorithm_;
     ToolList* measure_;
     Segments* end_;

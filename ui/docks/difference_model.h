@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// The lines that differ, sorted. Only the rows that are shown are put into words, so that half a
-/// million of them cost no more than a sort; when, its panel says.
+/// The lines that differ, sorted. Texts are made for visible rows only, so half a million lines
+/// cost no more than a sort. The panel calls follow() when new results should be shown.
 class DifferenceModel final : public QAbstractTableModel {
     Q_OBJECT
 
@@ -20,16 +20,16 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
-    void follow(); ///< shows what is found now
+    void follow(); ///< shows the current results
 
-    /// The line of a row, one of the scene's; nothing if it is gone.
+    /// The scene's line in a row; nothing if it no longer exists.
     std::optional<std::size_t> lineOf(int row) const;
     /// The row of a line; -1 if it does not differ.
     int rowOf(std::size_t line) const;
 
 private:
     const app::Session& session_;
-    std::vector<std::uint32_t> rows_; ///< indices into the list that was found
+    std::vector<std::uint32_t> rows_; ///< indices into the list of results
     int column_ = 0;
     Qt::SortOrder order_ = Qt::AscendingOrder;
 };

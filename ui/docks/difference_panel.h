@@ -12,9 +12,9 @@ namespace ui {
 
 class VariantBox;
 
-/// A against B: the lines of which they leave different things, counted in a sentence and listed.
-/// While it is seen these lines are coloured on the canvas, and nothing is computed otherwise. A
-/// row that is chosen is inspected and shown.
+/// Compares variants A and B: the lines that they clip differently, counted in a sentence and
+/// listed. Computes only while it is visible, and then these lines are coloured on the canvas. A
+/// selected row's line is inspected and brought into view.
 class DifferencePanel : public QWidget {
     Q_OBJECT
 
@@ -22,17 +22,17 @@ public:
     explicit DifferencePanel(app::Session& session, QWidget* parent = nullptr);
 
     QString summary() const { return summary_->text(); }
-    /// Chooses both.
+    /// Sets both variants.
     void compare(const app::Variant& a, const app::Variant& b);
-    /// The next difference of the list, or an earlier one; round and round.
+    /// Moves by so many rows in the list of differences; wraps around at its ends.
     void go(int rows);
 
     QSize sizeHint() const override;
 
 signals:
-    /// Enter: a line under the microscope.
+    /// Enter was pressed: asks for the line in the microscope.
     void lineWanted(std::size_t line);
-    void placeWanted(const clipping::Window& place); ///< is to be seen
+    void placeWanted(const clipping::Window& place); ///< asks to bring it into view
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -59,7 +59,8 @@ private:
     QSpinBox* ulps_;
     QLabel *tick_, *summary_, *explanation_;
     DenseTable* table_;
-    std::optional<app::Comparison> fittedTo_; ///< whose texts the columns have room for
+    /// The comparison whose texts the columns were fitted to.
+    std::optional<app::Comparison> fittedTo_;
     QTimer soon_;                             ///< follow(), after the next frame
     bool following_ = false;
 };

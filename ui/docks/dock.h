@@ -10,16 +10,16 @@ namespace ui {
 
 class DockTitle;
 
-/// A panel at the side of the window, under a title of our own; its buttons are seen only while the
-/// pointer or the focus is in it. Among tabs the tab is the title.
+/// A panel at the side of the window with our own title bar, whose buttons are visible only while
+/// the pointer or the focus is in the panel. In a tab group the tab is the title.
 class Dock : public QDockWidget {
     Q_OBJECT
 
 public:
     Dock(std::string_view key, const QString& title, QWidget* body, QWidget* parent = nullptr);
 
-    void setName(const QString& name); ///< in the title bar; the tab keeps the dock's own
-    /// What the title goes on with, in muted text.
+    void setName(const QString& name); ///< in the title bar; the tab keeps the dock's own name
+    /// The muted text after the name.
     void setRemark(const QString& remark);
 
     enum class Title : std::uint8_t { Shown, InTab };

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// The title bar of a dock: name, remark, and buttons that are seen while pointer or focus are in
-/// the dock (they keep their room, so that nothing jumps).
+/// The title bar of a dock: name, remark, and buttons that are visible while the pointer or the
+/// focus is in the dock (they keep their room, so that nothing jumps).
 class DockTitle : public QWidget {
     Q_OBJECT
 

@@ -15,10 +15,10 @@ class ErrorHistogram;
 class Magnifier;
 class Segments;
 
-/// How exact an algorithm is on this drawing, against exact arithmetic: in a sentence, a histogram,
-/// and the list of lines, worst first. While it is seen the lines are coloured on the canvas, and
-/// nothing is computed otherwise. A row that is chosen is inspected and shown; a double click
-/// magnifies its worse end.
+/// The exactness of an algorithm on this drawing, compared with exact arithmetic: a sentence, a
+/// histogram, and a list of lines, worst first. Computes only while it is visible, and then the
+/// lines are coloured on the canvas. A selected row's line is inspected and brought into view; a
+/// double click magnifies its worse end.
 class ExactnessPanel : public QWidget {
     Q_OBJECT
 
@@ -28,13 +28,13 @@ public:
     QString summary() const { return summary_->text(); }
     Magnifier& magnifier() { return *magnifier_; }
     bool magnifies() const { return pages_->currentIndex() == 1; }
-    /// Shows an end of a line, magnified: 0 or 1.
+    /// Shows an end of a line in the magnifier; `end` is 0 or 1.
     void magnify(std::size_t line, int end);
 
     QSize sizeHint() const override;
 
 signals:
-    void placeWanted(const clipping::Window& place); ///< is to be seen
+    void placeWanted(const clipping::Window& place); ///< asks to bring it into view
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -65,7 +65,7 @@ private:
     Magnifier* magnifier_;
     QStackedWidget* pages_;
     QTimer soon_;          ///< follow(), after the next frame
-    std::size_t line_ = 0; ///< under the magnifier
+    std::size_t line_ = 0; ///< the line in the magnifier
     bool following_ = false;
 };
 

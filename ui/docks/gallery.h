@@ -11,8 +11,9 @@ namespace ui {
 
 class SampleButton;
 
-/// The samples in two columns, with their windows, clipped by the library. The pictures are made in
-/// the background after the widget is first seen, and again when colours or sizes change.
+/// The samples in two columns, clipped by the library at their clip windows. The pictures are
+/// rendered in the background after the widget is first shown, and again when colours or sizes
+/// change.
 class Gallery : public QWidget {
     Q_OBJECT
 
@@ -36,7 +37,7 @@ private:
 
     std::vector<app::Sample> samples_;
     std::vector<SampleButton*> buttons_;
-    QFutureWatcher<QImage> watcher_; ///< of the pictures in the size and colours of now
+    QFutureWatcher<QImage> watcher_; ///< renders the pictures in the current size and colours
     bool begun_ = false;
 };
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// The layers of the drawing, the topmost first; those in another one follow it. Every change is an
+/// The layers of the drawing, topmost first; a nested layer follows its parent. Every change is an
 /// undoable step.
 class LayerModel : public QAbstractListModel {
     Q_OBJECT
@@ -25,15 +25,15 @@ public:
     app::ContainerId layerOf(const QModelIndex& index) const;
     QModelIndex indexOf(app::ContainerId layer) const;
 
-    bool addLayer(); ///< above all others; whether there was room for it
-    bool mayRemove(app::ContainerId layer) const; ///< one layer stays
-    void removeLayer(app::ContainerId layer);     ///< with those that lie in it
+    bool addLayer(); ///< above all others; false: the drawing has too many layers
+    bool mayRemove(app::ContainerId layer) const; ///< false for the last layer
+    void removeLayer(app::ContainerId layer);     ///< with the layers nested in it
 
 private:
     void follow(const app::DocumentChange& change);
 
     app::Session& session_;
-    std::vector<app::ContainerId> layers_; ///< as views know them, the topmost first
+    std::vector<app::ContainerId> layers_; ///< as last reported to views, topmost first
 };
 
 } // namespace ui

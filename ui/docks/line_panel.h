@@ -11,17 +11,17 @@
 
 namespace ui {
 
-/// The inspected line: where its ends lie, what the algorithm that is explained leaves of it,
-/// what that costs, and its steps as text.
+/// The inspected line: its ends, the part that the explained algorithm keeps, the operations this
+/// takes, and the algorithm's steps as text.
 class LinePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit LinePanel(app::Session& session, QWidget* parent = nullptr);
 
-    QString verdict() const { return verdict_->text(); } ///< with the algorithm's name
+    QString verdict() const { return verdict_->text(); } ///< including the algorithm's name
     QString steps() const { return steps_->toPlainText(); }
-    void showNow(); ///< what is to be shown soon
+    void showNow(); ///< performs a pending update at once
 
 signals:
     void microscopeWanted();
@@ -40,7 +40,7 @@ private:
     QLabel *verdict_, *cost_;
     QPlainTextEdit* steps_;
     QPushButton* microscope_;
-    QTimer soon_; ///< many changes in one event are shown once
+    QTimer soon_; ///< merges several changes in one event into one update
 };
 
 } // namespace ui

@@ -11,7 +11,7 @@ namespace ui {
 
 class Gallery;
 
-/// What to begin with: an empty sheet, a file, a sample, a recent file.
+/// Ways to begin: an empty sheet, a file, a sample, a recent file.
 class StartPanel : public QWidget {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ signals:
     void sampleWanted(const app::Sample& sample);
     void fileWanted(const QString& path);
     void paperWanted();
-    void lessonWanted(); ///< the first
+    void lessonWanted(); ///< asks for the first lesson
 
 private:
     Gallery* gallery_;

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// The lines that were judged, sorted; the worst come first. Only rows that are shown are put into
-/// words; when, its panel says.
+/// The judged lines, sorted, by default worst first. Texts are made for visible rows only. The
+/// panel calls follow() when new results should be shown.
 class TruthModel final : public QAbstractTableModel {
     Q_OBJECT
 
@@ -20,15 +20,15 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
-    void follow(); ///< shows what is found now
+    void follow(); ///< shows the current results
 
-    /// What was found of a row's line; null if it is gone.
+    /// The result for a row's line; null if the line no longer exists.
     const app::LineTruth* truthOf(int row) const;
     int rowOf(std::size_t line) const; ///< -1: it is not in the list
 
 private:
     const app::Session& session_;
-    std::vector<std::uint32_t> rows_; ///< indices into the list that was found
+    std::vector<std::uint32_t> rows_; ///< indices into the list of results
     int column_;
     Qt::SortOrder order_ = Qt::DescendingOrder;
 };

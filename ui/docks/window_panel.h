@@ -14,7 +14,7 @@ namespace ui {
 class ElidedLabel;
 class LengthField;
 
-/// The clip window in numbers, in the middle of a gesture too. Each edit is one step to undo.
+/// The clip window in numbers, also during a gesture. Each edit is one undo step.
 class WindowPanel : public QWidget {
     Q_OBJECT
 
@@ -22,22 +22,22 @@ public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
 signals:
-    void entered(); ///< a number is there: back to the canvas
-    void resized(); ///< it needs more height now, or less
+    void entered(); ///< a number was entered: the focus returns to the canvas
+    void resized(); ///< the height that it needs has changed
 
 private:
     QWidget* makeFields();
-    QWidget* makeOffer(); ///< where there is no window
+    QWidget* makeOffer(); ///< shown if there is no clip window
     void follow();
     void sayWhich();
     void edit(std::size_t field, double length, app::Merging merging);
 
     app::Session& session_;
-    ElidedLabel* which_;                 ///< which one of how many; hidden where there is only one
+    ElidedLabel* which_; ///< which clip window of how many; hidden if there is only one
     std::array<LengthField*, 4> fields_; ///< X Y W H
-    QToolButton* chain_;                 ///< on: W and H keep their proportion
+    QToolButton* chain_;                 ///< checked: W and H keep their ratio
     QComboBox* unit_;
-    QStackedLayout* pages_; ///< the fields; else the offer
+    QStackedLayout* pages_; ///< the fields, or the offer
 };
 
 } // namespace ui

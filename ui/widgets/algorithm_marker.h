@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// What the colours of algorithms (app/view/algorithm_mark.h) are seen on in a widget.
+/// The background of a widget, for the colours of algorithms (app/view/algorithm_mark.h).
 inline app::Ground groundOf(const QPalette& palette)
 {
     return lookOf(palette).dark ? app::Ground::Dark : app::Ground::Light;

@@ -8,11 +8,11 @@
 
 namespace ui {
 
-/// What charts in this widget are painted with: its palette and its font.
+/// The look of charts in a widget: its palette and font.
 app::ChartLook chartLookOf(const QWidget& widget);
 
-/// Shows a chart. A row under the pointer, or chosen with the arrow keys, tells all that is known
-/// of it. In less than its natural height it squeezes its rows.
+/// Shows a chart. A tooltip gives all values of the row that is hovered or selected with the arrow
+/// keys. If the widget is lower than the chart's natural height, the rows are squeezed.
 class ChartView : public QWidget {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
     void setChart(app::Chart chart);
     const app::Chart& chart() const { return chart_; }
-    /// The row that is lit; none at first.
+    /// The highlighted row; none at first.
     std::optional<std::size_t> currentRow() const { return current_; }
 
     QSize sizeHint() const override;

@@ -7,20 +7,20 @@
 
 namespace ui {
 
-/// Shows a cost map around the clip window, and what its colours mean. The fixed end is dragged to
-/// where the pointer is, or moved by the arrow keys, with Shift ten times as far.
+/// Shows a cost map around the clip window, with a legend of its colours. The fixed end is dragged
+/// with the pointer, or moved with the arrow keys, with Shift ten times as far.
 class CostMapView : public QWidget {
     Q_OBJECT
 
 public:
     explicit CostMapView(QWidget* parent = nullptr);
 
-    /// What is asked for now, and the best map there is of it; null: none yet.
+    /// `plan` is the requested map, `map` the best one computed for it so far; null: none yet.
     void show(const app::CostPlan& plan, const app::CostMap* map);
-    /// How many cells fit: each some pixels wide.
+    /// How many cells, each a few pixels wide, fit.
     QSize cells(const app::CostPlan& plan) const;
     bool dragging() const { return dragging_; }
-    /// A map's place in the widget.
+    /// The map's rectangle in the widget.
     QRectF place() const;
 
     QSize sizeHint() const override;
@@ -28,8 +28,9 @@ public:
 
 signals:
     void fixedEndMoved(const app::Point& to);
-    void pointed(const std::optional<app::Point>& at); ///< by the pointer; nothing: it left
-    void dropped();                                    ///< a gesture is over
+    /// The pointer's position in the drawing; nothing: it has left.
+    void pointed(const std::optional<app::Point>& at);
+    void dropped(); ///< a drag has ended
     void resized();
 
 protected:

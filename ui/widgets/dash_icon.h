@@ -9,16 +9,16 @@
 
 namespace ui {
 
-/// A dash pattern to choose; lengths in widths of the stroke.
+/// A selectable dash pattern; lengths in multiples of the stroke width.
 struct DashPattern {
     QString name;
     std::vector<double> dashes; ///< empty: solid
 };
 std::span<const DashPattern> dashPatterns();
 
-/// The pattern for a stroke of that width, in user units.
+/// The pattern's dash lengths for a stroke of that width, in user units.
 std::vector<double> scaled(const DashPattern& pattern, double width);
-/// The pattern that a style has; -1 if it is none of ours.
+/// The index of a style's pattern; -1 if it is not in the catalogue.
 int patternOf(const app::Style& style);
 
 QIcon dashIcon(const DashPattern& pattern, const QColor& ink);

@@ -7,17 +7,17 @@
 
 namespace ui {
 
-/// A table without a grid whose rows are chosen as a whole, under muted headings; an arrow tells
-/// what it is sorted by. Texts stand as the model's TextAlignmentRole says.
+/// A table without a grid, with muted headings, in which whole rows are selected; an arrow marks
+/// the sort column. The model's TextAlignmentRole aligns the texts.
 class DenseTable : public QTableView {
     Q_OBJECT
 
 public:
-    static constexpr int gap = 8; ///< at both sides of a text
+    static constexpr int gap = 8; ///< at both sides of a text, in logical pixels
 
     explicit DenseTable(QWidget* parent = nullptr);
-    /// What is below a cell: a row that is chosen or under the pointer has one ground, and while
-    /// the table has the focus the chosen one has a ring.
+    /// Paints a cell's background: selected and hovered rows have a uniform background, and the
+    /// selected row has a ring while the table has the focus.
     void paintGround(QPainter& painter, const QStyleOptionViewItem& option,
                      const QModelIndex& index) const;
 

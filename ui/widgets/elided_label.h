@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// A text on one line, elided where there is less room; it asks for none.
+/// A text on one line, elided if it does not fit. The label's text requires no width of its own.
 class ElidedLabel : public QLabel {
 public:
     ElidedLabel()

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// How many lines there are of each class of error: a bar a class, in the colour that its lines
-/// have on the canvas, so that it is their legend too.
+/// The number of lines in each error class: one bar per class, in the colour of its lines on the
+/// canvas, so that the histogram is also their legend.
 class ErrorHistogram : public QWidget {
     Q_OBJECT
 

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// In a list that shows which one is in use, one always is: a click beside the rows, or with Ctrl
-/// on the chosen one, does not take its highlight away. To be called when the view has its model.
+/// Keeps one row of a list selected at all times: a click beside the rows, or with Ctrl on the
+/// selected row, does not clear the selection. To be called after the view has its model.
 void keepChoice(QAbstractItemView& view);
 
 } // namespace ui

@@ -9,9 +9,9 @@
 
 namespace ui {
 
-/// A field for a length of the drawing, shown in the window's unit. What is typed may have a unit
-/// ("2in") and may be an expression ("10+5", "3*25mm"). It answers when editing is finished or an
-/// arrow is used, never at every key.
+/// A field for a length in the drawing, shown in the window's unit. The typed text may have a unit
+/// ("2in") and may be an expression ("10+5", "3*25mm"). Signals when editing is finished or an
+/// arrow is used, not at every key.
 class LengthField : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -19,22 +19,22 @@ public:
     enum class Range : std::uint8_t { Any, NotNegative };
     enum class Suffix : std::uint8_t { None, Unit };
 
-    /// `name` is what it is called to those who do not see its label, and in messages.
+    /// `name` is the accessible name, also used in messages.
     LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent = nullptr);
 
-    /// In user units; sends no signal.
+    /// `length` in user units; emits no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
     void stepBy(int steps) override;
-    /// Its text, with an ellipsis where there is no room for the whole number.
+    /// The visible text, with an ellipsis if the whole number does not fit.
     QString seenText() const;
 
 signals:
-    /// In user units. What is typed is a step of its own; arrows and the wheel may join the last
-    /// one.
+    /// `length` in user units. A typed length is an undo step of its own; steps by arrows and the
+    /// wheel may merge with the previous one.
     void edited(double length, app::Merging merging);
-    void entered();                        ///< with Enter, and it fits: typing is over
-    void refused(const QString& sentence); ///< what was typed is no length, or out of range
-    void taken();                          ///< what is there now is a value that fits
+    void entered(); ///< Enter was pressed and the value is valid: typing is finished
+    void refused(const QString& sentence); ///< the typed text is no length, or out of range
+    void taken();                          ///< the field's value is valid now
 
 protected:
     bool event(QEvent* event) override;
@@ -54,7 +54,7 @@ private:
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;
-    app::Merging merging_ = app::Merging::Never; ///< what a change is just now
+    app::Merging merging_ = app::Merging::Never; ///< for the change in progress
 };
 
 } // namespace ui

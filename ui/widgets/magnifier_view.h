@@ -8,14 +8,14 @@
 namespace ui {
 
 /// One end of a line, magnified down to single ulps. Wheel, + and −, Page Up and Page Down zoom,
-/// dragging and the arrow keys move, Home shows it as at first.
+/// dragging and the arrow keys move, Home restores the initial view.
 class Magnifier : public QWidget {
     Q_OBJECT
 
 public:
     explicit Magnifier(QWidget* parent = nullptr);
 
-    /// Shows it as at first; `name` is the algorithm's.
+    /// Shows `seen` in the initial view; `name` is the algorithm's.
     void show(const app::Magnified& seen, const QString& name);
     void setLattice(app::Lattice lattice);
     const app::Magnified& seen() const { return seen_; }

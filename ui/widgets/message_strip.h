@@ -10,17 +10,17 @@
 
 namespace ui {
 
-/// A message above the canvas, which hides none of the drawing.
+/// A message above the canvas; it covers nothing of the drawing.
 struct Message {
     enum class Kind : std::uint8_t { Done, Warning };
     Kind kind = Kind::Warning;
     QString sentence;
-    QString button = {}; ///< the verb of what can be done about it; empty: nothing
+    QString button = {}; ///< its text, a verb; empty: no button
     std::function<void()> action = {};
 };
 
-/// The strip that shows one message, the newest, until it is closed or taken back. A warning has a
-/// triangle, what was done has a tick.
+/// The strip that shows one message, the newest, until it is closed or withdrawn. A warning has a
+/// triangle, a Done message a tick.
 class MessageStrip : public QFrame {
     Q_OBJECT
 
@@ -28,10 +28,10 @@ public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
     void tell(Message message);
-    void takeBackDone(); ///< closes it if it tells of something done, which is past now
-    /// A warning about what was typed, over the message that is there, which comes back after it.
+    void takeBackDone(); ///< closes a Done message, because it is outdated
+    /// Shows a warning about typed text in place of the current message, which returns afterwards.
     void refuse(const QString& sentence);
-    void withdrawRefusal(); ///< a field has taken a value
+    void withdrawRefusal(); ///< a field has accepted a value
     QString sentence() const { return isHidden() ? QString() : message_.sentence; }
 
 protected:
@@ -41,7 +41,8 @@ private:
     void put(Message message);
 
     Message message_;
-    std::optional<Message> under_; ///< while a refusal is shown: what it hides, or an empty one
+    /// The message that a refusal replaces, possibly empty; nothing: no refusal is shown.
+    std::optional<Message> under_;
     QLabel* text_;
     QPushButton* button_;
 };

@@ -14,9 +14,9 @@ class LengthField;
 class Segments;
 class ToolList;
 
-/// The bar across the top: undo, redo, the stroke of what is selected or drawn next, snapping, what
-/// is kept and how the rest is shown, panes, export. Where it is narrow the words
-/// of export go first, then room for what snaps, then captions.
+/// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
+/// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
+/// the export button's text, then narrows the snapping list, then drops captions.
 class OptionBar : public QToolBar {
     Q_OBJECT
 

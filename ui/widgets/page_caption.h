@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Says that a panel is about the page, as long as there is no clip window; hidden otherwise.
+/// Says that a panel refers to the page; visible only while there is no clip window.
 class PageCaption : public QLabel {
     Q_OBJECT
 

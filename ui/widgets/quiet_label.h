@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// A muted text: what is said beside a field.
+/// A muted text beside a field.
 inline QLabel* quietLabel(const QString& text)
 {
     auto* label = new QLabel(text);

@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// A picture with its name below, to be clicked.
+/// A button with a picture and its name below.
 class SampleButton : public QAbstractButton {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     static int heightFor(int width);
     QSize pictureSize() const { return pictureBox().size(); }
     void setPicture(const QImage& picture);
-    void setMarked(bool marked); ///< it is the one that is open
+    void setMarked(bool marked); ///< marks the open sample
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -7,17 +7,17 @@
 
 namespace ui {
 
-/// A row of joined buttons of which one is on: a choice whose words are all in sight.
+/// A row of joined buttons of which one is checked: a choice whose options are all visible.
 class Segments : public QWidget {
     Q_OBJECT
 
 public:
-    /// `name` is what the whole is called to those who do not see it.
+    /// `name` is the accessible name of the whole row.
     Segments(const QString& name, const QStringList& choices, QWidget* parent = nullptr);
 
     int chosen() const { return group_.checkedId(); }
     void choose(int index); ///< without a signal
-    void chooseNone();      ///< what is so is not among them
+    void chooseNone();      ///< the current state is not among the choices
 
 signals:
     void picked(int index); ///< by the person

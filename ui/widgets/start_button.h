@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// A large button: an icon, a verb, and below it what it leads to.
+/// A large button: an icon, a verb, and below it a description of what it opens.
 class StartButton : public QAbstractButton {
     Q_OBJECT
 

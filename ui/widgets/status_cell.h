@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// One cell of the status bar: a text on one line, as wide as the widest that it was told of.
+/// One cell of the status bar: a text on one line, as wide as the text given to setWidest().
 class StatusCell : public QWidget {
     Q_OBJECT
 
@@ -14,7 +14,7 @@ public:
 
     QString text() const { return text_; }
     void setText(const QString& text);
-    void setWidest(const QString& text); ///< the room to keep
+    void setWidest(const QString& text); ///< reserves room for this text
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -7,16 +7,16 @@
 
 namespace ui {
 
-/// A table of an experiment, for people: headings instead of names, numbers in the words of the
-/// locale and at the right, algorithms by their abbreviations.
+/// A table of an experiment for display: headings instead of column names, numbers in the locale's
+/// format and right-aligned, algorithms by their abbreviations.
 class TableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Role {
         SortRole = Qt::UserRole, ///< a number where the column has numbers
-        VariantRole,             ///< of an algorithm's cell: its key, and its form's word
-        FaultRole                ///< whether the cell counts what is wrong, and there is some
+        VariantRole,             ///< an algorithm cell's key and form
+        FaultRole                ///< true if the cell counts errors and is not 0
     };
 
     using QAbstractTableModel::QAbstractTableModel;

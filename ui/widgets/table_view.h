@@ -8,16 +8,17 @@
 
 namespace ui {
 
-/// Shows an experiment's table whole, as high as it is: no grid, numbers at the right, algorithms
-/// with their markers (filled: corrected, hollow: as published), what is lost in the colour of what
-/// differs. Copies what is selected, or all, as text with tabs.
+/// Shows all rows of an experiment's table without scrolling vertically: no grid, numbers at the
+/// right, algorithms with their markers (filled: corrected, hollow: as published), error counts in
+/// the colour of differing lines. Copies the selection, or everything, as tab-separated text.
 class TableView : public QTableView {
     Q_OBJECT
 
 public:
     explicit TableView(QWidget* parent = nullptr);
 
-    /// Whether a click on a heading sorts; where the last row tells of all others, it is set apart.
+    /// Sortable: a click on a heading sorts. SumIsLast: the last row sums up the others and is set
+    /// apart.
     enum class Rows : std::uint8_t { Sortable, SumIsLast, Plain };
     void show(app::Table table, Rows rows);
 

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A drop-down list beside the canvas. When the open list is closed, and at Enter, it gives the
-/// keyboard back; the arrow keys choose in the closed list, and stay there.
+/// A drop-down list beside the canvas. It returns the keyboard focus when the open list closes and
+/// on Enter. In the closed list, the arrow keys select and the focus stays.
 class ToolList : public QComboBox {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     void hidePopup() override;
 
 signals:
-    void done(); ///< back to the canvas
+    void done(); ///< the focus should return to the canvas
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -14,7 +14,7 @@ public:
     explicit UnitBox(app::Session& session, QWidget* parent = nullptr);
 };
 
-/// The units to choose from, in menu order.
+/// The selectable units, in menu order.
 std::vector<app::Unit> shownUnits();
 
 } // namespace ui

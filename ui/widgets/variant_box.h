@@ -8,19 +8,20 @@
 
 namespace ui {
 
-/// Chooses what clips, among all there are, each with its marker; perhaps after some other choices.
+/// Selects one of all variants, each shown with its marker; optionally after some other choices.
 class VariantBox : public ToolList {
     Q_OBJECT
 
 public:
-    /// `name` is what it is called to those who do not see it.
+    /// `name` is the accessible name; `before` are the other choices.
     explicit VariantBox(const QString& name, const QStringList& before = {},
                         QWidget* parent = nullptr);
 
-    /// Nothing: one of the choices before; currentIndex() says which.
+    /// Nothing: one of the `before` choices; currentIndex() says which.
     std::optional<app::Variant> variant() const;
     void choose(const app::Variant& variant);
-    /// Only those that fit can be chosen. If the current one cannot, the first choice is.
+    /// Enables only variants for which `fits` is true. If the current one is disabled, the first
+    /// choice is selected.
     void offer(const std::function<bool(const app::Variant&)>& fits);
 
 protected:

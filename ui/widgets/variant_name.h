@@ -9,9 +9,9 @@ class QPainter;
 
 namespace ui {
 
-/// Paints who clips into a cell of a table, from its left: the marker, filled or hollow, the
-/// abbreviation, and in muted text "as published", shorter where there is no room; an exhibit by
-/// its name.
+/// Paints a variant's name at the left of a table cell: the marker, filled or hollow, the
+/// abbreviation, and a muted "as published", shortened if it does not fit. A known misprint is
+/// shown by its name.
 void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionViewItem& option,
                       const app::Variant& variant);
 

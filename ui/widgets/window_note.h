@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// What to do first, with a clip window or to get one, in a strip of its own above the first
-/// drawing, until a clip window is changed.
+/// A hint above the first drawing, in a strip of its own: how to use a clip window or how to add
+/// one. It stays until a clip window is changed.
 class WindowNote : public QLabel {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     explicit WindowNote(const app::Session& session);
 
 signals:
-    void learnt(); ///< a clip window was changed: never again
+    void learnt(); ///< a clip window was changed: never show the hint again
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// The cell of the status bar that is a button with a menu, painted like the other cells.
+/// The status bar's zoom cell: a button with a menu, painted like the other cells.
 class ZoomButton : public QToolButton {
     Q_OBJECT
 
