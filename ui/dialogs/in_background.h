@@ -11,12 +11,12 @@ class QWidget;
 
 namespace ui {
 
-/// Runs `work` on a thread of its own while the window stays alive; after half a second a dialog
-/// says `label` and can cancel. False: cancelled; `work` is then left to end unseen, so everything
-/// it touches must belong to it.
+/// Runs `work` on a thread of its own without blocking the window; after 0.5 s a dialog shows
+/// `label` and a Cancel button. False: cancelled; `work` then keeps running unseen, so it must own
+/// everything it uses.
 bool runInBackground(QWidget* parent, const QString& label, std::function<void()> work);
 
-/// The same for a pure function; nothing if cancelled.
+/// The same for a pure function; returns its result, or nothing if cancelled.
 template <class Work>
 auto inBackground(QWidget* parent, const QString& label, Work work)
     -> std::optional<decltype(work())>

@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// The list of what earlier runs left unsaved, with the verbs Recover, Discard and Not Now.
+/// Shows a list of the drawings that earlier runs left unsaved, with the buttons Recover, Discard
+/// and Not Now.
 Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
                                             const std::vector<app::Leftover>& leftovers);
 

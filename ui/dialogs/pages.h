@@ -5,9 +5,9 @@ namespace ui {
 
 class MainWindow;
 
-// Pages to read. None of them keeps the window from being used.
+// Pages to read. None of them is modal.
 
-/// Every command that has a key, by menu.
+/// Shows every command that has a shortcut, grouped by menu.
 void showShortcuts(MainWindow& window);
 void showAbout(MainWindow& window);
 

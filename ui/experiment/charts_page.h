@@ -11,7 +11,7 @@ namespace ui {
 
 class ChartView;
 
-/// Charts one below the other, as wide as there is room but not wider than they can be read.
+/// Charts one below the other, as wide as the page, up to a readable maximum width.
 class ChartsPage : public QScrollArea {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
 
     void show(std::vector<app::Chart> charts);
 
-    /// The uppermost one that is in sight with its middle; null: there is none.
+    /// The topmost chart whose middle is visible; null: none.
     const app::Chart* current() const;
 
 signals:

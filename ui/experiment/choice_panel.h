@@ -14,19 +14,20 @@ namespace ui {
 
 class Segments;
 
-/// What is measured: the paper's tables, a scene or the drawing; how many lines, how often, and by
-/// whom. As it comes up it asks for the paper's own experiment.
+/// Selects what is measured: the paper's tables, a scene or the drawing; the number of lines and
+/// runs, and the algorithms. By default it selects the paper's own experiment.
 class ChoicePanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// The lines of the drawing as it is now: copied once after each change, and only if chosen.
+    /// Returns the current lines of the drawing; called at most once after each change, and only if
+    /// the drawing is selected.
     using Drawing = std::function<std::optional<app::Subject>()>;
     explicit ChoicePanel(Drawing drawing, QWidget* parent = nullptr);
 
     app::Choice choice() const;
 
-    /// The drawing has changed, and has so many lines; without any it cannot be chosen.
+    /// The drawing has changed and has `lines` lines; if 0, it cannot be selected.
     void followDrawing(std::size_t lines);
 
 signals:
@@ -45,18 +46,19 @@ private:
 
     std::vector<app::Subject> subjects_;
     Drawing drawing_;
-    mutable std::optional<app::Subject> taken_; ///< of the drawing, since its last change
-    bool ofDrawing_ = false;                    ///< what is shown is that
-    int usualLines_ = 0;                        ///< of the subject, before anybody typed
-    app::EaselMaker easel_ = app::bestEasel();  ///< asked in this thread, used in another
-    bool runsTyped_ = false;                    ///< else there are as many as are needed
+    /// Copy of the drawing since its last change; nothing: not copied yet.
+    mutable std::optional<app::Subject> taken_;
+    bool ofDrawing_ = false;                   ///< the subject shown is the drawing
+    int usualLines_ = 0;                       ///< the subject's default number of lines
+    app::EaselMaker easel_ = app::bestEasel(); ///< queried in this thread, called in another
+    bool runsTyped_ = false; ///< false: the number of runs is as many as are needed
     QComboBox* subject_;
     QLabel* meaning_;
     QSpinBox *lines_, *runs_, *seed_;
     Segments *order_, *forms_;
     QList<QCheckBox*> algorithms_;
     QCheckBox *drawn_, *explained_;
-    std::vector<bool> own_; ///< the algorithms that were ticked for scenes
+    std::vector<bool> own_; ///< whether each algorithm is ticked for scenes
 };
 
 } // namespace ui

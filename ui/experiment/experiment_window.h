@@ -21,18 +21,19 @@ class ChoicePanel;
 class Exports;
 class Results;
 
-/// Repeats the paper's experiment, and others like it: what is measured at the left, what came out
-/// at the right, progress below. The editor stays usable meanwhile. Closing it stops the measuring.
+/// Repeats the paper's experiment and similar ones: the choices at the left, the results at the
+/// right, progress below. Not modal: the editor stays usable. Closing the window stops the
+/// measurement.
 class ExperimentWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// `name` tells what the drawing is called.
+    /// `name` returns the drawing's name.
     ExperimentWindow(app::Session& session, std::function<QString()> name,
                      QWidget* parent = nullptr);
     ~ExperimentWindow() override;
 
-    /// What answers instead of dialogs (tests).
+    /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
     const app::Study* study() const;
 
@@ -67,12 +68,12 @@ private:
     QStackedWidget* stack_;
     Results* results_;
     QElapsedTimer taken_;
-    double thought_ = 0; ///< seconds that the run was expected to take
-    double pace_ = 1; ///< time taken by time thought; from the settings
+    double thought_ = 0; ///< expected duration of the run, in seconds
+    double pace_ = 1;    ///< measured divided by expected duration; kept in the settings
     Measuring measuring_;
 };
 
-/// Shows the window that belongs to that one; there is one at most.
+/// Shows the experiment window of a main window, which has at most one.
 class MainWindow;
 void showExperiment(MainWindow& window);
 

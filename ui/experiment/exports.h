@@ -15,18 +15,18 @@ class QMenu;
 
 namespace ui {
 
-/// Writes a study, or one of its tables or charts, to files that a person names, and tells what was
-/// written. Nothing that exists is overwritten without a question.
+/// Writes a study, or one of its tables or charts, to files that the person names, and reports what
+/// was written. Asks before it overwrites an existing file.
 class Exports : public QObject {
     Q_OBJECT
 
 public:
     explicit Exports(QWidget& window);
 
-    /// What answers instead of dialogs (tests).
+    /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions) { questions_ = std::move(questions); }
 
-    /// A study, and the table or the chart of it that is in front, if one is.
+    /// A study, and its table or chart in the current tab, if any.
     struct Shown {
         std::shared_ptr<const app::Study> study;
         const app::Table* table;
@@ -34,7 +34,8 @@ public:
     };
     using Current = std::function<Shown()>;
 
-    /// The table or chart that is shown then in every format, then every row of app::studyFiles().
+    /// A menu of exports: the table or chart shown when the menu opens, in every format, then every
+    /// row of app::studyFiles().
     QMenu* menu(const Current& current);
     void exportChart(const app::Chart& chart);
 

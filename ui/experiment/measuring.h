@@ -10,8 +10,8 @@
 
 namespace ui {
 
-/// Measures on a thread of its own. Its signals come on the thread that it lives on. When it goes,
-/// it stops what goes on and waits for that: no thread outlives it.
+/// Measures on a thread of its own. Signals are emitted on the thread of this object. The
+/// destructor cancels a running measurement and waits for its thread.
 class Measuring : public QObject {
     Q_OBJECT
 
@@ -19,10 +19,10 @@ public:
     explicit Measuring(QObject* parent = nullptr);
     ~Measuring() override;
 
-    void start(app::Plan plan); ///< nothing may be going on
-    void cancel();              ///< nothing is told of it any more; waits for the thread's end
+    void start(app::Plan plan); ///< precondition: nothing is running
+    void cancel();              ///< no signal follows; waits for the thread's end
     bool active() const { return thread_.joinable(); }
-    static constexpr auto threadName = "measuring"; ///< as debuggers and tests see it
+    static constexpr auto threadName = "measuring"; ///< shown in debuggers, used by tests
 
 signals:
     void progressed(const app::Progress& progress); ///< at most 20 times a second
@@ -32,7 +32,7 @@ private:
     void run(const std::stop_token& stop, const app::Plan& plan, int number);
 
     std::jthread thread_;
-    int number_ = 0; ///< of the run: what an old one has posted comes too late
+    int number_ = 0; ///< of the run: events that an earlier run has posted are ignored
 };
 
 } // namespace ui

@@ -20,20 +20,20 @@ class ChartView;
 class Segments;
 class TablesPage;
 
-/// What came out of a study: a verdict in plain sentences, and tabs with tables, charts, what
-/// explains the times, and the circumstances. One trial and one measure are shown at a time.
+/// The results of a study: a verdict in plain sentences, and tabs with tables, charts, reasons for
+/// the times, and the circumstances. One trial and one measure are shown at a time.
 class Results : public QWidget {
     Q_OBJECT
 
 public:
-    /// `tools` stand at the right of the tabs.
+    /// `tools` are placed at the right of the tabs.
     explicit Results(const QList<QWidget*>& tools, QWidget* parent = nullptr);
 
     void show(std::shared_ptr<const app::Study> study);
-    void markOld(); ///< says that they are of the run before, until others are shown
+    void markOld(); ///< marks the results as those of the previous run until new ones are shown
     const std::shared_ptr<const app::Study>& study() const { return study_; } ///< null: none yet
 
-    /// Of the tab that is in front; null: there is none.
+    /// The table or chart of the current tab; null: none.
     const app::Table* shownTable() const;
     const app::Chart* shownChart() const;
     void copyTable() const;

@@ -9,7 +9,7 @@ class QGridLayout;
 
 namespace ui {
 
-/// Tables to read, with their titles and notes, two beside each other where there is room.
+/// Tables with titles and notes, two side by side if there is room.
 class TablesPage : public QScrollArea {
     Q_OBJECT
 
@@ -22,11 +22,11 @@ public:
     };
     void show(std::vector<Entry> entries);
 
-    /// The table that had the focus last, or the first; null: there is none.
+    /// The table that last had the focus, by default the first; null: none.
     const app::Table* current() const { return last_ ? &last_->table() : nullptr; }
-    void copy() const; ///< that one
+    void copy() const; ///< copies current() to the clipboard
 
-    /// Something to stand above the tables; it is kept.
+    /// Puts a widget above the tables; show() keeps it.
     void setTop(QWidget* top);
 
 protected:
@@ -45,7 +45,7 @@ private:
     QGridLayout* grid_;
     QWidget* top_ = nullptr;
     std::vector<Block> blocks_;
-    TableView* last_ = nullptr; ///< what had the focus last
+    TableView* last_ = nullptr; ///< the view that last had the focus
     bool paired_ = false;
 };
 

@@ -17,8 +17,8 @@ namespace ui {
 class MainWindow;
 class PageView;
 
-/// What there is to read about each algorithm: their list at the left, a page at the right. The
-/// editor stays usable.
+/// The pages about the algorithms: a list of algorithms at the left, a page at the right. Not
+/// modal: the editor stays usable.
 class ExplanationWindow : public QDialog {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     explicit ExplanationWindow(MainWindow& window);
     ~ExplanationWindow() override;
 
-    /// What answers instead of dialogs (tests).
+    /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
     void show(const clipping::Algorithm& algorithm);
     PageView& page() { return *page_; }
@@ -56,9 +56,9 @@ private:
     QToolButton *back_ = nullptr, *forward_ = nullptr;
 };
 
-/// Shows the window that belongs to that one, at an algorithm's page; there is one at most.
+/// Shows the explanation window of `window`, which has at most one, at an algorithm's page.
 ExplanationWindow& showExplanation(const clipping::Algorithm& algorithm, MainWindow& window);
-/// At the page of what is in hand: under the microscope, or else what clips.
+/// The same at the page of the microscope's algorithm, or else of the one that clips.
 ExplanationWindow& showExplanation(MainWindow& window);
 
 } // namespace ui

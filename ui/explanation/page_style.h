@@ -7,8 +7,8 @@ class QTextDocument;
 
 namespace ui {
 
-/// Sets a page that was read from Markdown as a book would: lines 1.4 high, room before headings,
-/// code and tables on a ground of their own, links in the look's colour.
+/// Styles a document read from Markdown like a book page: line height 1.4, space before headings,
+/// code and tables on a background of their own, links in the look's colour.
 void styleMarkdown(QTextDocument& document, const Look& look);
 
 } // namespace ui

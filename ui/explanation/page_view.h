@@ -10,9 +10,9 @@
 
 namespace ui {
 
-/// The page of an algorithm: lines of a comfortable length, figures painted by the program itself,
-/// in the palette's colours. Links to other pages are followed, all others are told. It goes back
-/// and forward like a browser.
+/// The page of an algorithm: lines of a comfortable length, figures painted by the program in the
+/// palette's colours. It follows links to other pages and signals all other links. It goes back and
+/// forward like a browser.
 class PageView : public QTextBrowser {
     Q_OBJECT
 
@@ -20,21 +20,21 @@ public:
     explicit PageView(QWidget* parent = nullptr);
 
     void show(const clipping::Algorithm& algorithm);
-    const clipping::Algorithm* algorithm() const; ///< null before the first
+    const clipping::Algorithm* algorithm() const; ///< null before the first page
 
-    /// Chooses the next place with that text, from the beginning after the last one; marks all.
-    /// How many there are.
+    /// Selects the next match of `text`, wrapping around at the end, and highlights all matches.
+    /// Returns their number.
     int find(const QString& text, QTextDocument::FindFlags direction);
     void forgetFound();
 
-    void setZoom(int steps); ///< 0: the program's text size
+    void setZoom(int steps); ///< 0 is the program's text size
     int zoom() const { return zoom_; }
 
-    /// As it is on paper: light, whatever the palette is. An error, or nothing.
+    /// Saves the page in light colours, whatever the palette. Returns an error message, or nothing.
     std::optional<QString> saveAsPdf(const QString& file) const;
 
 signals:
-    void linkChosen(const QUrl& link); ///< to something that is no page
+    void linkChosen(const QUrl& link); ///< any link that does not lead to a page
     void pageChanged();
 
 protected:

@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// A row of an AlgorithmModel in a list to read: marker, abbreviation, name, year in its tooltip.
+/// Paints a row of an AlgorithmModel in the list of pages: marker, abbreviation, name; the year is
+/// in the tooltip.
 class TitlePainter : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

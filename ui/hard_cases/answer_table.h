@@ -8,7 +8,7 @@
 
 namespace ui {
 
-/// What every form of every algorithm, and every exhibit, makes of one hard case.
+/// The results of all variants, including known misprints, for one hard case.
 class AnswerModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -30,15 +30,15 @@ private:
     std::vector<app::CaseAnswer> answers_;
 };
 
-/// They as a table that is as high as it is: right ones with a tick, wrong ones in the colour of
-/// what differs, both in words.
+/// The results as a table of full height: right ones with a tick, wrong ones in the colour of
+/// differing lines, both also in words.
 class AnswerTable : public DenseTable {
     Q_OBJECT
 
 public:
     explicit AnswerTable(QWidget* parent = nullptr);
 
-    /// Chooses `first` there.
+    /// Shows the results and selects the row of `first`.
     void show(const app::HardCase& hard, const app::Variant& first);
     const AnswerModel& answers() const { return model_; }
     const app::CaseAnswer* chosen() const; ///< null: none

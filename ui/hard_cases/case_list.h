@@ -8,7 +8,7 @@
 
 namespace ui {
 
-/// The hard cases that a filter lets through.
+/// The hard cases that match a filter.
 class CaseModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     void setFilter(const app::CaseFilter& filter);
     const app::HardCase& hardCase(int row) const { return *cases_[std::size_t(row)]; }
-    /// Where a case is; an invalid index if it is not let through.
+    /// The index of a case; invalid if it does not match the filter.
     QModelIndex indexOf(const app::HardCase& hard) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -27,16 +27,17 @@ private:
     std::vector<const app::HardCase*> cases_;
 };
 
-/// Pictures with their titles below, as many side by side as there is room for.
+/// The pictures of the hard cases with titles below, as many side by side as fit.
 class CaseList : public QListView {
     Q_OBJECT
 
 public:
     explicit CaseList(QWidget* parent = nullptr);
 
-    void setFilter(const app::CaseFilter& filter); ///< keeps what is chosen, or takes the first
-    void choose(const app::HardCase& hard);        ///< nothing, where it is not let through
-    const app::HardCase* chosen() const;           ///< null: nothing is let through
+    /// Keeps the selection if it matches, else selects the first.
+    void setFilter(const app::CaseFilter& filter);
+    void choose(const app::HardCase& hard); ///< does nothing if the case does not match
+    const app::HardCase* chosen() const;    ///< null: no case matches
 
 signals:
     void caseChosen(const app::HardCase* hard);

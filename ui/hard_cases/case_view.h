@@ -12,8 +12,8 @@ namespace ui {
 class AnswerTable;
 class PortraitView;
 
-/// One hard case: its picture, where it is from, why it is hard, what is right, and what everybody
-/// makes of it. A wrong answer that is chosen is painted into the picture.
+/// One hard case: its picture, its source, why it is hard, the right result, and every variant's
+/// result. A selected wrong result is painted into the picture.
 class CaseView : public QScrollArea {
     Q_OBJECT
 

@@ -10,10 +10,10 @@
 
 namespace ui {
 
-/// The colours of hard cases on what a palette is for.
+/// The colours for pictures of hard cases that match a palette.
 app::PortraitColours portraitColours(const QPalette& palette);
 
-/// One hard case, large, with a variant's answer where that is wrong.
+/// One hard case, large, with a variant's result if that is wrong.
 class PortraitView : public QWidget {
     Q_OBJECT
 

@@ -14,16 +14,18 @@ class CaseList;
 class CaseView;
 class MainWindow;
 
-/// The zoo of hard cases: a gallery at the left, what is chosen there at the right. The editor
-/// stays usable.
+/// The gallery of hard cases: their list at the left, the selected case at the right. Not modal:
+/// the editor stays usable.
 class ZooWindow : public QDialog {
     Q_OBJECT
 
 public:
     explicit ZooWindow(MainWindow& window);
 
-    void choose(const app::HardCase& hard); ///< whatever is searched for
-    /// Those at which a variant fails; nothing, if it is none that can be chosen.
+    /// Clears the search and the filter if they hide the case.
+    void choose(const app::HardCase& hard);
+    /// Shows the cases that a variant gets wrong; does nothing if the variant is not in the filter
+    /// list.
     void chooseFailing(const QString& variant);
     CaseList& list() { return *list_; }
     CaseView& view() { return *view_; }
@@ -46,7 +48,7 @@ private:
     std::vector<app::CaseChoice> choices_;
 };
 
-/// Shows the window that belongs to that one; there is one at most.
+/// Shows the gallery of `window`, which has at most one.
 ZooWindow& showZoo(MainWindow& window);
 
 } // namespace ui

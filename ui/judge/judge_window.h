@@ -20,7 +20,7 @@ class MainWindow;
 class VerdictView;
 
 /// Judges the user's own algorithm: the library at the top, the verdict below, progress at the
-/// bottom. The editor stays usable meanwhile. A rebuilt library is judged again.
+/// bottom. Not modal: the editor stays usable. A rebuilt library is judged again.
 class JudgeWindow : public QDialog {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ public:
     explicit JudgeWindow(app::Session& session, QWidget* parent = nullptr);
     ~JudgeWindow() override;
 
-    /// What answers instead of dialogs, and what runs as the child (tests).
+    /// Replaces the dialogs and the program of the child process; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions) { questions_ = std::move(questions); }
     void setProgram(const QString& program) { program_ = program; }
 
@@ -58,7 +58,7 @@ private:
     app::Session& session_;
     std::unique_ptr<Questions> questions_;
     QString program_, path_;
-    QDateTime written_; ///< when the library was, that was judged last
+    QDateTime written_; ///< modification time of the last judged library
     QPushButton *choose_, *again_, *example_, *cancel_, *copy_;
     QCheckBox *follow_, *strict_;
     QLabel *file_, *state_;
@@ -67,11 +67,11 @@ private:
     QStackedWidget* stack_;
     VerdictView* view_;
     QFileSystemWatcher watcher_;
-    QTimer settled_; ///< a compiler writes a file bit by bit
+    QTimer settled_; ///< waits until the compiler has finished writing the file
     Judging judging_;
 };
 
-/// Shows the window that belongs to that one; there is one at most.
+/// Shows the judge window of `window`, which has at most one.
 void showJudge(MainWindow& window);
 
 } // namespace ui

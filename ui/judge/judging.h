@@ -10,8 +10,8 @@
 
 namespace ui {
 
-/// Judges on a thread of its own, which the child process belongs to. Its signals come on the
-/// thread that it lives on. When it goes, it stops what goes on and waits for that.
+/// Judges on a thread of its own, which owns the child process. Signals are emitted on the thread
+/// of this object. The destructor cancels a running judgement and waits for it.
 class Judging : public QObject {
     Q_OBJECT
 
@@ -20,9 +20,9 @@ public:
     ~Judging() override { cancel(); }
 
     bool active() const { return thread_.joinable(); }
-    /// Not while one is active.
+    /// Precondition: !active().
     void start(app::plug_in::Case which);
-    /// Nothing comes of it any more.
+    /// Stops the judgement; no signal follows.
     void cancel();
 
 signals:
@@ -33,7 +33,7 @@ private:
     void run(const std::stop_token& stop, const app::plug_in::Case& which, int number);
 
     std::jthread thread_;
-    int number_ = 0; ///< of the last one that was begun or cancelled
+    int number_ = 0; ///< of the last run that was started or cancelled
 };
 
 } // namespace ui

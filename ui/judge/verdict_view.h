@@ -15,8 +15,7 @@ namespace ui {
 class TableView;
 class TablesPage;
 
-/// A verdict: one sentence, what else is to be said, and its tables. A line that is wrong can be
-/// looked at.
+/// A verdict: one sentence, remarks, and tables. A wrong line can be opened in the microscope.
 class VerdictView : public QWidget {
     Q_OBJECT
 
@@ -25,10 +24,10 @@ public:
 
     void show(const std::shared_ptr<const app::plug_in::Verdict>& verdict);
     const app::plug_in::Verdict* verdict() const { return verdict_.get(); }
-    void copy() const; ///< the table that was clicked last
+    void copy() const; ///< copies the table that was clicked last
 
 signals:
-    void wanted(const app::plug_in::Finding& finding); ///< under the microscope
+    void wanted(const app::plug_in::Finding& finding); ///< asks for the line in the microscope
 
 protected:
     void changeEvent(QEvent* event) override;

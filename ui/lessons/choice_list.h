@@ -9,24 +9,24 @@
 
 namespace ui {
 
-/// A question with a button for each answer. A first wrong answer brings a hint and a second try.
-/// Once the question is settled it is said which answer is right, and why.
+/// A question with a button for each answer. After a first wrong answer it shows a hint and allows
+/// a second try. Once the question is settled it says which answer is right, and why.
 class ChoiceList : public QWidget {
     Q_OBJECT
 
 public:
     explicit ChoiceList(QWidget* parent = nullptr);
 
-    /// The question of the page that is read; a page without one hides it.
+    /// Shows the question of the current page; hides the widget if the page has none.
     void show(const app::Course& course);
-    /// Of the choices, in their order.
+    /// The choices' buttons, in order.
     QList<QPushButton*> buttons() const { return buttons_; }
-    /// The first that can still be chosen; null: none can.
+    /// The first button that is still enabled; null: none.
     QPushButton* firstOpen() const;
 
 signals:
     void chosen(int choice);
-    void answerWanted(); ///< the reader gives up
+    void answerWanted(); ///< the reader gives up and asks for the answer
 
 private:
     void addButton(const QString& text);

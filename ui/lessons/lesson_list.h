@@ -7,7 +7,7 @@ class QAbstractButton;
 
 namespace ui {
 
-/// All lessons, each with its sentence and its best points; those that were understood have a tick.
+/// All lessons, each with a sentence and its best score; passed lessons have a tick.
 class LessonList : public QScrollArea {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
     explicit LessonList(QWidget* parent = nullptr);
 
     QList<QAbstractButton*> buttons() const { return buttons_; }
-    void refresh(); ///< the points, the ticks, and the font
+    void refresh(); ///< updates scores, ticks and font
 
 signals:
     void chosen(int lesson);

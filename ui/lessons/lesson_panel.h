@@ -13,10 +13,10 @@ namespace ui {
 class ChoiceList;
 class LessonList;
 
-/// The lessons beside the microscope: the list of them, or the page that is read, with its
-/// question. The microscope shows what the page is about. Page Up and Page Down turn the pages; Up,
-/// Down and Enter answer. The end says whether the lesson is passed. The best points of each lesson
-/// are kept in the settings.
+/// The lessons beside the microscope: their list, or the current page with its question. The
+/// microscope shows the page's example. Page Up and Page Down turn the pages; Up, Down and Enter
+/// answer. The last page says whether the lesson is passed. The best score of each lesson is kept
+/// in the settings.
 class LessonPanel : public QStackedWidget {
     Q_OBJECT
 

@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// The pseudo-code of an algorithm with its line numbers; the line of the step is lit and in sight.
+/// The pseudo-code of an algorithm with its line numbers; the step's line is highlighted and
+/// scrolled into view.
 class CodeView : public QTextEdit {
     Q_OBJECT
 
@@ -26,7 +27,7 @@ private:
     void paintNumbers();
     void placeNumbers();
     int numbersWidth() const;
-    QRectF rowOf(int line) const; ///< in the viewport
+    QRectF rowOf(int line) const; ///< in viewport coordinates
 
     Numbers* numbers_ = nullptr;
     QStringList code_;

@@ -10,20 +10,20 @@
 
 namespace ui {
 
-/// The steps under the microscope as files: asks what and where, writes while the window stays
-/// alive, and tells what came of it.
+/// Exports the microscope's steps to files: asks for options and path, writes without blocking the
+/// window, and reports the result.
 class StepExports : public QObject {
     Q_OBJECT
 
 public:
     StepExports(QWidget& window, const app::Microscope& microscope);
 
-    /// What answers instead of dialogs (tests).
+    /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions) { questions_ = std::move(questions); }
 
-    /// Opens the dialog about what is under the microscope now.
+    /// Opens the export dialog for the microscope's current trace.
     void ask();
-    /// Asks where to write, and writes.
+    /// Asks for the path and writes the files.
     void write(const app::TraceFormat& format, const app::TraceExport& trace);
 
 signals:

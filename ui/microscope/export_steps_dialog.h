@@ -10,13 +10,12 @@
 
 namespace ui {
 
-/// What the steps are exported as: which type of file, which steps, and how they look; with a
-/// picture of how they will.
+/// Options for exporting steps: file type, which steps, and look; with a preview.
 class ExportStepsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `step` is the one that is looked at; the look that is proposed is that of the window.
+    /// `step` is the current step. By default the exported pictures have the window's look.
     ExportStepsDialog(app::TraceExport trace, std::size_t step, QWidget* parent);
 
     const app::TraceFormat& format() const;

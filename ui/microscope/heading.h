@@ -7,7 +7,7 @@ class QHBoxLayout;
 
 namespace ui {
 
-/// The title of a part of the microscope, as docks have them; a link may stand at its right.
+/// The title of a part of the microscope, in the style of dock titles; a link may be at its right.
 class Heading : public QWidget {
     Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// What the signs of the timeline mean: those that there are in a walk.
+/// A legend of the timeline's marks; shows only the marks that occur in the walk.
 class Legend : public QWidget {
     Q_OBJECT
 

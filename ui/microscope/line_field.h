@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// A line as text, to be typed over: "−160, −30 → 70, 130". Esc gives back what was there.
+/// A line as editable text: "−160, −30 → 70, 130". Esc restores the previous text.
 class LineField : public QLineEdit {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
 
 signals:
     void typed(const clipping::Segment& line);
-    void done(); ///< with typing: the keys may step again
+    void done(); ///< typing is finished: the microscope's step keys work again
     void refused(const QString& sentence);
 
 protected:

@@ -14,8 +14,8 @@ namespace ui {
 
 class LineField;
 
-/// What is looked at: which algorithm, in which form, and which line. Where it is narrow the words
-/// of its buttons and its captions go.
+/// Selects what the microscope shows: algorithm, form and line. If it is narrow, the bar drops its
+/// captions and the texts of its buttons.
 class MicroscopeBar : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ signals:
     void refused(const QString& sentence);
     void exportWanted();
     void closeWanted();
-    void lineDone(); ///< with typing it: the keys may step again
+    void lineDone(); ///< the line is typed: the microscope's step keys work again
 
 protected:
     void paintEvent(QPaintEvent* event) override;

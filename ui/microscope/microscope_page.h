@@ -17,16 +17,16 @@ class VariableTable;
 class Veil;
 
 /// The clip microscope: the line enlarged, the steps below, pseudo-code, variables and operations
-/// at the right. Left, Right, Space, Home and End step wherever in it the focus is, except in a
-/// field; Esc leads back to the drawing.
+/// at the right. Left, Right, Space, Home and End step wherever the focus is in the page, except in
+/// a field; Esc returns to the drawing.
 class MicroscopePage : public QWidget {
     Q_OBJECT
 
 public:
     MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWidget* parent = nullptr);
 
-    /// A widget at the left of all else: a lesson. It belongs to the page from then on; the one
-    /// that was there goes. Null: none.
+    /// Puts a widget, such as a lesson, at the left side. The page takes ownership and deletes the
+    /// previous side widget. Null: none.
     void setSide(QWidget* side);
     QWidget* side() const { return side_; }
 
@@ -40,7 +40,7 @@ signals:
     void closeWanted();
     void refused(const QString& sentence);
     void exportWanted();
-    void aboutWanted(const clipping::Algorithm* algorithm); ///< its page
+    void aboutWanted(const clipping::Algorithm* algorithm); ///< asks for its page
     void pointerMoved(std::optional<app::Point> point);     ///< in the drawing
     void hinted(const QString& hint);
 
@@ -71,9 +71,9 @@ private:
     QToolButton *back_, *fit_;
     Veil *variablesVeil_, *operationsVeil_;
     QSplitter *across_, *down_, *right_;
-    Qt::Corner corner_ = Qt::TopLeftCorner; ///< of the view: where the overview lies
+    Qt::Corner corner_ = Qt::TopLeftCorner; ///< the corner of the view that holds the overview
     QWidget* side_ = nullptr;
-    bool ownShares_ = false; ///< the person moved a splitter
+    bool ownShares_ = false; ///< the person has moved a splitter
 };
 
 } // namespace ui

@@ -9,9 +9,9 @@
 
 namespace ui {
 
-/// The step of the microscope, enlarged. The ends of the line are dragged, or chosen with Tab and
-/// moved with the arrow keys: the whole trace follows. What is seen stays where it is from step to
-/// step; the wheel zooms, dragging beside the ends moves it.
+/// The microscope's current step, enlarged. The ends of the line are dragged, or selected with Tab
+/// and moved with the arrow keys; the whole trace is updated. The visible part stays the same from
+/// step to step. The wheel zooms, dragging beside the ends pans.
 class MicroscopeView : public QWidget {
     Q_OBJECT
 
@@ -19,11 +19,11 @@ public:
     explicit MicroscopeView(app::Microscope& microscope, QWidget* parent = nullptr);
 
     const app::FigureFrame& frame() const { return frame_; }
-    /// Labels keep clear of what lies there.
+    /// Reserves an area that labels avoid.
     void reserve(const QRectF& place);
-    /// What the window is called: there may be none but the page.
+    /// Whether the window is the page, because there is no clip window; changes its label.
     void setWindowIsPage(bool isPage);
-    /// Window and line well in sight.
+    /// Fits window and line into the view.
     void fit();
     bool fitted() const { return fitted_; }
     void zoomBy(double factor);
@@ -33,9 +33,10 @@ public:
     QSize minimumSizeHint() const override { return {320, 180}; }
 
 signals:
-    void pointerMoved(std::optional<app::Point> point); ///< in the drawing; nothing: it has left
-    void framed();                                      ///< what is seen has changed
-    void hinted(const QString& hint);                   ///< what to do here
+    /// In the drawing; nothing: the pointer has left.
+    void pointerMoved(std::optional<app::Point> point);
+    void framed();                    ///< the visible part has changed
+    void hinted(const QString& hint); ///< what the person can do here
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -55,9 +56,10 @@ protected:
 
 private:
     struct Drag {
-        std::optional<LineEnd> end; ///< nothing: what is seen is moved
+        std::optional<LineEnd> end; ///< nothing: the drag pans
         clipping::Segment before;
-        QPointF grip; ///< from the pointer to the end; or where the pointer was
+        /// Offset from the pointer to the end; when panning, the last pointer position.
+        QPointF grip;
     };
 
     void follow();
@@ -78,8 +80,8 @@ private:
     std::optional<LineEnd> chosen_, lit_;
     std::optional<Drag> drag_;
     bool windowIsPage_ = false;
-    bool ring_ = false;  ///< the focus came by the keyboard: it is shown
-    bool fitted_ = true; ///< the person has not zoomed or moved what is seen
+    bool ring_ = false;  ///< the focus came by keyboard: paint the focus ring
+    bool fitted_ = true; ///< the person has neither zoomed nor panned
 };
 
 } // namespace ui

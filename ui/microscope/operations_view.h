@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// The operations until now, each beside how many there are in all: "12 of 14 comparisons".
+/// The operations up to the current step and in total: "12 of 14 comparisons".
 class OperationsView : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,8 @@ private:
     struct Cell {
         QString now, all, of, word;
     };
-    int widthOf(const Cell& cell) const; ///< at the end, so that nothing moves while one steps
+    /// Its width at the last step, so that nothing moves while stepping.
+    int widthOf(const Cell& cell) const;
     std::vector<QPoint> places(int width) const;
     int cellHeight() const;
 

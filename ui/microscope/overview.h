@@ -12,15 +12,15 @@
 
 namespace ui {
 
-/// The whole drawing in small, ghosted, with the clip window and the line that is looked at: where
-/// one is. It lets the pointer through. Of a large drawing it paints some of the lines.
+/// The whole drawing in miniature, ghosted, with the clip window and the microscope's line, to show
+/// its place. It ignores the pointer. Of a large drawing it paints only some lines.
 class Overview : public QWidget {
     Q_OBJECT
 
 public:
     explicit Overview(const app::Session& session, QWidget* parent = nullptr);
 
-    void forget(); ///< the drawing or the clip window has changed
+    void forget(); ///< discards the cached picture: the drawing or the clip window has changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -33,7 +33,7 @@ private:
     QPixmap drawing(const app::View& view) const;
 
     const app::Session& session_;
-    QPixmap drawing_; ///< null: to be painted
+    QPixmap drawing_; ///< the cached picture; null: must be painted
 };
 
 } // namespace ui

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// Plays the steps of the microscope one after the other. It stops at the last one, and when the
-/// microscope is closed; at the end it begins again from the first.
+/// Plays the microscope's steps one after the other. It stops at the last step and when the
+/// microscope is closed; play() at the last step begins again from the first.
 class Playback : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     void play();
     void stop();
     void toggle() { playing() ? stop() : play(); }
-    /// 1: a step a second and a half.
+    /// 1 is one step every 1.5 s.
     void setSpeed(double speed);
 
 signals:

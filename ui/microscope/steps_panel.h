@@ -13,8 +13,8 @@ namespace ui {
 class Legend;
 class Timeline;
 
-/// What happens at the step, in one sentence; below it the buttons that step and play, and the
-/// timeline. Where it is low the legend goes first.
+/// Says in one sentence what happens at the step; below are the step and play buttons and the
+/// timeline. If the panel is low, it drops the legend first.
 class StepsPanel : public QWidget {
     Q_OBJECT
 

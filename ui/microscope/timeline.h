@@ -7,15 +7,15 @@
 
 namespace ui {
 
-/// The steps of a trace in a row, each with the sign of what it does: click, drag, wheel and arrow
-/// keys go to one. However many there are, all are in sight; then fewer have their numbers.
+/// The steps of a trace in a row, each with the mark of its kind. Click, drag, wheel and arrow keys
+/// go to a step. All steps are always visible; if there are many, fewer have numbers.
 class Timeline : public QWidget {
     Q_OBJECT
 
 public:
     explicit Timeline(app::Microscope& microscope, QWidget* parent = nullptr);
 
-    /// Where the sign of a step is, for tests and pictures.
+    /// The position of a step's mark; used by tests and pictures.
     QPointF placeOf(std::size_t step) const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -39,7 +39,7 @@ private:
     void paintNow(QPainter& painter) const;
 
     app::Microscope& microscope_;
-    int wheel_ = 0; ///< eighths of a degree not used yet
+    int wheel_ = 0; ///< wheel rotation not used yet, in eighths of a degree
 };
 
 } // namespace ui

@@ -7,8 +7,9 @@
 
 namespace ui {
 
-/// The sign of a step on the timeline and in its legend, around a point, 14 pixels high at the
-/// most: a tick, a divided circle, a diamond, a tick or a cross in a circle. `ground` is below it.
+/// Paints a step's mark on the timeline or in its legend, centred on `middle` and at most 14 pixels
+/// high: a tick, a divided circle, a diamond, a tick or a cross in a circle. `ground` is the
+/// background colour.
 void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& ink,
                const QColor& ground);
 /// "compare", "cut".

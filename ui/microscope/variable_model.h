@@ -7,18 +7,19 @@
 
 namespace ui {
 
-/// The variables after a step: name, value, what it was, and whether that is new.
+/// The variables after a step: name, value, previous value, and whether the step changed it.
 class VariableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Column { Name, Value, Before, Change, ColumnCount };
-    enum Role { ChangedRole = Qt::UserRole, ShortRole }; ///< ShortRole: the text in little room
+    /// ShortRole: a shortened text for narrow columns.
+    enum Role { ChangedRole = Qt::UserRole, ShortRole };
 
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(std::vector<app::Variable> variables);
-    /// The first that the step changed; -1: none.
+    /// The row of the first variable that the step changed; -1: none.
     int firstChanged() const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -6,7 +6,8 @@
 
 namespace ui {
 
-/// The variables of a step as a table: what the step changed is tinted, semi-bold, and said.
+/// The variables of a step as a table: those that the step changed are tinted, semi-bold, and
+/// marked in words.
 class VariableTable : public DenseTable {
     Q_OBJECT
 

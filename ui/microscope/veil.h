@@ -7,8 +7,8 @@ class QPainter;
 
 namespace ui {
 
-/// Covers what would answer a question that is open: a plain ground with a closed eye. It lies over
-/// the whole of the widget that it belongs to, as long as it is shown.
+/// Covers a widget that would give away the answer to an open question: a plain background with a
+/// closed eye. While shown it covers its whole parent widget.
 class Veil : public QWidget {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-/// The same on a part of a picture; its words are left out where there is no room.
+/// Paints the same cover on a part of a picture; omits its text if there is no room.
 void paintVeil(QPainter& painter, const QRect& area, const QPalette& palette);
 
 } // namespace ui
