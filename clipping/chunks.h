@@ -9,34 +9,36 @@
 
 namespace clipping {
 
-/// Bounding boxes of short runs of segments, for drawings that stay while the window moves. Clips
-/// as the row `exact` does, bit for bit, but looks only at the segments near the window's edges:
-/// in drawings, neighbours in the array are mostly neighbours on the sheet. A run ends after
-/// `longest` segments, and where the pen was lifted, lest a box reach from one stroke to the next.
+/// Bounding boxes of short runs of segments, for drawings that stay the same while the window
+/// moves. Clips like the row `exact`, bit for bit, but examines only the segments near the window's
+/// edges: in drawings, neighbours in the array are usually neighbours on the sheet. A run ends
+/// after `longest` segments, or where the pen was lifted, so that no box spans from one stroke to
+/// the next.
 template <class T>
 class BasicChunks {
 public:
-    static constexpr std::size_t longest = 64; ///< segments in a run
-    static constexpr std::size_t shortest = 8; ///< before a run ends where the pen was lifted
+    static constexpr std::size_t longest = 64; ///< maximum number of segments in a run
+    static constexpr std::size_t shortest = 8; ///< minimum before a lifted pen ends a run
 
     BasicChunks() = default;
-    /// The boxes of these segments, in a time proportional to their number.
+    /// Builds the boxes of these segments, in time proportional to their number.
     explicit BasicChunks(std::span<const BasicSegment<T>> segments);
 
-    /// The segments from `first` to `last` (not included) are new. If there are as many as before,
-    /// the others have not changed; if not, all from `first` on may have.
+    /// Updates the boxes after the segments from `first` up to, not including, `last` have changed.
+    /// If the number of segments is the same as before, the others must not have changed; if not,
+    /// all from `first` on may have changed.
     void update(std::span<const BasicSegment<T>> segments, std::size_t first, std::size_t last);
 
-    /// `exact`'s clipAll on the segments that the boxes were made of: `out.size() >=
-    /// segments.size()`, no overlap; keeps the order, returns how many were written, allocates
-    /// nothing.
+    /// Does what `exact`'s clipAll does, on the segments that the boxes were built from:
+    /// `out.size() >= segments.size()`, no overlap; writes in input order, returns the number of
+    /// pieces, allocates nothing.
     std::size_t clipAll(std::span<const BasicSegment<T>> segments, const BasicWindow<T>& window,
                         std::span<BasicClipped<BasicSegment<T>>> out) const;
 
 private:
     struct Chunk {
         BasicWindow<T> box;
-        std::size_t end; ///< one behind its last segment; the next one begins here
+        std::size_t end; ///< one past its last segment, where the next chunk begins
     };
     std::vector<Chunk> chunks_;
 };

@@ -8,30 +8,30 @@
 
 namespace clipping {
 
-/// How much arithmetic was done.
+/// Numbers of arithmetic operations.
 struct OperationCounts {
-    std::uint64_t additions = 0;       ///< and subtractions
+    std::uint64_t additions = 0;       ///< additions and subtractions
     std::uint64_t multiplications = 0; ///< of two numbers
     std::uint64_t divisions = 0;       ///< of one number by another
-    std::uint64_t comparisons = 0;     ///< in any order, and for equality
-    std::uint64_t negations = 0;       ///< changes of sign
+    std::uint64_t comparisons = 0;     ///< <, <=, >, >= and equality
+    std::uint64_t negations = 0;       ///< sign changes, -x
     /// Whether all five are equal.
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
-/// The calling thread's running total: what every Counted number adds to.
+/// The calling thread's running total, incremented by every operation on a Counted number.
 constinit inline thread_local OperationCounts operations;
 
-/// A number that counts its own operations. An algorithm run with Counted<double> instead of
-/// double gives the same bits, and tells what they cost.
+/// A number that counts the operations on it. An algorithm run with Counted<double> instead of
+/// double gives the same result, bit for bit, and counts its operations.
 template <class T>
 class Counted {
 public:
     Counted() = default;
-    constexpr explicit Counted(T value) : value_(value) {} ///< costs nothing
-    constexpr T value() const { return value_; }           ///< the number, which costs nothing
+    constexpr explicit Counted(T value) : value_(value) {} ///< not counted
+    constexpr T value() const { return value_; }           ///< the number; not counted
 
-    /// What the operator does to a T; adds one to the calling thread's `operations`.
+    /// The operator of T; adds one to the calling thread's `operations`.
     /// @{
     friend Counted operator-(Counted x) { return ++operations.negations, Counted(-x.value_); }
     friend Counted operator+(Counted x, Counted y)
@@ -68,7 +68,7 @@ private:
     T value_; // uninitialised on purpose: GLM keeps it in a union
 };
 
-/// The number behind a number: what a trace shows, never counted.
+/// The value as a double, for traces; not counted.
 constexpr double plain(double x) { return x; }
 template <class T>
 constexpr double plain(Counted<T> x)
@@ -81,7 +81,7 @@ constexpr double plain(T x)
     return static_cast<double>(x);
 }
 
-/// The same coordinates, to be counted from here on.
+/// The same coordinates as Counted numbers.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, Counted<T>> counted(const glm::vec<N, T>& p)
 {
@@ -90,19 +90,19 @@ constexpr glm::vec<N, Counted<T>> counted(const glm::vec<N, T>& p)
         q[k] = Counted(p[k]);
     return q;
 }
-/// The same ends, to be counted from here on.
+/// The same ends as Counted numbers.
 template <class T, glm::length_t N>
 constexpr BasicSegment<Counted<T>, N> counted(const BasicSegment<T, N>& s)
 {
     return {counted(s.a), counted(s.b)};
 }
-/// The same edges, to be counted from here on.
+/// The same edges as Counted numbers.
 template <class T, glm::length_t N>
 constexpr BasicWindow<Counted<T>, N> counted(const BasicWindow<T, N>& w)
 {
     return {counted(w.min), counted(w.max)};
 }
-/// The same coordinates, no longer counted.
+/// The same coordinates as plain numbers.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, T> values(const glm::vec<N, Counted<T>>& p)
 {
@@ -111,13 +111,13 @@ constexpr glm::vec<N, T> values(const glm::vec<N, Counted<T>>& p)
         q[k] = p[k].value();
     return q;
 }
-/// The same ends, no longer counted.
+/// The same ends as plain numbers.
 template <class T, glm::length_t N>
 constexpr BasicSegment<T, N> plain(const BasicSegment<Counted<T>, N>& s)
 {
     return {values(s.a), values(s.b)};
 }
-/// Every float is a double.
+/// The same numbers in double, exactly.
 template <class T, glm::length_t N>
 constexpr BasicSegment<double, N> inDouble(const BasicSegment<T, N>& s)
 {

@@ -11,23 +11,23 @@
 
 namespace clipping {
 
-/// A directed segment in N dimensions, in whatever unit the window is in too. `a == b` is legal and
-/// means a single point.
+/// A directed segment in N dimensions, in the same unit as the window. `a == b` is legal and means
+/// a single point.
 template <class T, glm::length_t N = 2>
 struct BasicSegment {
-    static constexpr glm::length_t dimensions = N; ///< how many coordinates a point has
-    glm::vec<N, T> a; ///< where it begins
-    glm::vec<N, T> b; ///< where it ends
-    /// Whether both ends are equal; -0 equals 0, a NaN nothing.
+    static constexpr glm::length_t dimensions = N; ///< number of coordinates of a point
+    glm::vec<N, T> a;                              ///< the start
+    glm::vec<N, T> b;                              ///< the end
+    /// Whether both ends are equal; -0 equals 0, NaN equals nothing.
     friend constexpr bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
 
 /// A closed window: its edges belong to it. `min == max` is legal; `min > max` contains nothing.
 template <class T, glm::length_t N = 2>
 struct BasicWindow {
-    glm::vec<N, T> min; ///< the least coordinate on each axis
-    glm::vec<N, T> max; ///< the greatest
-    /// Whether all edges are equal; -0 equals 0, a NaN nothing.
+    glm::vec<N, T> min; ///< the smallest coordinate on each axis
+    glm::vec<N, T> max; ///< the largest coordinate on each axis
+    /// Whether all edges are equal; -0 equals 0, NaN equals nothing.
     friend constexpr bool operator==(const BasicWindow&, const BasicWindow&) = default;
 };
 
@@ -36,35 +36,37 @@ using Window = BasicWindow<double>;
 using Segment3 = BasicSegment<double, 3>;
 using Window3 = BasicWindow<double, 3>;
 
-/// The line through two points, without ends, directed from a to b. `a == b` is no line, and
-/// nothing of it is ever visible.
+/// The infinite line through two points, directed from a to b. `a == b` is not a line: nothing of
+/// it is visible.
 struct Line {
-    glm::dvec2 a; ///< one of its points
-    glm::dvec2 b; ///< another one, further on
+    glm::dvec2 a; ///< a point of the line
+    glm::dvec2 b; ///< another point, further along its direction
 };
-/// The ray from a through b and on. `a == b` has no direction, and nothing of it is ever visible.
+/// The ray that starts at a and passes through b. `a == b` has no direction: nothing of it is
+/// visible.
 struct Ray {
-    glm::dvec2 a; ///< where it starts
-    glm::dvec2 b; ///< another one, further on
+    glm::dvec2 a; ///< the start
+    glm::dvec2 b; ///< another point of the ray
 };
 
-/// A closed convex window: its corners, counter-clockwise where y points up. Edge i runs from
-/// corner i to the next, the last one to the first. A corner may be there twice, or lie between two
-/// others on a line. Corners that all lie in one line are the segment between the outermost of
-/// them, one corner is a point. No corner, a clockwise order, a turn to the right, more than one
-/// round, a number that is not finite: such a polygon contains nothing.
+/// A closed convex window: its corners, counter-clockwise if y points up. Edge i runs from corner i
+/// to the next one, the last edge to corner 0. Corners may be repeated, or lie on the line between
+/// two others. If all corners are collinear, the polygon is the segment between the outermost two;
+/// one corner is a point. A polygon contains nothing if it has no corners, is clockwise, turns
+/// right at a corner, goes round more than once, or has a number that is not finite.
 struct ConvexPolygon {
-    std::vector<glm::dvec2> corners; ///< in order
+    std::vector<glm::dvec2> corners; ///< in counter-clockwise order
 };
 
-/// The edges of a window, and the sides of a box. Top is max.y, as in the paper; Near is min.z, Far
-/// max.z.
+/// The edges of a window, or the sides of a box. Top is max.y, as in the papers; Near is min.z, Far
+/// is max.z.
 enum class Edge : std::uint8_t { None, Left, Right, Bottom, Top, Near, Far };
 
 /// The edge at the lower and at the upper end of an axis.
 constexpr Edge lowerEdge(glm::length_t axis) { return static_cast<Edge>(1 + 2 * axis); }
 constexpr Edge upperEdge(glm::length_t axis) { return static_cast<Edge>(2 + 2 * axis); }
-/// The axis across an edge, and the coordinate that its points have on it. Not for Edge::None.
+/// The axis perpendicular to an edge, and the coordinate of the edge's points on that axis. Not for
+/// Edge::None.
 constexpr glm::length_t axisOf(Edge edge) { return (static_cast<int>(edge) - 1) / 2; }
 template <class T, glm::length_t N>
 constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w)
@@ -77,7 +79,7 @@ template <class S>
 struct BasicClipped {
     S segment;            ///< the piece, from the input's a to its b
     std::uint32_t source; ///< index in the input (a call takes fewer than 2^32 segments)
-    std::uint32_t cut;    ///< which ends are new and on which edge; 0: the segment is untouched
+    std::uint32_t cut;    ///< which ends are new and on which edges; 0: both ends are the input's
 };
 using Clipped = BasicClipped<Segment>;
 
@@ -86,15 +88,15 @@ constexpr std::uint32_t cutAt(Edge a, Edge b)
 {
     return static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b) << 8;
 }
-/// The edge on which a piece begins anew; Edge::None if its a is an end of the input.
+/// The edge at which a piece's a was cut; Edge::None if a is an end of the input.
 constexpr Edge cutEdgeOfA(std::uint32_t cut) { return static_cast<Edge>(cut & 0xff); }
-/// The edge on which a piece ends anew; Edge::None if its b is an end of the input.
+/// The edge at which a piece's b was cut; Edge::None if b is an end of the input.
 constexpr Edge cutEdgeOfB(std::uint32_t cut) { return static_cast<Edge>(cut >> 8 & 0xff); }
 
-/// Against a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else
-/// 1 + the index of the edge, and 65535 for edge 65534 and all that follow. Where several edges lie
-/// in one line it is the number of the first of them; at a corner, of one of the two that meet
-/// there. An edge from a corner to an equal one cuts nothing.
+/// For a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else 1 +
+/// the index of the edge that cut it, and 65535 for edge 65534 and all later ones. Of several
+/// collinear edges it is the first one's number; at a corner, the number of one of the two edges
+/// that meet there. An edge between two equal corners cuts nothing.
 constexpr std::uint32_t edgeNumber(std::size_t index)
 {
     return index < 0xfffe ? static_cast<std::uint32_t>(index + 1) : 0xffff;
@@ -106,7 +108,7 @@ constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numb
 constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) { return cut & 0xffff; }
 constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) { return cut >> 16; }
 
-/// Whether an S is its numbers, in so many bytes, and may be copied as bytes.
+/// Whether an S has exactly this size, without padding, and may be copied as bytes.
 template <class S, std::size_t bytes>
 inline constexpr bool isPlain = sizeof(S) == bytes&& std::is_trivially_copyable_v<S>;
 static_assert(

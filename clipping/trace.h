@@ -11,88 +11,92 @@
 
 namespace clipping {
 
-/// What a value is: Bits an outcode or a pattern of corners, Whole a number that counts or numbers.
+/// The kind of a value. Bits: an outcode or a pattern of corners. Whole: a count or an index.
+/// Truth: true or false.
 enum class ValueKind : std::uint8_t { Number, Whole, Bits, Truth };
 
-/// How a value is to be read, by the type that the algorithm keeps it in.
+/// The kind of a value, by the type of the algorithm's variable.
 template <class T>
 inline constexpr ValueKind kindOf = std::is_same_v<T, bool>       ? ValueKind::Truth
                                     : std::is_same_v<T, unsigned> ? ValueKind::Bits
                                     : std::is_integral_v<T>       ? ValueKind::Whole
                                                                   : ValueKind::Number;
 
-/// A value worth showing beside a step: an outcode, the t of an intersection, a slope.
+/// A value shown with a step: an outcode, the t of an intersection, a slope.
 struct NamedValue {
     std::string_view name;              ///< as in the pseudo-code: "t", "code1"
-    double value;                       ///< in the drawing's units, or a bare number
-    ValueKind kind = ValueKind::Number; ///< how it is to be read
+    double value;                       ///< in the drawing's unit, or without unit
+    ValueKind kind = ValueKind::Number; ///< how to interpret `value`
 };
 
-/// What a step does: asks a question, gives a variable its value, moves an end of what is left;
-/// or is the last: something is visible, nothing is, a published form went round until it was
-/// stopped.
+/// The kind of a step. Test: evaluates a condition. Let: assigns a variable. Cut: moves an end of
+/// the remaining segment. The last step is one of Accept: something is visible; Reject: nothing is
+/// visible; GiveUp: a published form did not end and was stopped.
 enum class What : std::uint8_t { Test, Let, Cut, Accept, Reject, GiveUp };
 
 /// One step in the run of an algorithm.
 template <glm::length_t N>
 struct BasicStep {
     What what;
-    bool holds;            ///< the answer of a Test; false of other steps
-    std::string_view name; ///< of the variable that gets its value
-    int line; ///< of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for what it does
-              ///< not have, as it is in the plane
-    BasicSegment<double, N> segment; ///< what is left
-    Edge edge;                       ///< the edge it is about
-    std::vector<NamedValue> values;  ///< what the algorithm had at hand
-    OperationCounts cost;            ///< since the start
+    bool holds;            ///< the result of a Test; false for other steps
+    std::string_view name; ///< of the assigned variable, for Let
+    /// Line of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for a step on the third
+    /// axis, for which the pseudo-code has no line.
+    int line;
+    BasicSegment<double, N> segment; ///< the remaining segment after the step
+    Edge edge;                       ///< the edge that the step concerns
+    std::vector<NamedValue> values;  ///< variables assigned since the previous step
+    OperationCounts cost;            ///< operations since the start
 };
 using Step = BasicStep<2>;
 
-/// How a run ended. DidNotEnd: a published form went round until it was stopped.
+/// How a run ended. DidNotEnd: a published form did not end and was stopped at its cap.
 enum class Outcome : std::uint8_t { Visible, Invisible, DidNotEnd };
 
-/// A whole run. `visible` is what the same form's `clip` returns, bit for bit, when Visible.
+/// A whole run. If the outcome is Visible, `visible` is bit for bit what the same form's `clip`
+/// returns.
 template <glm::length_t N>
 struct BasicTrace {
-    std::vector<BasicStep<N>> steps;      ///< in the order of the run; none for illegal input
-    Outcome outcome = Outcome::Invisible; ///< how it ended
-    BasicSegment<double, N> visible{};    ///< what is left, if Visible
+    std::vector<BasicStep<N>> steps;      ///< in the order of the run; empty for invalid input
+    Outcome outcome = Outcome::Invisible; ///< how the run ended
+    BasicSegment<double, N> visible{};    ///< the visible piece, if Visible
 };
 using Trace = BasicTrace<2>;
 
-/// Records nothing and costs nothing: what the fast path hands to an algorithm as its `step`.
+/// Records nothing and costs nothing: the `step` argument of an algorithm on the fast path.
 ///
-/// The words in which an algorithm tells its steps, each with its line of the form's pseudo-code.
-/// They return what they were given, so that a line of the code and its step are one expression:
-/// without a listener `step.test(l, c)` is `(c)`, and `step.let(l, n, v)` is `(v)`.
+/// Its functions are those by which an algorithm reports its steps, each with the step's line in
+/// the form's pseudo-code. They return their argument, so that a line of the code and its step are
+/// one expression: here `step.test(l, c)` is just `(c)`, and `step.let(l, n, v)` is `(v)`.
 struct Unwatched {
-    /// A question about an edge, or about the two edges of an axis; whether the condition holds.
+    /// Tests a condition about an edge, or about the two edges of an axis; returns the condition.
     constexpr bool test(int, bool condition, Edge = Edge::None, Edge = Edge::None) const
     {
         return condition;
     }
-    /// A variable gets its value, on the way to an edge; the value.
+    /// Assigns a variable, possibly for an intersection with an edge; returns the value.
     template <class T>
     constexpr T let(int, std::string_view, T value, Edge = Edge::None) const
     {
         return value;
     }
-    /// What a variable is from here on, without a step of its own; the value.
+    /// Assigns a variable without a step of its own; returns the value.
     template <class T>
     constexpr T set(std::string_view, T value) const
     {
         return value;
     }
-    /// An end of the segment, 0 for a and 1 for b, moves to a point (or x, y) of an edge, or of
-    /// the edge at which the variable of a name got its value.
+    /// Moves an end of the segment, 0 for a and 1 for b, to a point (or x, y) on an edge. Instead
+    /// of the edge, the name of a variable may be given: then it is the edge of that variable's
+    /// Let.
     constexpr void cut(int, int, const auto&...) const {}
-    /// What is left is another segment now, with both its ends.
+    /// Replaces both ends of the remaining segment.
     constexpr void left(int, const auto&, Edge = Edge::None) const {}
-    /// Nothing is visible.
+    /// Ends the run: nothing is visible.
     constexpr std::nullopt_t reject(int) const { return std::nullopt; }
-    /// A published form goes round and round, and is stopped.
+    /// Ends the run: a published form does not end and is stopped.
     constexpr std::nullopt_t giveUp(int) const { return std::nullopt; }
-    /// A segment is visible; the segment.
+    /// Ends the run: a segment is visible; returns the segment.
     template <class S>
     constexpr std::optional<S> accept(int, const S& visible) const
     {
@@ -100,20 +104,21 @@ struct Unwatched {
     }
 };
 
-/// Writes every step down. An algorithm hands over what it has; it computes nothing to be watched.
+/// Records every step. An algorithm passes values that it has computed anyway, and computes nothing
+/// extra for the recorder.
 template <glm::length_t N>
 class BasicRecorder {
 public:
-    /// What the algorithm begins with.
+    /// Sets the segment and the window that the algorithm starts with.
     void begin(const BasicSegment<double, N>& segment, const BasicWindow<double, N>& window)
     {
         left_ = segment, window_ = window;
     }
-    /// The words of Unwatched, which are written down here.
+    /// The functions of Unwatched, which record here.
     /// @{
     bool test(int line, bool condition, Edge edge = Edge::None, Edge other = Edge::None)
     {
-        if (other != Edge::None) // one of two edges if it holds, else about neither of them
+        if (other != Edge::None) // if it holds, the edge that both ends are beyond
             edge = !condition ? Edge::None : isBeyond(other) ? other : edge;
         return tell({What::Test, condition}, line, edge), condition;
     }
@@ -171,14 +176,14 @@ public:
         return tell({What::Accept}, line, Edge::None), visible;
     }
     /// @}
-    /// What was written down; the recorder is empty afterwards.
+    /// Returns the recorded trace; the recorder is empty afterwards.
     BasicTrace<N> take() { return std::move(trace_); }
 
 private:
     BasicTrace<N> trace_;
     BasicSegment<double, N> left_{};
     BasicWindow<double, N> window_{};
-    std::vector<NamedValue> new_; ///< since the step before
+    std::vector<NamedValue> new_; ///< assigned since the previous step
 
     struct Word {
         What what;
@@ -190,7 +195,7 @@ private:
         trace_.steps.push_back({word.what, word.holds, word.name, line, left_, edge,
                                 std::exchange(new_, {}), operations});
     }
-    /// Whether both ends of what is left are beyond an edge.
+    /// Whether both ends of the remaining segment are beyond an edge.
     bool isBeyond(Edge edge) const
     {
         const glm::length_t k = axisOf(edge);
