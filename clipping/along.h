@@ -5,8 +5,8 @@
 
 namespace clipping {
 
-/// The point of a segment at t (0 at a, 1 at b), where it meets `edge`; d is b - a. Its coordinate
-/// across the edge is the edge's own, the others are held inside the window.
+/// The point of a segment at t (0 at a, 1 at b), where it meets `edge`; d is b - a. The coordinate
+/// on the axis perpendicular to the edge is the edge's own, the others are clamped to the window.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, T> along(const BasicSegment<T, N>& s, const glm::vec<N, T>& d, T t, Edge edge,
                                const BasicWindow<T, N>& w)

@@ -12,7 +12,7 @@ struct List {
 };
 } // namespace
 
-// THE CATALOGUE. To add an algorithm: write its file in algorithms/, and name it here.
+// THE CATALOGUE. To add an algorithm: write its file in algorithms/ and add its name here.
 // clang-format off
 using Catalogue = List<
     struct CohenSutherland,

@@ -11,8 +11,8 @@
 namespace clipping {
 namespace {
 
-/// The smallest box around these segments; of NaNs, which no comparison places anywhere, if one of
-/// their numbers is not finite.
+/// The smallest box around these segments. If one of their numbers is not finite, the box consists
+/// of NaNs, for which every comparison is false.
 template <class T>
 BasicWindow<T> boxAround(std::span<const BasicSegment<T>> segments)
 {
@@ -28,7 +28,7 @@ BasicWindow<T> boxAround(std::span<const BasicSegment<T>> segments)
     return box;
 }
 
-/// Where the run that begins at `begin` ends.
+/// The end of the run that begins at `begin`.
 template <class T>
 std::size_t endOfRun(std::span<const BasicSegment<T>> segments, std::size_t begin)
 {

@@ -65,7 +65,7 @@ public:
     /// @}
 
 private:
-    T value_; // uninitialised on purpose: GLM keeps it in a union
+    T value_; // uninitialised on purpose, because GLM stores it in a union
 };
 
 /// The value as a double, for traces; not counted.

@@ -6,12 +6,12 @@
 
 #include <cassert>
 
-// How a row's two functions, `Method::published` and `Method::corrected`, become the uses of an
-// algorithm. The file of a row ends with `template Algorithm describe<ItsOwnName>();`.
+// Makes the catalogue row of an algorithm from its two functions, `Method::published` and
+// `Method::corrected`. The file of a row ends with `template Algorithm describe<ItsOwnName>();`.
 
 namespace clipping {
 
-/// What a row says of itself, at the top of its file.
+/// The data of a row, given at the top of its file.
 struct About {
     std::string_view key, abbreviation, name;
     int year;
@@ -19,22 +19,23 @@ struct About {
     double ulps;
 };
 
-/// Whether the contract promises anything for this input: all finite, and min <= max.
+/// Whether the contract covers this input: all numbers finite, and min <= max.
 template <class T, glm::length_t N>
 constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {
     return legal(s) && legal(w);
 }
 
-/// Whether a form works in a frame where there is no overflow. Published forms take what comes, and
-/// a row that says `ours` copes with any number by itself.
+/// Whether a form works in a frame without overflow. Published forms work on the input itself, and
+/// a row with `ours` handles all numbers itself.
 template <class Method, Form form, class T>
 constexpr bool framed()
 {
     return form == Form::Corrected && std::is_floating_point_v<T> && !requires { Method::ours; };
 }
 
-/// What an algorithm is given for a segment and a window, and the frame if that is not they.
+/// The input that an algorithm gets for a segment and a window, and the frame if the input is
+/// transformed.
 template <class T, glm::length_t N>
 struct Given {
     BasicSegment<T, N> segment;
@@ -52,7 +53,7 @@ std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWind
     return Given<T, N>{s, w, std::nullopt};
 }
 
-/// What an algorithm found for what it was given, as the answer about `segment` and `window`.
+/// Converts the result of an algorithm on `given` to the result for `segment` and `window`.
 template <class Method, Form form, class T, glm::length_t N>
 BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
                           const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
@@ -60,14 +61,15 @@ BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
     if constexpr (framed<Method, form, T>()) {
         if (given.frame)
             found = given.frame->back(found, segment, window);
-        if (meetsInAPoint(segment, window)) // which each end may have rounded in its own way
+        // Both ends are one point but may be rounded differently.
+        if (meetsInAPoint(segment, window))
             (outcodeOf(segment.b, window) == 0 ? found.a : found.b) =
                 outcodeOf(segment.b, window) == 0 ? found.b : found.a;
     }
     return found;
 }
 
-/// Runs one form of a method: its function of that name.
+/// Runs one form of a method.
 template <class Method, Form form, class S, class W, class Step>
 constexpr std::optional<S> run(const S& segment, const W& window, Step&& step)
 {
@@ -90,7 +92,7 @@ template <class Method, Form form, class T, glm::length_t N>
     return piece;
 }
 
-/// One form of an algorithm at one window: what is asked of the window is asked once.
+/// One form of an algorithm for one window; tests that depend on the window alone run once.
 template <class Method, Form form, class T, glm::length_t N>
 class At {
 public:
@@ -137,7 +139,7 @@ std::optional<BasicSegment<T, N>> clipOne(const BasicSegment<T, N>& segment,
 }
 
 template <class Method, Form form, class T, glm::length_t N>
-[[gnu::flatten]] // the loop must contain the algorithm, not call it
+[[gnu::flatten]] // inlines the algorithm into the loop
 std::size_t
 clipMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window,
          std::span<BasicClipped<BasicSegment<T, N>>> out)
@@ -182,7 +184,7 @@ BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N
     return trace;
 }
 
-/// A row may bring its own way to clip many: `Method::many<T>`.
+/// Clips many segments. A row may have its own function for this: `Method::many<T>`.
 template <class Method, Form form, class T, glm::length_t N>
 constexpr auto manyOf()
 {
@@ -197,7 +199,7 @@ constexpr Uses<BasicSegment<T, N>, BasicWindow<T, N>> uses{
     clipOne<Method, form, T, N>, manyOf<Method, form, T, N>(), countMany<Method, form, T, N>,
     traceOne<Method, form, T, N>};
 
-/// The published form; none where the row says `ours`.
+/// The published form; none if the row has `ours`.
 template <class Method>
 constexpr const Uses<Segment, Window>* publishedUses()
 {
@@ -207,7 +209,7 @@ constexpr const Uses<Segment, Window>* publishedUses()
         return &uses<Method, Form::Published>;
 }
 
-/// The forms for convex polygons (polygon/uses.h), where the row names them.
+/// The forms for convex polygons (polygon/uses.h), if the row names them.
 template <class Method>
 constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
 {
@@ -225,8 +227,8 @@ constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
         return nullptr;
 }
 
-/// The form in three dimensions: what the row names (box/), or its corrected function if that is
-/// for any number of axes; else none.
+/// The form in three dimensions: the one that the row names (box/), or its corrected function if
+/// that works for any number of axes; else none.
 template <class Method>
 constexpr const Uses<Segment3, Window3>* boxUses()
 {
@@ -240,7 +242,7 @@ constexpr const Uses<Segment3, Window3>* boxUses()
         return nullptr;
 }
 
-/// The pseudo-code of a form, as it stands beside its function, without its first line feed.
+/// The pseudo-code that is beside a form's function, without its first line feed.
 template <class Method, Form form>
 constexpr std::string_view codeBeside()
 {

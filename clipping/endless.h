@@ -9,18 +9,19 @@
 #include <cassert>
 #include <limits>
 
-// How `Method::clip<reach>`, a text in algorithms/lines_and_rays/, becomes the uses of an algorithm
-// on lines and rays.
+// Makes the functions of an algorithm for infinite lines and rays from `Method::clip<reach>`
+// (algorithms/lines_and_rays/).
 
 namespace clipping {
 
-/// How far what is clipped goes on beyond its two points: not at all, beyond b, beyond both.
+/// How far the input extends beyond its two points. Bounded: not at all (segment); OneWay: beyond b
+/// (ray); BothWays: beyond both (infinite line).
 enum class Reach : std::uint8_t { Bounded, OneWay, BothWays };
 
 template <Reach reach>
 using Endless = std::conditional_t<reach == Reach::BothWays, Line, Ray>;
 
-/// Where a reach begins, with 0 at a and 1 at b, and where it ends.
+/// The parameters where a reach begins and ends, with 0 at a and 1 at b.
 template <Reach reach, class T>
 constexpr T beginning()
 {
@@ -32,13 +33,14 @@ constexpr T ending()
     return T(reach == Reach::Bounded ? 1.0 : std::numeric_limits<double>::infinity());
 }
 
-/// Whether the contract promises anything for them.
+/// Whether the contract covers this input.
 inline bool isEndless(const Segment& points, const Window& w)
 {
     return legal(points) && legal(w) && points.a != points.b;
 }
 
-/// Runs a method on what is legal, with double or, where that would not do, with Wide.
+/// Runs a method on valid input, with double or, where double would overflow or underflow, with
+/// Wide.
 template <class Method, Reach reach>
 std::optional<Segment> clipEndless(const Segment& points, const Window& w)
 {
@@ -60,8 +62,8 @@ std::optional<Segment> clipEndlessCounted(const Segment& points, const Window& w
     return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
 }
 
-/// A window that has no height or no width is met in one point, which each end may have rounded in
-/// its own way.
+/// Makes both ends equal at a window without height or width, which is met in one point that may be
+/// rounded differently at each end.
 inline std::optional<Segment> contacted(std::optional<Segment> piece, const Segment& points,
                                         const Window& w)
 {
@@ -128,7 +130,7 @@ constexpr Uses<Endless<reach>, Window, Segment> endlessUses{
     clipOneEndless<Method, reach>, clipManyEndless<Method, reach>, countManyEndless<Method, reach>,
     traceOneEndless<Method, reach>};
 
-/// The form for lines, or for rays; none unless the row names one (algorithms/lines_and_rays/).
+/// The form for infinite lines or rays; none unless the row names one (algorithms/lines_and_rays/).
 template <class Method, Reach reach>
 constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
 {

@@ -17,7 +17,8 @@ constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
     return Edge::None;
 }
 
-/// Which ends of `piece` are not those of `whole`, and on which edges they lie.
+/// The `cut` value of a piece: which of its ends differ from those of `whole`, and the edges they
+/// lie on.
 template <class T, glm::length_t N>
 constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegment<T, N>& piece,
                               const BasicWindow<T, N>& w)
@@ -26,8 +27,8 @@ constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegmen
                  piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
 }
 
-/// Whether a segment, or the line through it, meets a window in one point at most: it runs across
-/// one that has no height, or no width, or no depth.
+/// Whether a segment, or the line through it, can meet the window in at most one point, because it
+/// crosses a window without height, width or depth.
 template <class T, glm::length_t N>
 constexpr bool meetsInAPoint(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
 {

@@ -7,17 +7,17 @@
 #include <cmath>
 #include <limits>
 
-// Where the algorithms do their arithmetic, in double or in float. Between ordinary numbers no
-// difference, product or quotient that they form overflows, nor loses digits that matter to
-// underflow. Other finite numbers are brought there and back by powers of two, each axis by its
-// own: that is exact, but for what is below one part in 2^1000 (2^100 in float) of the segment's
-// extent.
+// The frame in which the algorithms compute, in double or in float. With ordinary numbers no
+// difference, product or quotient in an algorithm overflows or loses significant digits to
+// underflow. Other finite numbers are scaled into the ordinary range and back by powers of two,
+// separately on each axis. This is exact except for digits below one part in 2^1000 (2^100 in
+// float) of the segment's extent.
 
 namespace clipping {
 
-/// Numbers up to this are ordinary, and so are differences from its reciprocal: a product of two
-/// differences, divided by a third, is far from overflow.
-/// (Segments are asked for the square root of a sum of two squares, so for slightly less.)
+/// Coordinates up to this magnitude, and differences down to its reciprocal, are ordinary: a
+/// product of two differences, divided by a third, is far from overflow. (For segments the bound
+/// applies to the square root of a sum of two squares, so it is slightly stricter.)
 template <class T>
 inline constexpr T ordinaryMost = T(0x1p250);
 template <>
@@ -25,7 +25,7 @@ inline constexpr float ordinaryMost<float> = 0x1p40F;
 template <class T>
 inline constexpr T ordinaryLeast = T(1) / ordinaryMost<T>;
 
-/// Finite, and min <= max: what a corrected form is given.
+/// All numbers finite, and min <= max; the precondition of a corrected form.
 template <class T, glm::length_t N>
 constexpr bool legal(const BasicWindow<T, N>& w)
 {
@@ -71,7 +71,8 @@ bool ordinary(const BasicSegment<T, N>& s)
     return all;
 }
 
-/// In the plane both axes are asked at once, by squares: every segment of every row is asked.
+/// In the plane both axes are tested at once, using squares, because this test runs for every
+/// segment.
 template <class T>
 bool ordinary(const BasicSegment<T, 2>& s)
 {
@@ -83,7 +84,7 @@ bool ordinary(const BasicSegment<T, 2>& s)
     return (fine[0] & fine[1]) != 0;
 }
 
-/// One axis of a frame: it divides by 2^exponent, so that the segment extends by 1 to 2.
+/// One axis of a frame. It divides by 2^exponent, so that the segment's extent becomes 1 to 2.
 template <class T>
 class FrameAxis {
 public:
@@ -92,7 +93,7 @@ public:
 
     T into(T x) const
     {
-        // What is further out than this is beyond every point of the segment anyway.
+        // Coordinates beyond this limit are beyond every point of the segment anyway.
         constexpr T beyond = std::is_same_v<T, float> ? T(0x1p39) : T(0x1p100);
         return clamped(std::ldexp(x, -exponent_), -beyond, beyond);
     }
@@ -102,7 +103,8 @@ public:
         return std::ldexp(x, exponent_);
     }
 
-    /// Brings a coordinate of a new end back; `whole` was the old one's, [low, high] is the window.
+    /// Converts a coordinate of a new end back. `whole` is the coordinate of the input's end, [low,
+    /// high] the window's range.
     T back(T x, T whole, T low, T high) const
     {
         const T restored = x == into(low)     ? low
@@ -123,7 +125,7 @@ private:
     int exponent_ = 0;
 };
 
-/// A frame in which a segment, which may have any finite coordinates, is ordinary.
+/// A frame in which a segment with any finite coordinates becomes ordinary.
 template <class T, glm::length_t N>
 class Frame {
 public:
@@ -144,7 +146,7 @@ public:
     }
     Segment into(const Segment& s) const { return {into(s.a), into(s.b)}; }
     Window into(const Window& w) const { return {into(w.min), into(w.max)}; }
-    /// What a trace shows, which is always in double.
+    /// The original coordinates for a trace, always in double.
     BasicSegment<double, N> outOf(const BasicSegment<double, N>& s) const
     {
         return {outOf(s.a), outOf(s.b)};

@@ -6,7 +6,7 @@
 
 namespace clipping {
 
-/// What is given in double, in another number of the library, exactly: Wide, or Counted of it or of
+/// Converts doubles exactly to another number type of the library: Wide, or Counted of Wide or
 /// double.
 template <class T>
 glm::vec<2, T> pointIn(const glm::dvec2& p)

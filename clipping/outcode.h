@@ -7,7 +7,7 @@
 
 namespace clipping {
 
-/// The sides of the window that a point lies strictly beyond: a sum of these bits, 0 inside.
+/// The sides of the window that a point is strictly beyond: a sum of these bits, 0 inside.
 namespace outcode {
 inline constexpr unsigned left = 1, right = 2, bottom = 4, top = 8; // 16 and 32 on the third axis
 } // namespace outcode
@@ -20,7 +20,7 @@ constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
     return v < low ? outcode::left : v > high ? outcode::right : 0;
 }
 
-/// The same for plain numbers, without a branch, which nothing would foretell.
+/// The same for plain numbers, without branches, because they could not be predicted.
 template <std::floating_point T>
 constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
 {

@@ -7,7 +7,7 @@
 
 namespace clipping {
 
-// As Skala's published form returns some of what it finds.
+// Whether a piece has the opposite direction; Skala's published form returns such pieces.
 static bool isTurned(const Segment& part, const Segment& whole)
 {
     const glm::dvec2 p = part.b - part.a, w = whole.b - whole.a;

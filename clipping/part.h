@@ -9,7 +9,7 @@
 
 namespace clipping {
 
-/// What edges leave of a segment: from `start` to `stop` (0 at a, 1 at b), and the edges that cut
+/// The remaining part of a segment, from `start` to `stop` (0 at a, 1 at b), and the edges that cut
 /// it there.
 template <class T>
 struct Part {
@@ -17,12 +17,13 @@ struct Part {
     Edge startEdge = Edge::None, stopEdge = Edge::None;
 };
 
-/// What the pseudo-codes call b - a on an axis.
+/// The pseudo-codes' names of b - a on each axis.
 inline constexpr std::array<std::string_view, 3> extentNames{"dx", "dy", "dz"};
-/// A line of a pseudo-code for the plane, which has none for the third axis.
+/// A line number of a pseudo-code for the plane; 0 for the third axis, for which it has no line.
 constexpr int lineOn(glm::length_t axis, int line) { return axis < 2 ? line : 0; }
 
-/// The ends of a part of `s`; d is b - a. Its steps are ten lines of pseudo-code, from `line` on:
+/// The segment of a part of `s`; d is b - a. The steps are ten lines of pseudo-code, starting at
+/// `line`:
 ///
 ///     if stop < 1
 ///       x2 = held(x1 + stop*dx),  y2 = held(y1 + stop*dy)
@@ -35,7 +36,7 @@ constexpr int lineOn(glm::length_t axis, int line) { return axis < 2 ? line : 0;
 ///     else
 ///       x1 = held(x1),  y1 = held(y1)
 ///
-/// A ray's far end and both ends of a line are always cut; nothing is tested there.
+/// The far end of a ray and both ends of an infinite line are always cut, without a test.
 template <Reach reach = Reach::Bounded, class T, glm::length_t N, class Step>
 constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N>& s,
                                     const glm::vec<N, T>& d, const BasicWindow<T, N>& w, int line,

@@ -10,7 +10,7 @@
 namespace clipping {
 namespace {
 
-/// Strings visible pieces together, as they come along the polyline.
+/// Joins visible pieces, in the order of the polyline, into runs.
 class Joiner {
 public:
     explicit Joiner(PolylineRuns& out) : out_(out)
@@ -19,7 +19,8 @@ public:
         out_.runs.clear();
     }
 
-    /// The visible piece of a segment, and whether the segment follows that of the last piece.
+    /// Adds the visible piece of a segment. `follows`: the previous piece belongs to the previous
+    /// segment.
     void add(const Segment& whole, const Clipped& piece, bool follows)
     {
         const auto& [a, b] = piece.segment;
@@ -31,7 +32,7 @@ public:
         if (a != b || whole.a == whole.b)
             out_.points.push_back(b);
         else if (leave == Edge::None)
-            out_.points.back() = b; // a point of the polyline, whose zero may have a sign
+            out_.points.back() = b; // use the polyline's own point, because its zero may be -0
         run.count = out_.points.size() - run.first;
     }
 
@@ -44,8 +45,8 @@ private:
     PolylineRuns& out_;
 };
 
-/// Clips the segments that begin at `count` points, the first of them `start`, and after the last
-/// point of all the first.
+/// Clips `count` segments, beginning with the one at point `start`; the last point is followed by
+/// the first.
 void clipFrom(std::size_t start, std::size_t count, std::span<const glm::dvec2> points,
               const Window& window, PolylineRuns& out)
 {
@@ -53,7 +54,8 @@ void clipFrom(std::size_t start, std::size_t count, std::span<const glm::dvec2> 
     std::array<Segment, block> segments;
     std::array<Clipped, block> pieces;
     Joiner joiner(out);
-    std::size_t at = start, next = start; // the next point, and the segment that would follow
+    // The next point, and the segment that would continue the run.
+    std::size_t at = start, next = start;
     while (count > 0) {
         const std::size_t size = std::min({count, block, points.size() - at});
         for (std::size_t i = 0; i < size; ++i)
@@ -80,7 +82,7 @@ bool contains(const Window& w, const glm::dvec2& p)
 
 void clipPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
 {
-    // One point is a segment to itself, whose second end is not wanted.
+    // A single point is clipped as a segment to itself, whose second end is then dropped.
     clipFrom(0, points.size() == 1 ? 1 : points.size() - !points.empty(), points, window, out);
     if (points.size() == 1 && !out.runs.empty()) {
         out.points.pop_back();
@@ -90,7 +92,7 @@ void clipPolyline(std::span<const glm::dvec2> points, const Window& window, Poly
 
 void clipClosedPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
 {
-    // No run goes through a point outside, so none is split by beginning there.
+    // No run passes through a point outside, so starting there splits no run.
     const auto outside =
         std::ranges::find_if(points, [&](const glm::dvec2& p) { return !contains(window, p); });
     const auto start = static_cast<std::size_t>(outside - points.begin());

@@ -9,8 +9,8 @@
 
 namespace clipping {
 
-/// The symmetries of the plane that map axes to axes: of a point, of a window, and the one that
-/// undoes it. All are exact. P is a vector of any number.
+/// Symmetries of the plane that map axes to axes. Each maps points and windows exactly and names
+/// its inverse. P is a vector of any number type.
 struct HalfTurn {
     template <class P>
     static constexpr P of(const P& p)
@@ -78,7 +78,7 @@ struct ThreeQuarterTurn {
     using Inverse = QuarterTurn;
 };
 
-/// Where a symmetry takes an edge of the window.
+/// The edge onto which a symmetry maps an edge of the window.
 template <class Symmetry>
 constexpr Edge edgeIn(Edge edge)
 {
@@ -87,8 +87,8 @@ constexpr Edge edgeIn(Edge edge)
     return static_cast<Edge>(std::find(outward.begin(), outward.end(), wanted) - outward.begin());
 }
 
-/// Tells the steps of a procedure that works in another frame in its own, into which Symmetry turns
-/// them: edges and new ends, also as the variables of the procedure. The way there is not counted.
+/// Reports the steps of a procedure that works in a transformed frame. Symmetry maps edges, new
+/// ends and the procedure's variables back to the original frame; these mappings are not counted.
 template <class Symmetry, class Step>
 struct TurnedStep {
     Step& step;
@@ -126,7 +126,7 @@ struct TurnedStep {
     }
 };
 
-/// What tells the steps of a procedure that runs in a frame which Symmetry turns back.
+/// The step reporter for a procedure in a transformed frame, which Symmetry maps back.
 template <class Symmetry, class Step>
 constexpr auto turnedStep(Step& step)
 {

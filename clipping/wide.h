@@ -6,9 +6,9 @@
 
 namespace clipping {
 
-/// A double whose exponent has no limits that products of differences of doubles could reach: what
-/// an algorithm runs with where double itself would overflow, or lose digits to underflow. Rounds
-/// as double does; infinity may be compared with, no more.
+/// A double with an exponent range that products of differences of doubles cannot exceed.
+/// Algorithms run with it where double would overflow or lose digits to underflow. Rounds like
+/// double. Infinity may be used in comparisons only.
 class Wide {
 public:
     Wide() = default;
@@ -43,14 +43,14 @@ private:
     {
         Wide result;
         result.fraction_ = fraction, result.exponent_ = 0;
-        if (fraction == 0 || !std::isfinite(fraction)) // frexp leaves infinity's exponent open
+        if (fraction == 0 || !std::isfinite(fraction)) // frexp does not define infinity's exponent
             return result;
         int shift;
         result.fraction_ = std::frexp(fraction, &shift);
         result.exponent_ = exponent + shift;
         return result;
     }
-    double fraction_; // uninitialised on purpose: GLM keeps it in a union
+    double fraction_; // uninitialised on purpose, because GLM stores it in a union
     int exponent_;
 };
 

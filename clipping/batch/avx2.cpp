@@ -43,7 +43,7 @@ constexpr FrontTable frontTable()
 }
 constexpr FrontTable front = frontTable();
 
-/// Writes first + lane for each of four lanes, returns how many.
+/// Writes first + lane for each set lane of four; returns their number.
 CLIPPING_INLINE std::size_t storeFour(std::uint32_t* to, std::size_t first, unsigned which)
 {
     const __m128i all =

@@ -19,7 +19,7 @@ struct Mask8 {
     LANE unsigned bits(Mask8 a) { return _cvtmask8_u32(a.lanes); }
 };
 
-/// And of sixteen.
+/// A bit for each of sixteen lanes.
 struct Mask16 {
     __mmask16 lanes;
     LANE Mask16 operator&(Mask16 a, Mask16 b) { return {_kand_mask16(a.lanes, b.lanes)}; }

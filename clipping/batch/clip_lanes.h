@@ -8,14 +8,14 @@
 namespace clipping {
 namespace {
 
-/// Segments mirrored so that they run right and up: then the near edges, where they can enter, are
-/// the left and bottom ones, and the far edges the right and top ones.
+/// Segments mirrored so that they run right and up. Then the near edges, where they can enter, are
+/// left and bottom, and the far edges, where they can leave, are right and top.
 template <class V>
 struct Mirrored {
-    V signX, signY;   ///< of the mirror
-    V ax, ay, bx, by; ///< mirrored, as are the edges:
+    V signX, signY;   ///< sign bits of the mirroring
+    V ax, ay, bx, by; ///< mirrored coordinates
     V nearX, nearY, farX, farY;
-    V entryX, entryY, exitX, exitY; ///< the edges where they are
+    V entryX, entryY, exitX, exitY; ///< the edges' original coordinates
 };
 template <class V>
 CLIPPING_INLINE Mirrored<V> mirrored(const Ends<V>& s, const VectorWindow<V>& w)
@@ -28,12 +28,12 @@ CLIPPING_INLINE Mirrored<V> mirrored(const Ends<V>& s, const VectorWindow<V>& w)
             entryX,       entryY,         exitX,          exitY};
 }
 
-/// In which order lines pass the edges, by how much of the segment lies before them. That is
-/// between 0 and 1 wherever it matters; where a difference is 0, a quotient may be NaN, and max and
-/// min then give the second.
+/// The order in which lines pass the edges, by the part of the segment before each edge. These
+/// parts are between 0 and 1 wherever they matter. Where a difference is 0, a quotient may be NaN;
+/// then max and min return their second argument.
 template <class V>
 struct Passing {
-    typename V::Mask visible, gone; ///< neither: too close to tell
+    typename V::Mask visible, gone; ///< neither: undecided, too close to tell
     typename V::Mask enterByX, leaveByX;
     typename V::Mask entryUnsure, exitUnsure;
 };
@@ -59,7 +59,7 @@ CLIPPING_INLINE V edgeBits(V sign, Edge positive, Edge negative, int shift)
     return select(sign, edge(negative), edge(positive));
 }
 
-/// A coordinate of a new end: the edge's, or the computed one back from the mirror.
+/// A coordinate of a new end: the edge's, or the computed one with the mirroring undone.
 template <class V>
 CLIPPING_INLINE V placed(typename V::Mask onEdge, V edge, V value, V sign)
 {

@@ -9,13 +9,13 @@
 namespace clipping {
 namespace {
 
-/// A number and what it lacks, in every lane.
+/// A number and its rounding error, in every lane.
 template <class V>
 struct VectorPair {
     V high, low;
 };
 
-/// What the difference of a and b lacks.
+/// The rounding error of the computed difference of a and b.
 template <class V>
 CLIPPING_INLINE V lowOfDifference(V a, V b, V difference)
 {
@@ -23,14 +23,14 @@ CLIPPING_INLINE V lowOfDifference(V a, V b, V difference)
     return (a - (difference - ofB)) - (b + ofB);
 }
 
-/// How far segments reach on each axis, and the reciprocals.
+/// The extents of segments on each axis, and their reciprocals.
 template <class V>
 struct Extent {
     VectorPair<V> x, y;
     V inverseX, inverseY;
 };
 
-/// A new coordinate, and where it is proved to be rounded as the truth is.
+/// A new coordinate, and the lanes in which it is proved to be the exact value, correctly rounded.
 template <class V>
 struct Crossing {
     V value;
@@ -42,10 +42,10 @@ template <class V>
 struct Slope {
     V start;
     VectorPair<V> rise, run, length;
-    V inverse; ///< of the length
+    V inverse; ///< reciprocal of the length
 };
 
-/// What both sides round to, where they agree.
+/// The number to which both bounds round, in lanes where they round alike.
 template <class T, class V>
 CLIPPING_INLINE Crossing<V> between(V low, V high)
 {
@@ -53,7 +53,7 @@ CLIPPING_INLINE Crossing<V> between(V low, V high)
     return {below, below == above};
 }
 
-/// Without what the numbers lack: enough for most floats.
+/// The crossing without the rounding errors of the differences; sufficient for most floats.
 template <class V>
 CLIPPING_INLINE Crossing<V> roughCrossing(const Slope<V>& s)
 {
@@ -75,13 +75,14 @@ CLIPPING_INLINE Crossing<V> fineCrossing(const Slope<V>& slope)
     const V t = fma(rest, inverse, (start - (s - ofQ)) + (q - ofQ));
     const V error = fma(V::of(quotientBound), q, V::of(sumBound<T>) * abs(s));
     const auto [value, settled] = between<T>(s + (t - error), s + (t + error));
-    // Only underflow goes unnoticed: what overflows ends as NaN and is equal to nothing.
+    // Only underflow must be tested: overflow ends as NaN, which equals nothing.
     const auto tame =
         ((p >= V::of(smallestProduct)) & (q >= V::of(smallestQuotient))) | (rise.high == V::of(0));
     return {value, tame & settled};
 }
 
-/// How much care crossings take. Floats mostly need little; what is then unsettled may need more.
+/// The precision with which crossings are computed. Most floats need little; unsettled ones are
+/// computed again with more.
 enum class Care : std::uint8_t { Floats, UnsettledFloats, Doubles };
 template <class T>
 constexpr Care usualCare = sizeof(T) == sizeof(float) ? Care::Floats : Care::Doubles;
@@ -99,8 +100,8 @@ CLIPPING_INLINE Crossing<V> crossing(const Slope<V>& slope)
         return fineCrossing<double>(slope);
 }
 
-/// Where the lines through (ax, ay) pass the edge of x (`byX`): the y; elsewhere, where they pass
-/// the edge of y: the x.
+/// In lanes `byX`: the y at which the lines through (ax, ay) pass the edge of x. In the other
+/// lanes: the x at which they pass the edge of y.
 template <Care care, class V>
 // NOLINTNEXTLINE(readability-function-size): two coordinates for each of two points, in registers
 CLIPPING_INLINE Crossing<V> crossing(const Extent<V>& d, typename V::Mask byX, V ax, V ay, V edgeX,

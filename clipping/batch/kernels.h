@@ -9,32 +9,33 @@
 
 namespace clipping {
 
-/// Segments begin to end of an array, to be clipped into `out`, which holds end - begin pieces.
+/// The segments from `begin` to `end` of an array, to be clipped into `out`, which has room for end
+/// - begin pieces.
 template <class T>
 struct Batch {
     const BasicSegment<T>* segments;
     std::size_t begin, end;
     BasicWindow<T> window;
-    BasicClipped<BasicSegment<T>>* out; ///< `source` counts from segments, not from begin
+    BasicClipped<BasicSegment<T>>* out; ///< `source` is relative to `segments`, not to `begin`
 };
 
 struct BatchResult {
-    std::size_t pieces;    ///< written, in the order of the segments
-    std::size_t unsettled; ///< segments that the vectors left to the scalar algorithm
+    std::size_t pieces;    ///< number written, in the order of the segments
+    std::size_t unsettled; ///< number of segments that were left to the scalar algorithm
 };
 
-/// `exact` for many segments in one set of instructions. All of them give the same bits.
+/// `exact` for many segments with one instruction set. All sets give the same result, bit for bit.
 struct InstructionSet {
     std::string_view name;
-    bool available; ///< in this build and on this processor; otherwise do not call
+    bool available; ///< in this build and on this processor; if false, do not call the functions
     BatchResult (*clip)(const Batch<double>&);
     BatchResult (*clipSingle)(const Batch<float>&);
 };
 
-/// Every set there is, the slowest (and always available) first.
+/// All instruction sets; the first is the slowest and always available.
 std::span<const InstructionSet> instructionSets();
 
-/// `exact` for many segments in the fastest instructions that this processor has.
+/// `exact` for many segments with the fastest instruction set of this processor.
 template <class T>
 BatchResult clipBatch(const Batch<T>& batch);
 

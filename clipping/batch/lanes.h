@@ -3,10 +3,10 @@
 
 #include "clipping/geometry.h"
 
-// What the parts of the vector kernel share. A file that includes this is compiled for instructions
-// that the processor may lack; so everything here and in the parts is in an anonymous namespace and
-// nothing from elsewhere is instantiated, lest the linker keep a copy of an inline function that
-// only some processors can run.
+// Types that the parts of the vector kernel share. A file that includes this is compiled for
+// instructions that the processor may lack. So everything here and in the parts is in an anonymous
+// namespace and nothing from elsewhere is instantiated; otherwise the linker might keep a copy of
+// an inline function that only some processors can run.
 
 namespace clipping {
 namespace {
@@ -31,11 +31,11 @@ CLIPPING_INLINE VectorWindow<V> inEveryLane(const BasicWindow<T>& w)
     return {V::of(w.min.x), V::of(w.min.y), V::of(w.max.x), V::of(w.max.y)};
 }
 
-/// What became of a vector of segments.
+/// The result for a vector of segments.
 template <class V>
 struct Clip {
     Ends<V> piece;
-    V cut; ///< as bits: what `cut` is, in the upper half of each lane
+    V cut; ///< as bits: BasicClipped::cut, in the upper half of each lane
     typename V::Mask visible, unsettled;
 };
 

@@ -18,7 +18,7 @@ CLIPPING_INLINE Vector sixteenBytes(const void* from)
     return result;
 }
 
-/// Sixteen bytes of numbers, in the compiler's own vectors.
+/// Sixteen bytes of numbers in the compiler's vector extension.
 template <class T, class Bit>
 struct Numbers {
     using Vector [[gnu::vector_size(16)]] = T;
@@ -87,8 +87,8 @@ struct Numbers {
                             & (size <= of(std::numeric_limits<T>::max()));
         return ~(normal | (a == of(0)));
     }
-    /// a * b - product (Dekker), where the product is that of a and b to a few units in the last
-    /// place: then all sums but the last are exact. What overflows on the way ends as NaN.
+    /// a * b - product (Dekker). `product` must be within a few ulps of a * b; then all sums but
+    /// the last are exact. Overflow on the way ends as NaN.
     LANE Numbers restOfProduct(Numbers a, Numbers b, Numbers product)
     {
         const auto highOf = [](Numbers x) {

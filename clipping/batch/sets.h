@@ -5,22 +5,22 @@
 
 #include <limits>
 
-// What the files of this folder know of each other.
+// Declarations shared by the files of this folder.
 
 namespace clipping {
 
 /// One row for each file of kernels; without functions where the compiler lacks the instructions.
 extern const InstructionSet portableSet, avx2Set, avx512Set;
 
-/// The segments that kernels cannot settle, or that are too few: those at the given indices, one
-/// by one. Writes the visible pieces to `out` and returns how many there are.
+/// Clips the segments at the given indices one by one: those that kernels cannot settle, or that
+/// are too few for a vector. Writes the visible pieces to `out` and returns their number.
 template <class T>
 std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* indices,
                          std::size_t count, const BasicWindow<T>& window,
                          BasicClipped<BasicSegment<T>>* out);
 
-/// What a whole block of segments is compared with first: the window as centre and half size, the
-/// latter rounded up. A segment whose line misses that box misses the window.
+/// The window as centre and half size, the latter rounded up, for the first test of a whole block
+/// of segments. A segment whose line misses that box misses the window.
 template <class T>
 struct Box {
     BasicWindow<T> window;
@@ -43,7 +43,8 @@ constexpr T missBound = std::numeric_limits<T>::epsilon() * 4;
 template <class T>
 constexpr T missTiny = std::numeric_limits<T>::min() * 4096;
 
-/// So many segments are rejected at once and then clipped: 16 KiB of doubles, half an L1 cache.
+/// Number of segments in a block, which is first tested for rejection and then clipped: 16 KiB of
+/// doubles, half an L1 cache.
 constexpr std::size_t blockSize = 512;
 
 } // namespace clipping

@@ -9,8 +9,8 @@
 namespace clipping {
 namespace {
 
-/// Writes the indices of the segments that may be visible, returns how many; has room for one
-/// vector more than the block.
+/// Writes the indices of the segments that may be visible and returns their number. The output must
+/// have room for one vector more than the block.
 template <class V, class T>
 CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::size_t first,
                                         std::size_t last, const Box<T>& box, std::uint32_t* indices)
@@ -22,7 +22,8 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
     const V relative = V::of(missBound<T>), absolute = V::of(missTiny<T>);
     std::size_t count = 0, i = first;
     for (; i + V::width <= last; i += V::width) {
-        for (std::size_t line = 0; line < row; line += 64) // a number: it may lie behind the array
+        // An integer, because the address may be behind the array.
+        for (std::size_t line = 0; line < row; line += 64)
             __builtin_prefetch(reinterpret_cast<const void*>( // NOLINT(performance-no-int-to-ptr)
                 reinterpret_cast<std::uintptr_t>(segments + i) + ahead + line));
         const Ends<V> s = V::load(segments + i);
@@ -40,8 +41,9 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
     return count;
 }
 
-/// Whether these are whole vectors of segments, none of which leaves the window. Worth asking
-/// where all have survived: in drawings, neighbours in the array are neighbours on the sheet.
+/// Whether the block consists of whole vectors of segments that are all inside the window. Worth
+/// testing if all have survived, because in drawings neighbours in the array are usually neighbours
+/// on the sheet.
 template <class V, class T>
 CLIPPING_INLINE bool untouched(const BasicSegment<T>* segments, std::size_t first, std::size_t last,
                                const BasicWindow<T>& window)
@@ -51,7 +53,8 @@ CLIPPING_INLINE bool untouched(const BasicSegment<T>* segments, std::size_t firs
         if (i + V::width > last)
             return false;
         const Ends<V> s = V::load(segments + i);
-        // Beside a NaN, min and max give the second: with one, nothing is inside.
+        // With a NaN, min and max return their second argument, so a segment with a NaN is never
+        // inside.
         const auto inside = (min(s.ax, s.bx) >= w.minX) & (max(s.bx, s.ax) <= w.maxX)
                             & (min(s.ay, s.by) >= w.minY) & (max(s.by, s.ay) <= w.maxY);
         if (any(~inside))

@@ -4,17 +4,18 @@
 #include "clipping/batch/clip_lanes.h"
 #include "clipping/batch/survivors.h"
 
-// `exact` in vectors, written once for every set of instructions (see lanes.h for what the
-// including file has to mind): block by block, first rejects what cannot be visible, then clips the
+// `exact` in vectors, written once for every instruction set (lanes.h says what the including file
+// must observe). Block by block, it first rejects segments that cannot be visible, then clips the
 // rest.
 //
-// A file's `V` wraps its vectors of doubles, its `First` those of T for the first pass.
+// The including file's `V` wraps its vectors of doubles, its `First` the vectors of T for the first
+// pass.
 
 namespace clipping {
 namespace {
 
-/// The vectors of the second pass that are not settled at once, or for which the room is too small
-/// to store them whole. Kept out of the way of the others.
+/// Handles the vectors of the second pass that are not settled at once, or that do not fit whole
+/// into the remaining room. A separate function, to keep the common path small.
 template <class V, class T>
 [[gnu::noinline, gnu::cold]] BatchResult
 clipWithCare(const Batch<T>& batch, const std::uint32_t* indices, std::size_t lanes,
@@ -32,10 +33,10 @@ clipWithCare(const Batch<T>& batch, const std::uint32_t* indices, std::size_t la
             static_cast<std::size_t>(__builtin_popcount(unsettled))};
 }
 
-/// Second pass: clips the segments at `indices`, which has room to be filled up to whole vectors,
-/// into `out`, which has room for `room`. Meanwhile fetches what the next block will read.
+/// Second pass: clips the segments at `indices`, which has room to be padded to whole vectors, into
+/// `out`, which has room for `room` pieces. Meanwhile prefetches what the next block will read.
 template <class V, class T>
-// NOLINTNEXTLINE(readability-function-size): what is read, what is written, and what comes next
+// NOLINTNEXTLINE(readability-function-size): needs input, output and the next block
 CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* indices,
                                           std::size_t count, const BasicSegment<T>* next,
                                           BasicClipped<BasicSegment<T>>* out, std::size_t room)
@@ -44,7 +45,8 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* 
     BatchResult result{};
     for (std::size_t lane = count; lane < count + V::width; ++lane)
         indices[lane] = static_cast<std::uint32_t>(batch.begin);
-    auto line = reinterpret_cast<std::uintptr_t>(next); // a number: it may lie behind the array
+    // An integer, because the address may be behind the array.
+    auto line = reinterpret_cast<std::uintptr_t>(next);
     const std::uintptr_t end = line + blockSize * sizeof *next;
     for (std::size_t i = 0; i < count; i += V::width) {
         for (int ahead = 0; ahead < 8 && line < end; ++ahead, line += 64)
@@ -67,7 +69,7 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Batch<T>& batch, std::uint32_t* 
     return result;
 }
 
-/// A block that lies wholly inside.
+/// Copies a block that is wholly inside.
 template <class T>
 CLIPPING_INLINE void copyBlock(const BasicSegment<T>* segments, std::size_t first, std::size_t last,
                                BasicClipped<BasicSegment<T>>* out)

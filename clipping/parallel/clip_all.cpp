@@ -13,7 +13,7 @@
 namespace clipping {
 namespace {
 
-/// Some segments on their way: clipped into a slot, then moved to their place.
+/// A part of the segments, which is clipped into a slot and then moved to its place in the output.
 template <class T>
 struct Part {
     std::size_t begin, end;
@@ -21,9 +21,9 @@ struct Part {
     std::size_t pieces;
 };
 
-/// How the work is cut up. The slots lie at the end of the output, behind everything that the
-/// parts themselves can fill: the segments that would fill the slots are left to the end. They are
-/// so few that they stay in the caches, and none is used again before its part has been moved.
+/// The division of the work. The slots are at the end of the output, behind everything that the
+/// parts can fill: the segments whose pieces could reach the slots are clipped last. There are few
+/// slots, so they stay in the caches, and a slot is reused only after its part has been moved.
 struct Plan {
     std::size_t slots, partSize, shared;
 };
