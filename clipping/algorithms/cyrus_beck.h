@@ -5,11 +5,12 @@
 
 namespace clipping {
 
-/// The edges in the order in which Cyrus-Beck asks them: once round, then the two of a box alone.
+/// The edges in the order in which Cyrus-Beck tests them: once around the window, then near and
+/// far.
 inline constexpr std::array edgesInTurn{Edge::Bottom, Edge::Right, Edge::Top,
                                         Edge::Left,   Edge::Near,  Edge::Far};
 
-/// The normal of an edge that points inside and has length 1.
+/// The inner unit normal of an edge.
 template <class T, glm::length_t dimensions>
 constexpr glm::vec<dimensions, T> innerNormal(Edge edge)
 {
@@ -19,7 +20,7 @@ constexpr glm::vec<dimensions, T> innerNormal(Edge edge)
     return normal;
 }
 
-/// A corner on an edge: in the plane the one where the edge begins, once round.
+/// A corner on an edge; in the plane the one at which the edge begins, counter-clockwise.
 template <class T>
 constexpr glm::vec<2, T> cornerOn(Edge edge, const BasicWindow<T>& w)
 {
@@ -32,7 +33,7 @@ constexpr glm::vec<3, T> cornerOn(Edge edge, const BasicWindow<T, 3>& w)
     return edge == lowerEdge(axisOf(edge)) ? w.min : w.max;
 }
 
-/// The sum of the products of the coordinates.
+/// The dot product.
 template <class T, glm::length_t dimensions>
 constexpr T dot(const glm::vec<dimensions, T>& u, const glm::vec<dimensions, T>& v)
 {
@@ -42,8 +43,8 @@ constexpr T dot(const glm::vec<dimensions, T>& u, const glm::vec<dimensions, T>&
     return sum;
 }
 
-/// Cuts a part at one edge: a turn of Cyrus and Beck's loop, lines 3 to 13 of the corrected
-/// pseudo-code; d is b - a. False: nothing is left.
+/// Cuts a part at one edge: one pass of Cyrus and Beck's loop, lines 3 to 13 of the corrected
+/// pseudo-code; d is b - a. False: nothing is visible.
 template <class T, glm::length_t dimensions, class Step>
 constexpr bool cutAt(Edge edge, Part<T>& part, const BasicSegment<T, dimensions>& s,
                      const glm::vec<dimensions, T>& d, const BasicWindow<T, dimensions>& w,

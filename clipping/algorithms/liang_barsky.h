@@ -5,9 +5,9 @@
 
 namespace clipping {
 
-/// Cuts a part at one edge, as Liang and Barsky's `clipt` does, and remembers the edge: p is how
-/// fast the segment leaves that edge's half-plane, q how far its a is from leaving it. False:
-/// nothing is left. Its steps are lines 1 to 12 of the pseudo-code; `line` is that of the call.
+/// Cuts a part at one edge, like Liang and Barsky's `clipt`, and records the edge. p is the speed
+/// at which the segment leaves the edge's half-plane, q the distance of a from leaving it. False:
+/// nothing is visible. Steps are lines 1 to 12 of the pseudo-code; `line` is the line of the call.
 template <class T, class Step>
 constexpr bool clipt(T p, T q, Part<T>& part, int line, Edge edge, Step& step)
 {

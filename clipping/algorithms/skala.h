@@ -12,12 +12,12 @@ namespace clipping {
 /// (xmin, ymin).
 inline constexpr std::array edgesFromCorners{Edge::Bottom, Edge::Right, Edge::Top, Edge::Left};
 
-/// By which edges a line comes into the window and goes out.
+/// The edges at which a line enters and leaves the window.
 struct Passage {
     int enter, leave;
 };
-/// By the pattern of the corners that lie on the line's left: bit k is that of corner k. 0 and
-/// 15 are rejected before; 5 and 10 cannot occur, as rounding keeps products in order.
+/// Indexed by the pattern of corners on the line's left: bit k is for corner k. 0 and 15 are
+/// rejected before; 5 and 10 cannot occur, because rounding keeps the products in order.
 // clang-format off
 inline constexpr std::array<Passage, 16> passages{{
     {}, {0, 3}, {1, 0}, {1, 3},
@@ -31,13 +31,13 @@ inline constexpr std::array<Passage, 16> passages{{
 template <class T>
 struct Crossing {
     glm::vec<2, T> d;   ///< b - a
-    std::array<T, 4> f; ///< of edge k: dx or dy times the way from a to the edge
-    int i, j;           ///< the edges by which it comes in and goes out
+    std::array<T, 4> f; ///< for edge k: dx or dy times the distance from a to the edge
+    int i, j;           ///< the edges at which it enters and leaves
 };
 
 /// The edges that the line through a segment crosses: lines 6 to 24 of the corrected pseudo-code.
-/// With the origin at a the line is dx*y = dy*x, so that the side of a corner is that of the
-/// products of its two edges.
+/// With the origin at a the line is dx*y = dy*x, so comparing the products of a corner's two edges
+/// gives the corner's side.
 template <class T, class Step>
 constexpr std::optional<Crossing<T>> crossingOf(const BasicSegment<T>& s, const BasicWindow<T>& w,
                                                 Step& step)
@@ -52,7 +52,8 @@ constexpr std::optional<Crossing<T>> crossingOf(const BasicSegment<T>& s, const 
     int c2 = step.let(11, "c[2]", f[2] >= f[1] ? 1 : 0);
     int c3 = step.let(12, "c[3]", f[2] >= f[3] ? 1 : 0);
     auto c = step.let(13, "c", unsigned(c0 + 2 * c1 + 4 * c2 + 8 * c3));
-    if (step.test(14, c == 0b1111)) { // corners on the line counted as left of it; now they count as right
+    // Corners on the line counted as left; now they count as right.
+    if (step.test(14, c == 0b1111)) {
         c0 = step.let(15, "c[0]", f[0] > f[3] ? 1 : 0);
         c1 = step.let(16, "c[1]", f[0] > f[1] ? 1 : 0);
         c2 = step.let(17, "c[2]", f[2] > f[1] ? 1 : 0);
@@ -74,8 +75,8 @@ constexpr std::optional<Crossing<T>> crossingOf(const BasicSegment<T>& s, const 
     return Crossing<T>{{dx, dy}, f, i, j};
 }
 
-/// Where the line through a crosses edge k: at the edge's own coordinate, the other one held inside
-/// the window.
+/// The point where the line through a crosses edge k: one coordinate is the edge's own, the other
+/// is clamped to the window.
 template <class T>
 constexpr glm::vec<2, T> crossedAt(int k, const Crossing<T>& line, const glm::vec<2, T>& a,
                                    const BasicWindow<T>& w)

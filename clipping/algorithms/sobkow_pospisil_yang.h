@@ -7,16 +7,16 @@
 #include <string_view>
 #include <utility>
 
-// The scripts of Sobkow, Pospisil and Yang: what is done about each of the 81 pairs of regions.
+// The scripts of Sobkow, Pospisil and Yang: the actions for each of the 81 pairs of regions.
 
 namespace clipping::fast_clipping {
 
 /// The outcodes of the nine regions in the order of the table: C L R B T LB RB LT RT.
 inline constexpr std::array<unsigned, 9> regions{0, 1, 2, 4, 8, 5, 6, 9, 10};
 
-/// What to do when End 1 (P) is in the region of the row and End 2 (Q) in that of the column. PL
-/// moves P to the left edge, which is the procedure L of the pseudo-code; !PL rejects if P is
-/// beyond it, notL; ?PL moves P there if it is, ifL; x rejects.
+/// The script if End 1 (P) is in the region of the row and End 2 (Q) in that of the column. PL
+/// moves P to the left edge (procedure L of the pseudo-code); !PL rejects if P is beyond the left
+/// edge (notL); ?PL moves P to the left edge if P is beyond it (ifL); x rejects.
 // clang-format off
 inline constexpr std::array<std::array<std::string_view, 9>, 9> scripts{{
     {"", "QL", "QR", "QB", "QT", "QL?QB", "QR?QB", "QL?QT", "QR?QT"},
@@ -36,9 +36,10 @@ struct Instruction {
     Kind kind;
     int i; ///< the end: 0 for P, 1 for Q
     Edge edge;
-    bool holdLow = false, holdHigh = false; ///< the sides at which a move is held, if corrected
+    /// Whether a move is clamped at each side, in the corrected form.
+    bool holdLow = false, holdHigh = false;
 };
-/// The regions of both ends, and what is to be done.
+/// The regions of both ends, and the script for them.
 struct Script {
     unsigned code1 = 0, code2 = 0;
     std::array<Instruction, 6> instructions{};
@@ -54,9 +55,9 @@ constexpr Edge edgeNamed(char letter)
 constexpr unsigned bitOf(Edge edge) { return 1U << (static_cast<int>(edge) - 1); }
 constexpr bool isLow(Edge edge) { return edge == lowerEdge(axisOf(edge)); }
 
-/// Whether the move of instruction `at` may leave the end beyond `edge`, as far as rounding
-/// goes: not if the script asks about it later, nor if the end comes from this side of the edge
-/// and moves away from it.
+/// Whether rounding in the move of instruction `at` can leave the end beyond `edge`: not if the
+/// script tests this edge later, nor if the end starts between the edge and the opposite one and
+/// moves away from the edge.
 constexpr bool mayEndBeyond(const Script& script, std::size_t at, Edge edge)
 {
     const int i = script.instructions[at].i;
@@ -89,7 +90,7 @@ constexpr Script scriptOf(std::size_t row, std::size_t column)
     return script;
 }
 
-/// Follows a script to its end; false: nothing is visible.
+/// Executes a script; false: nothing is visible.
 template <auto script>
 constexpr bool followAll(auto& ends)
 {
@@ -100,7 +101,7 @@ constexpr bool followAll(auto& ends)
     (std::make_index_sequence<script.size>{});
 }
 
-/// Whether the table rejects the cases whose outcodes have a bit in common, and no other.
+/// Whether the table rejects exactly the cases whose outcodes have a common bit.
 constexpr bool rejectsByOutcodes()
 {
     for (std::size_t i = 0; i < 81; ++i)

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Matthes-Drakopoulos in three dimensions, which their paper leaves to the future: each end is
-// pushed on one axis after another, and what is then still outside was never inside. In the plane
-// asking that on the x axis alone is enough, as the end is within the other, on which it was pushed
-// last; carried over to n dimensions it takes the question on every axis but the last. (On x alone
-// (0, -1, 0) to (0, 0, -1) would be visible in the unit cube.)
+// Matthes-Drakopoulos in three dimensions, which their paper leaves to future work. Each end is
+// moved on one axis after another; if it is still outside afterwards, nothing is visible. In the
+// plane, testing this on the x axis alone is enough, because the end is within the window on the y
+// axis, on which it was moved last. In n dimensions the test is needed on every axis but the last.
+// (With x alone, (0, -1, 0) to (0, 0, -1) would be visible in the unit cube.)
 //
-// Why: a push on axis k takes the parameter of an end to the nearest one in the interval of axis k.
-// Both ends together are the interval from 0 to 1, and a push makes of it what it has in common
-// with the axis's interval, or, if that is nothing, a single point. So after all axes either the
-// ends are those of the visible part, or both are one point, in reach of the last axis but not of
-// another.
+// Proof: moving an end on axis k takes its parameter to the nearest one in the interval of axis k.
+// The two ends are an interval, at first from 0 to 1; each move replaces it by its intersection
+// with the axis's interval or, if that is empty, by a single point. So after all axes either the
+// ends are those of the visible part, or both are the same point, which is within the last axis's
+// interval but outside another one.
 //
-// The lines of the steps are those of the corrected pseudo-code for the plane, which has none for
+// Steps have the line numbers of the corrected pseudo-code for the plane, which has no lines for
 // near and far.
 
 #include "clipping/box/moving_end.h"
@@ -29,7 +29,7 @@ struct MatthesDrakopoulosBox {
         return side < Edge::Near ? 7 + 3 * static_cast<int>(side) : 0; // 10, 13, 16, 19
     }
 
-    /// Pushes end number `end` to the sides it is beyond.
+    /// Moves end number `end` to the sides it is beyond.
     template <class T, class Step>
     static constexpr void push(int end, MovingEnd<T>& moving, Step& step)
     {
@@ -58,7 +58,7 @@ struct MatthesDrakopoulosBox {
         MovingEnd<T> a(s.a, d, w), b(s.b, d, w);
         push(0, a, step);
         push(1, b, step);
-        constexpr glm::length_t lastAxis = 2; // no question there
+        constexpr glm::length_t lastAxis = 2; // not tested
         for (glm::length_t k = 0; k < lastAxis; ++k)
             if (step.test(20, (a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k)),
                           lowerEdge(k), upperEdge(k)))

@@ -5,9 +5,9 @@
 
 namespace clipping {
 
-/// An end of a segment on its way along it, from one side of a box to another. Each move starts
-/// from where the end was given, so that no rounding is carried on, and where the end is now is
-/// asked of the way it has gone, which is accurate, and not of its rounded place.
+/// An end that moves along its segment from one side of a box to another. Each move starts from the
+/// given end, so that rounding errors do not accumulate. Whether the end is beyond a side is
+/// decided by the distance moved, which is accurate, not by the rounded position.
 template <class T>
 class MovingEnd {
 public:
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /// The side it has moved to last; Edge::None where it was given.
+    /// The side it moved to last; Edge::None if it has not moved.
     constexpr Edge side() const { return side_; }
     constexpr bool isBelow(glm::length_t axis) const
     {
@@ -33,7 +33,7 @@ public:
         return way_[axisOf(side)] == levelOf(side, w_) - given_[axisOf(side)];
     }
 
-    /// Needs a segment that is not parallel to the side.
+    /// Moves the end to a side; the segment must not be parallel to it.
     constexpr void moveTo(Edge side)
     {
         const glm::length_t axis = axisOf(side);
@@ -45,9 +45,9 @@ public:
         side_ = side;
     }
 
-    /// Where it is, rounded.
+    /// The current position, rounded.
     constexpr const glm::vec<3, T>& at() const { return at_; }
-    /// That, held inside the box.
+    /// The current position, clamped to the box.
     constexpr glm::vec<3, T> held() const { return clampedAlong(side_, at_, w_); }
 
 private:
@@ -57,7 +57,7 @@ private:
     Edge side_ = Edge::None;
 };
 
-/// The segment between two ends. One that touches the box is the same point at both.
+/// The segment between two ends. A contact with the box has the same point at both ends.
 template <class T>
 constexpr BasicSegment<T, 3> between(const MovingEnd<T>& a, const MovingEnd<T>& b)
 {

@@ -5,8 +5,8 @@
 
 namespace clipping {
 
-// The form in three dimensions of the one row whose corrected function is for the plane alone.
-// README.md, "Boxes", says how far off it is.
+// The form in three dimensions of the one row whose corrected function works in the plane only.
+// README.md, "Boxes", gives its error.
 extern const Uses<Segment3, Window3> matthesDrakopoulosBox;
 
 } // namespace clipping

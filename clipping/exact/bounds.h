@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far the floating-point shortcuts of `exact` can be from the truth, and why. Whoever takes a
-// shortcut, scalar or vector, compares with these numbers, and asks whole numbers where the
-// comparison does not settle the matter. e is 2^-53, the largest relative error of one operation
-// in double; sums and differences never underflow, a product loses at most 2^-1075 by it. Every
-// comparison is written so that infinities and NaNs leave the matter open.
+// Error bounds of the floating-point shortcuts of `exact`, with their proofs. Scalar and vector
+// code compares with these bounds and falls back to integer arithmetic where the comparison does
+// not decide. e is 2^-53, the largest relative error of one operation in double. Sums and
+// differences never underflow; a product loses at most 2^-1075 by underflow. Every comparison is
+// written so that infinities and NaNs leave the decision open.
 
 namespace clipping {
 
-/// The order in which a line passes x and y is the sign of p* - q*, with p* = (x - ax)(by - ay)
-/// and q* = (y - ay)(bx - ax). Computed, each factor is off by (1 + e) and the product by another,
-/// together less than (3e + 4e^2)|p*|, which is at most (3e + 14e^2)|p|; the difference of p and
-/// q adds e times itself. So |p - q| > 3.5 e (|p| + |q|) has the sign of the truth; 4e makes up for
+/// The order in which a line passes x and y is the sign of p* - q*, with p* = (x - ax)(by - ay) and
+/// q* = (y - ay)(bx - ax). Computed, each factor is off by (1 + e) and the product by another,
+/// together less than (3e + 4e^2)|p*|, which is at most (3e + 14e^2)|p|; the difference of p and q
+/// adds e times itself. So if |p - q| > 3.5 e (|p| + |q|), p - q has the exact sign; 4e allows for
 /// the rounding of the bound itself, and `tiny` for underflow (2^-1074 in all).
 constexpr double orderBound = 0x1p-51;
 constexpr double tiny = 0x1p-1000;
 
-/// The same order from the parts of the segment before each crossing, (x - ax) / (bx - ax) and
-/// (y - ay) / (by - ay), each computed as a difference times a reciprocal: off by less than 4.1e of
-/// itself, by 8.1e where the reciprocal is denormal. Where the order matters, one of the two is at
-/// most 1; the other may be larger, but then by far. So a difference of more than 17e decides; 32e
-/// leaves room for its own rounding. Needs denominators that are 0 or normal.
+/// The same order, from the part of the segment before each crossing: (x - ax) / (bx - ax) and (y -
+/// ay) / (by - ay), each computed as a difference times a reciprocal, with a relative error below
+/// 4.1e, or 8.1e if the reciprocal is denormal. Where the order matters, one of the two is at most
+/// 1; the other may be larger, but then by far. So a difference of more than 17e decides; 32e
+/// allows for its own rounding. Needs denominators that are 0 or normal.
 constexpr double parameterBound = 0x1p-48;
 
 /// The y at x is ay + M U / D, with M = by - ay, U = x - ax and D = bx - ax known exactly as pairs
@@ -29,29 +29,29 @@ constexpr double parameterBound = 0x1p-48;
 ///   low  = pe + Mh Ul + Ml Uh              off by  8.1 e^2 |ph|  (7 by rounding, Ml Ul left out)
 ///   q    = ph / Dh or ph times 1 / Dh      off by  at most 3e |q|
 ///   rest = (ph - q Dh) + low - q Dl        off by 17 e^2 |ph| more (3, 6, 1 and 7 by rounding)
-///   rest / Dh, |rest| at most 7e |ph|      off by 28 e^2 |q|     (Dh for D, quotient)
-/// together less than 54 e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds
-/// e^2 |s| + 8 e^2 |q| where t is rounded, and the same again where the error is added to t. All
-/// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is quotientBound |q| + sumBound |s|, 128 e^2
-/// of each. Rounding is monotone, so the truth rounds to what s + (t - bound) and s + (t + bound)
-/// both round to.
+///   rest / Dh, |rest| at most 7e |ph| off by 28 e^2 |q| (Dh for D, quotient) together less than 54
+///   e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds e^2 |s| + 8 e^2 |q| where t is
+///   rounded, and the same again where the error is added to t. All that is below 71 e^2 |q| + 2.1
+///   e^2 |s|: the bound is quotientBound |q| + sumBound |s|, 128 e^2 of each. Rounding is monotone:
+///   if s + (t - bound) and s + (t + bound) round to the same number, the exact value rounds to it
+///   too.
 constexpr double quotientBound = 0x1p-99;
 template <class T>
 inline constexpr double sumBound = 0x1p-99;
 
-/// For float that sum is rounded to double before it is rounded to float. The bound is larger by
-/// two roundings to double, so that the truth stays between the two after the first rounding: 2e of
+/// For float that sum is rounded to double and then to float. The bound is larger by two roundings
+/// to double, so that the exact value stays between the two sums after the first rounding: 2e of
 /// the sum, which is |s| and at most 8e (|q| + |s|) more; that is below 2.1 e |s| + 16 e^2 |q|.
 template <>
 inline constexpr double sumBound<float> = 0x1p-51;
 
-/// Floats leave so much room in double that mostly no pairs are needed: Mh Uh / Dh is off by less
-/// than 7e of itself (three differences, product, quotient, squares), ay + q by e more, and the
-/// bound is added with another e. Rounding to float afterwards is monotone.
+/// Floats leave so many spare digits in double that pairs are rarely needed: Mh Uh / Dh is off by
+/// less than 7e of itself (three differences, product, quotient, squares), ay + q by e more, and
+/// the bound is added with another e. Rounding to float afterwards is monotone.
 constexpr double singleBound = 0x1p-49;
 
-/// Products and quotients this far from the ends of the range lose nothing to underflow that the
-/// bounds above do not cover 2^300 times. (A product that is 0 because M is 0 is exact.)
+/// For products and quotients this far from the ends of the range, the bounds above exceed any loss
+/// by underflow 2^300 times. (A product that is 0 because M is 0 is exact.)
 constexpr double smallestProduct = 0x1p-600, largestProduct = 0x1p600;
 constexpr double smallestQuotient = 0x1p-900, largestQuotient = 0x1p900;
 

@@ -171,7 +171,7 @@ ExactInteger ExactInteger::subtractMagnitudes(const ExactInteger& larger,
         borrow += larger.words_[i];
         borrow -= i < smaller.size_ ? smaller.words_[i] : 0;
         difference.words_[i] = static_cast<std::uint32_t>(borrow);
-        borrow >>= 32; // arithmetic: -1 where it borrowed
+        borrow >>= 32; // arithmetic shift: -1 after a borrow
     }
     difference.size_ = larger.size_;
     difference.trim();

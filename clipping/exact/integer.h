@@ -9,24 +9,24 @@
 namespace clipping {
 
 /// A signed integer wide enough for every sum of two products of three differences of doubles,
-/// divided by one of them, when all doubles are counted in units of their common lowest bit: 2099
-/// bits a difference, 4200 such a sum. Lives on the stack and allocates nothing; the cost depends
-/// on the bits that are used, not on the capacity.
+/// divided by one of them, with all doubles in units of their common lowest bit: 2099 bits for a
+/// difference, 4200 for such a sum. Allocates nothing; the cost depends on the bits in use, not on
+/// the capacity.
 class ExactInteger {
 public:
     ExactInteger() = default;
-    /// value / 2^exponent, which must be whole.
+    /// value / 2^exponent, which must be an integer.
     ExactInteger(double value, int exponent);
 
     int sign() const { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
-    int bits() const; ///< of the magnitude; 0 has none
+    int bits() const; ///< number of bits of the magnitude; 0 for the value 0
     ExactInteger operator-() const;
     ExactInteger operator<<(int count) const;
     friend ExactInteger operator+(const ExactInteger& a, const ExactInteger& b);
     friend ExactInteger operator-(const ExactInteger& a, const ExactInteger& b) { return a + -b; }
     friend ExactInteger operator*(const ExactInteger& a, const ExactInteger& b);
 
-    /// The quotient of the magnitudes, rounded down, and whether something remained.
+    /// The quotient of the magnitudes, rounded down, and whether there is a remainder.
     struct Quotient {
         std::uint64_t whole;
         bool remainder;
@@ -40,14 +40,14 @@ private:
     static ExactInteger subtractMagnitudes(const ExactInteger& larger, const ExactInteger& smaller);
     void trim();
 
-    static constexpr std::size_t capacity = 136; // 4352 bits: 4200, and room to shift by a word
+    static constexpr std::size_t capacity = 136; // 4352 bits: 4200, plus room to shift by a word
     std::array<std::uint32_t, capacity>
-        words_; // the lowest first; only size_ of them mean anything
+        words_; // lowest first; only the first size_ words are in use
     std::size_t size_ = 0;
     bool negative_ = false;
 };
 
-/// The exponent of the lowest bit that is set in a finite number that is not 0.
+/// The exponent of the lowest set bit of a finite number other than 0.
 int lowestBit(double value);
 
 } // namespace clipping

@@ -14,7 +14,7 @@
 namespace clipping {
 namespace {
 
-/// The exponent in whose units all these numbers are whole.
+/// The largest exponent such that all these numbers are integer multiples of 2^exponent.
 int commonExponent(std::initializer_list<double> values)
 {
     int lowest = std::numeric_limits<int>::max();
@@ -29,15 +29,16 @@ template <class T>
 T rounded(ExactInteger::Quotient quotient, int exponent)
 {
     using Limits = std::numeric_limits<T>;
-    constexpr int smallest = Limits::min_exponent - Limits::digits; // of a bit in a T
+    // Exponent of the smallest bit of a T.
+    constexpr int smallest = Limits::min_exponent - Limits::digits;
     const std::uint64_t bits = quotient.whole << 1 | (quotient.remainder ? 1 : 0);
     --exponent;
     const int lowest =
         std::max(static_cast<int>(std::bit_width(bits)) + exponent - Limits::digits, smallest);
     const int dropped = lowest - exponent;
-    assert(dropped > 0); // the quotient has more bits than a T
+    assert(dropped > 0); // because the quotient has more bits than a T
     if (dropped >= 64)
-        return T(0); // less than a quarter of the smallest
+        return T(0); // less than a quarter of the smallest T
     const std::uint64_t kept = bits >> dropped, rest = bits - (kept << dropped);
     const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
     const bool up = rest > half || (rest == half && (kept & 1));
@@ -65,7 +66,8 @@ double crossingInIntegers(double ax, double ay, double bx, double by, double x)
         whole(ay) * width + (whole(by) - whole(ay)) * (whole(x) - whole(ax));
     if (numerator.sign() == 0)
         return 0;
-    // Scaled so that the quotient has 56 or 57 bits: more than a T holds, and one to round by.
+    // Scaled so that the quotient has 56 or 57 bits: more than a T has, with at least one bit for
+    // rounding.
     const int scale = 56 - (numerator.bits() - width.bits());
     const auto quotient = ExactInteger::divide(scale > 0 ? numerator << scale : numerator,
                                                scale < 0 ? width << -scale : width);

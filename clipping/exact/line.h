@@ -6,21 +6,21 @@
 
 #include <compare>
 
-// The two questions that clipping asks about the line through two points, answered without error
-// for all finite numbers: in floating point where bounds.h proves that enough (nearly always), in
-// whole numbers elsewhere. They take coordinates, not points, so that the axes can change places.
-// N is double, or Counted<double> to know what an answer costs; T is the number of the drawing,
-// double or float, whose values are exact in double.
+// The two functions of the line through two points that clipping needs, exact for all finite
+// numbers: computed in floating point where bounds.h proves this sufficient (nearly always), in
+// integers elsewhere. They take coordinates, not points, so that the axes can be exchanged. N is
+// double, or Counted<double> to count operations; T is the number type of the drawing, double or
+// float, whose values are exact in double.
 
 namespace clipping {
 
-/// A number and what it lacks: high + low, unrounded.
+/// A number and its rounding error: high + low is the unrounded value.
 template <class N>
 struct NumberPair {
     N high, low;
 };
 
-/// Knuth's two-sum of a and -b: exact unless the difference overflows.
+/// a - b by Knuth's two-sum: exact unless the difference overflows.
 template <class N>
 constexpr NumberPair<N> twoDifference(N a, N b)
 {
@@ -29,8 +29,8 @@ constexpr NumberPair<N> twoDifference(N a, N b)
     return {difference, (a - (difference - ofB)) - (b + ofB)};
 }
 
-/// Dekker's product, exact unless it nears the ends of the range. Not std::fma: where the hardware
-/// lacks it, that is a slow call.
+/// Dekker's product, exact unless it is near the ends of the range. Not std::fma, which is a slow
+/// function call where the hardware lacks it.
 template <class N>
 constexpr NumberPair<N> twoProduct(N a, N b)
 {
@@ -51,7 +51,7 @@ constexpr N magnitude(N x)
     return x < N(0) ? -x : x;
 }
 
-/// `order` and `crossing` in whole numbers alone.
+/// `order` and `crossing` in integers alone.
 std::strong_ordering orderInIntegers(double ax, double ay, double bx, double by, double x,
                                      double y);
 template <class T>
@@ -64,14 +64,14 @@ template <class N>
 std::strong_ordering order(N ax, N ay, N bx, N by, N x, N y)
 {
     const N p = (x - ax) * (by - ay), q = (y - ay) * (bx - ax);
-    const bool along = (bx > ax) == (by > ay); // both denominators have one sign
+    const bool along = (bx > ax) == (by > ay); // both denominators have the same sign
     if (magnitude(p - q) > N(orderBound) * (magnitude(p) + magnitude(q)) + N(tiny))
         return (p > q) == along ? std::strong_ordering::greater : std::strong_ordering::less;
     return orderInIntegers(plain(ax), plain(ay), plain(bx), plain(by), plain(x), plain(y));
 }
 
-/// The line's y where it passes x, rounded to the nearest T once, to even in a tie; never -0.
-/// Needs ax != bx, and a result within T's range.
+/// The line's y at x, rounded once to the nearest T, ties to even; never -0. Needs ax != bx, and a
+/// result within T's range.
 template <class T, class N>
 N crossing(N ax, N ay, N bx, N by, N x)
 {

@@ -6,17 +6,17 @@
 #include "clipping/exact/line.h"
 #include "clipping/wide.h"
 
-// On which side of a line a point lies, without error for all finite numbers: in floating point
-// where bounds.h proves that enough, in whole numbers elsewhere.
+// Orientation tests: the side of a line on which a point lies, exact for all finite numbers.
+// Computed in floating point where bounds.h proves this sufficient, in integers elsewhere.
 
 namespace clipping {
 
-/// The sign of (b - a) x (d - c), from whole numbers alone.
+/// The sign of (b - a) x (d - c), computed in integers alone.
 int turnInIntegers(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
                    const glm::dvec2& d);
 
-/// A cross product as far as it is known: its sign is exact; its value is computed, and 0 where the
-/// computed one has not the right sign.
+/// A cross product. The sign is exact; the value is the computed one, or 0 if that has the wrong
+/// sign.
 template <class T>
 struct Cross {
     T value;
@@ -43,21 +43,23 @@ Cross<T> cross(const glm::vec<2, T>& ab, const glm::vec<2, T>& a, const glm::vec
     return {agrees ? value : T(0), sign};
 }
 
-/// How far p lies to the left of the line from `from` to `to`, times their distance.
+/// The distance of p to the left of the line from `from` to `to`, times the distance of these
+/// points.
 template <class T>
 Cross<T> leftOf(const glm::vec<2, T>& from, const glm::vec<2, T>& to, const glm::vec<2, T>& p)
 {
     return cross({to.x - from.x, to.y - from.y}, from, to, from, p);
 }
 
-/// How much of the way from a point to another lies before the line about which they have these
-/// products, one of them on either side or on it: 0 to 1.
+/// The fraction, 0 to 1, of the way from one point to another at which it crosses a line. The
+/// arguments are the points' cross products with the line; the points must not be strictly on the
+/// same side.
 template <class T>
 T shareBefore(const Cross<T>& here, const Cross<T>& there)
 {
     const T all = here.value - there.value;
-    // Two products of 0 are too small to compute. Who is on the line is known by the sign all the
-    // same; where neither is, the answer is 0.
+    // Two products of 0 have underflowed. Their signs still tell whether a point is on the line; if
+    // neither is, the result is 0.
     if (all == T(0))
         return T(here.sign != 0 && there.sign == 0 ? 1 : 0);
     return here.value / all;

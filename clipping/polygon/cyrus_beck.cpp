@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Cyrus-Beck (1978) against convex polygons, which is what it was made for;
-// algorithms/cyrus_beck.cpp has the reference.
+// Cyrus-Beck (1978) for convex polygons, the case it was designed for; algorithms/cyrus_beck.cpp
+// has the reference.
 //
-// The inner normal of an edge tells how deep each end lies inside it. The difference of the two
-// depths is the authors' D, the speed along the normal; the signs are exact, so that an end that is
-// inside is never cut, and D is never a quotient's zero. The lines of the steps are those of the
+// The inner normal of an edge gives the depth of each end inside the edge. The difference of the
+// two depths is the authors' D, the speed along the normal. The signs of the depths are exact, so
+// an end that is inside is never cut and no quotient has D = 0. Steps have the line numbers of the
 // corrected pseudo-code for windows.
 
 #include "clipping/ieee_numbers.h"
@@ -17,7 +17,7 @@ namespace {
 struct CyrusBeckPolygon {
     static constexpr int rejectLine = 14, acceptLine = 25;
 
-    /// A bound of what is visible: where on the segment, and the edge that says so.
+    /// A bound of the visible part: its parameter on the segment, and the edge that set it.
     template <class T>
     struct Bound {
         T t;
@@ -36,9 +36,9 @@ struct CyrusBeckPolygon {
                          : glm::vec<2, T>{s.a.x + t * (s.b.x - s.a.x), s.a.y + t * (s.b.y - s.a.y)};
     }
 
-    /// Raises the entry and lowers the exit to where the segment is inside the sides of the box;
-    /// false if it passes one side by. That matters at the tip of a needle, where two edges are
-    /// nearly one line and the normals cannot tell where they meet.
+    /// Raises the entry and lowers the exit to the part of the segment inside the box; false if
+    /// there is none. This matters at the tip of a very thin polygon, where two edges are nearly
+    /// parallel and their normals do not determine where they meet.
     template <class T>
     static bool holdIn(const BasicWindow<T>& box, const BasicSegment<T>& s, Bound<T>& entry,
                        Bound<T>& exit)
@@ -61,7 +61,8 @@ struct CyrusBeckPolygon {
         return true;
     }
 
-    /// What one edge says, in order around the polygon. False: it has both ends outside.
+    /// Cuts at one edge; called for the edges in order around the polygon. False: both ends are
+    /// outside the edge.
     template <class T, class Step>
     static bool cutAt(std::size_t i, const BasicSegment<T>& s, const PolygonIn<T>& polygon,
                       Part<T>& part, Step& step)

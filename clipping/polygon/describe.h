@@ -8,12 +8,12 @@
 
 #include <cassert>
 
-// How one template, `Method::clip`, becomes the uses of an algorithm against convex polygons. Only
-// the .cpp files beside this include it.
+// Makes the functions of an algorithm for convex polygons from one template, `Method::clip`. Only
+// the .cpp files of this folder include it.
 
 namespace clipping {
 
-/// Runs a method on a polygon that it is made for, with whatever numbers.
+/// Runs a method, or clipFlat for a polygon without area, with any number type.
 template <class Method, class T, class Step>
 std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPolygon& polygon,
                                       Step&& step)
@@ -22,13 +22,13 @@ std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPo
     return polygon.flat ? clipFlat<Method>(s, in, step) : Method::clip(s, in, step);
 }
 
-/// Whether double is enough; else the same algorithm runs with Wide.
+/// Whether double suffices; if not, the same algorithm runs with Wide.
 inline bool easy(const Segment& s, const PreparedPolygon& polygon)
 {
     return polygon.ordinary && ordinary(s);
 }
 
-/// A new end that is the old one is none.
+/// Clears the edge number of a new end that equals the input's end.
 inline PolygonPiece<double> named(PolygonPiece<double> piece, const Segment& whole)
 {
     if (piece.segment.a == whole.a)
@@ -77,7 +77,8 @@ std::size_t clipManyInPolygon(std::span<const Segment> in, const ConvexPolygon& 
     return visible;
 }
 
-/// One segment with numbers that count, before a watcher; what is seen comes in double.
+/// Runs one segment with Counted numbers and a step reporter; the visible piece is returned in
+/// double.
 template <class Method, class Step>
 std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& polygon, Step& step)
 {

@@ -9,7 +9,7 @@
 
 namespace clipping {
 
-/// What a polygon leaves of a segment; the numbers (geometry.h) of the edges that cut it, 0 for
+/// The visible piece of a segment, and the numbers (geometry.h) of the edges that cut it, 0 for
 /// none.
 template <class T>
 struct PolygonPiece {
@@ -17,7 +17,7 @@ struct PolygonPiece {
     std::uint32_t numberOfA = 0, numberOfB = 0;
 };
 
-/// What has the coordinates of both.
+/// The intersection of the bounding boxes of two segments.
 template <class T>
 BasicWindow<T> commonBox(const BasicSegment<T>& s, const BasicSegment<T>& t)
 {
@@ -27,10 +27,10 @@ BasicWindow<T> commonBox(const BasicSegment<T>& s, const BasicSegment<T>& t)
             {high(s.a.x, s.b.x, t.a.x, t.b.x), high(s.a.y, s.b.y, t.a.y, t.b.y)}};
 }
 
-/// Where `edge` crosses s, which it does; the products are those of its ends about the line of s.
-/// Reckoned from the nearer end, so that a contact with a corner is that corner (known by its
-/// sign, where the products are too small to show it); held where both reach, which keeps it near
-/// both even where they are all but parallel.
+/// The point where `edge` crosses s; the two must cross. The products are the cross products of the
+/// edge's ends with the line of s. The point is computed from the nearer end, so that a contact
+/// with a corner is that corner (decided by its sign where the products underflow). It is clamped
+/// to the common box of both, which keeps it near both even where they are almost parallel.
 template <class T>
 glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, const Cross<T>& ofB,
                           const BasicSegment<T>& s)
@@ -43,9 +43,9 @@ glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, cons
     return clamped(met, commonBox(edge, s));
 }
 
-/// Clips against a polygon without area, which has no inside whose normals and sides an algorithm
-/// could ask: the crossing of two segments. All decisions are exact, and so is what two segments on
-/// one line have in common. Lines are those of the method's corrected pseudo-code for windows.
+/// Clips at a polygon without area, for which normals and sides are undefined: intersects two
+/// segments. All decisions are exact, and so is the common part of collinear segments. Steps have
+/// the line numbers of the method's corrected pseudo-code for windows.
 template <class Method, class T, class Step>
 std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonIn<T>& polygon,
                                         Step&& step)
@@ -57,7 +57,7 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
     PolygonPiece<T> piece{s};
     if (edgeA.sign * edgeB.sign > 0 || a.sign * b.sign > 0)
         return step.reject(Method::rejectLine);
-    if (edgeA.sign == 0 && edgeB.sign == 0 && a.sign == 0 && b.sign == 0) { // all on one line
+    if (edgeA.sign == 0 && edgeB.sign == 0 && a.sign == 0 && b.sign == 0) { // all collinear
         const auto before = [](const glm::vec<2, T>& p, const glm::vec<2, T>& q) {
             return p.x < q.x || (p.x == q.x && p.y < q.y);
         };

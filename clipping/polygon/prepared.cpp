@@ -40,13 +40,13 @@ int turnAt(const std::vector<Corner>& all, std::size_t i)
     return leftOf(all[i].at, all[(i + 1) % n].at, all[(i + 2) % n].at).sign;
 }
 
-/// Whether the direction from p to q is one of 0 to 180 degrees, 180 left out.
+/// Whether the direction from p to q is at least 0 and less than 180 degrees.
 bool upwards(const glm::dvec2& p, const glm::dvec2& q)
 {
     return p.y != q.y ? p.y < q.y : p.x < q.x;
 }
 
-/// The outermost two of corners in one line, or the only one.
+/// The outermost two of collinear corners, or the only one.
 std::vector<Corner> endsOf(const std::vector<Corner>& all)
 {
     const auto [low, high] = std::ranges::minmax_element(
@@ -54,9 +54,9 @@ std::vector<Corner> endsOf(const std::vector<Corner>& all)
     return low == high ? std::vector{*low} : std::vector{*low, *high};
 }
 
-/// The corners at which the polygon turns, from the first edge upwards; none if it turns right, or
-/// goes round more than once. One that turns straight back needs no test of its own: if it goes
-/// round once all of it lies in one line, and that never comes here.
+/// The corners at which the polygon turns, starting with the first upward edge; none if it turns
+/// right anywhere or goes round more than once. A turn straight back needs no test: a polygon with
+/// one that goes round only once is collinear, and collinear polygons are handled before.
 std::vector<Corner> turning(const std::vector<Corner>& all)
 {
     const std::size_t n = all.size();

@@ -7,25 +7,25 @@
 
 namespace clipping {
 
-/// A convex polygon as the algorithms want it: what is asked of a polygon is asked here, once.
-/// Strictly convex and counter-clockwise: no corner twice, none between two others on a line. The
-/// edges start with the one that turns upwards, so that their directions are in order from 0 to
-/// 360 degrees.
+/// A convex polygon prepared for the algorithms; tests that depend on the polygon alone run here,
+/// once. It is strictly convex and counter-clockwise: no repeated corner, none on the line between
+/// two others. The first edge is the first upward one, so that the directions of the edges increase
+/// from 0 to 360 degrees.
 struct PreparedPolygon {
     std::vector<glm::dvec2> corners;
     std::vector<glm::dvec2>
         edges; ///< edge i: from corner i to the next (not exact; for `ordinary`)
     std::vector<std::uint32_t> numbers; ///< 1 + the index that edge i has in the input
-    Window box;                         ///< the smallest that contains it
+    Window box;                         ///< the bounding box
     bool flat;                          ///< one or two corners: a point, or a segment
     bool ordinary;                      ///< in the sense of frame.h
 };
 
-/// Nothing for a polygon that contains nothing: without corners, with a number that is not finite,
+/// Nothing for a polygon that contains nothing: one without corners, with a non-finite number,
 /// clockwise, not convex, or going round more than once. The decision is exact.
 std::optional<PreparedPolygon> prepared(const ConvexPolygon& polygon);
 
-/// A prepared polygon in the numbers of T.
+/// A prepared polygon with coordinates of type T.
 template <class T>
 class PolygonIn {
 public:

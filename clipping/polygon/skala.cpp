@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Skala (2005) against convex polygons: the sign of every corner about the segment's line names the
-// two edges that the line crosses. Two ways to find them, which give the same bits:
+// Skala (2005) for convex polygons: the sides of the segment's line on which the corners lie
+// determine the two edges that the line crosses. Two ways find these edges, with the same result
+// bit for bit:
 //
 //   one by one   O(N): the signs of all corners, as the paper does with a window's four.
 //   searched     O(log N), in the spirit of V. Skala: O(lg N) Line Clipping Algorithm in E2.
 //                Computers & Graphics 18(4), 1994, 517-524. The corners furthest to the line's left
-//                and right are where the directions of the edges, which are in order, pass that of
-//                the line; between the two the sign changes once on either way round.
+//                and right are where the sorted directions of the edges pass the line's direction;
+//                between these two corners the sign changes once on each side.
 //
-// All signs are exact, so that nothing is ever wrongly seen or lost. As with windows, a line that
-// has no corner strictly on its left is asked again with "on it" for "left". The lines of the steps
-// are those of the corrected pseudo-code for windows (algorithms/skala.cpp).
+// All signs are exact, so visibility is never wrong. As with windows, a line without a corner
+// strictly on its left is tested again with "on it" counting as "left". Steps have the line numbers
+// of the corrected pseudo-code for windows (algorithms/skala.cpp).
 
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
@@ -19,12 +20,12 @@
 namespace clipping {
 namespace {
 
-/// The edges where a line enters a polygon and leaves it.
+/// The edges at which a line enters a polygon and leaves it.
 struct Crossed {
     std::size_t enter, leave;
 };
 
-/// The line of a segment; through a single point, the one that runs to the right.
+/// The directed line of a segment; for a single point, the horizontal line to the right.
 template <class T>
 struct DirectedLine {
     BasicSegment<T> s;
@@ -37,17 +38,18 @@ struct DirectedLine {
     }
     static int signOf(T here, T there) { return here < there ? 1 : there < here ? -1 : 0; }
 
-    /// Of p to the left of the line.
+    /// The cross product of p: positive if p is left of the line.
     Cross<T> leftOf(const glm::vec<2, T>& p) const
     {
         return isPoint ? Cross<T>{T(0), signOf(s.a.y, p.y)} : cross(along, s.a, s.b, s.a, p);
     }
-    /// Whether the way from p to q turns left of the line: 1, 0 or -1.
+    /// The side to which the direction from p to q turns from the line's: 1 left, 0 parallel, -1
+    /// right.
     int turnOf(const glm::vec<2, T>& p, const glm::vec<2, T>& q) const
     {
         return isPoint ? signOf(p.y, q.y) : cross(along, s.a, s.b, p, q).sign;
     }
-    /// Whether it points to 0 to 180 degrees, 180 left out.
+    /// Whether the direction is at least 0 and less than 180 degrees.
     bool isUpwards() const { return isPoint || upwards(s.a, s.b); }
     static bool upwards(const glm::vec<2, T>& p, const glm::vec<2, T>& q)
     {
@@ -76,14 +78,15 @@ struct OneByOne {
         }
         if (enter)
             return Crossed{*enter, *leave};
-        if (before > 0 || !enterClosed) // wholly on one side
+        if (before > 0 || !enterClosed) // all corners are on one side
             return std::nullopt;
         return Crossed{*enterClosed, *leaveClosed};
     }
 };
 
 struct Searched {
-    /// The first of `count` for which `is` holds, which does for all that follow it.
+    /// The first index below `count` for which `is` holds, if it also holds for all later ones;
+    /// binary search.
     static std::size_t first(std::size_t count, auto is)
     {
         std::size_t low = 0, high = count;
@@ -97,8 +100,8 @@ struct Searched {
         return low;
     }
 
-    /// The corner furthest to the right of the line (side 1), or to its left (-1): where the first
-    /// edge starts that has turned as far as the line, or as its opposite.
+    /// The corner furthest to the right of the line (side 1) or to its left (-1): the start of the
+    /// first edge whose direction has reached that of the line, or the opposite one.
     template <class T>
     static std::size_t furthest(int side, const DirectedLine<T>& line, const PolygonIn<T>& polygon)
     {
@@ -135,7 +138,7 @@ template <class Search>
 struct SkalaPolygon {
     static constexpr int rejectLine = 23, acceptLine = 29;
 
-    /// 1 if p is on the inner side of edge i, 0 if it is on it, -1 if it is outside.
+    /// 1 if p is on the inner side of edge i, 0 if p is on the edge's line, -1 if p is outside.
     template <class T>
     static int sideOf(const glm::vec<2, T>& p, std::size_t i, const PolygonIn<T>& polygon)
     {
@@ -166,7 +169,7 @@ struct SkalaPolygon {
         if (step.test(4, bEnters < 0 || aLeaves < 0))
             return step.reject(5);
         PolygonPiece<T> piece{s};
-        // Where a segment only reaches an edge, both ends are the one that does.
+        // If a segment only reaches an edge, both new ends are the end that reaches it.
         if (step.test(27, sideOf(s.a, enter, polygon) < 0)) {
             piece.segment.a = bEnters == 0 ? s.b : meet(line, enter, polygon);
             piece.numberOfA = polygon.number(enter);

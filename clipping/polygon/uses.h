@@ -5,7 +5,7 @@
 
 namespace clipping {
 
-/// What the rows of the catalogue do against convex polygons, for their `polygon`.
+/// The functions of catalogue rows for convex polygons.
 extern const Uses<Segment, ConvexPolygon> cyrusBeckPolygon;
 extern const Uses<Segment, ConvexPolygon> skalaPolygon, skalaSearchedPolygon;
 
