@@ -4,11 +4,11 @@
 // form that J. Foley, A. van Dam, S. Feiner and J. Hughes print (Computer Graphics: Principles and
 // Practice, 2nd edition, 1990, section 3.12).
 //
-// Published is that form, and is given up after 64 cuts: it takes the outcode of a rounded point,
-// which can clear one bit and set another for ever. Corrected: an edge that has cut an end never
-// cuts it again, so that four cuts an end are the most; each end is cut from where it was given;
-// and its new outcode compares the way it has moved with the way to each edge, both of them
-// accurate. In three dimensions there are six edges, Near and Far being the last two.
+// Published: that form, stopped after 64 cuts. It uses the outcode of a rounded point, which can
+// clear one bit and set another forever. Corrected: an edge that has cut an end never cuts it
+// again, so each end is cut at most four times; each cut starts from the given end; and the new
+// outcode compares the distance moved with the distance to each edge, both of them accurate. In
+// three dimensions there are six edges; Near and Far are the last two.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -29,9 +29,9 @@ struct CohenSutherland {
                 "another until its number tells.",
         .ulps = 24, // README.md, "How far off"
     };
-    static constexpr int mostCuts = 64; // where the published form is given up
+    static constexpr int mostCuts = 64; // the cap of the published form
 
-    /// The bit of an outcode that stands for an edge.
+    /// The outcode bit of an edge.
     static constexpr unsigned bitOf(Edge edge) { return 1U << (static_cast<int>(edge) - 1); }
 
     static constexpr std::string_view publishedCode = R"(
@@ -138,25 +138,25 @@ while code[1] | code[2] != 0000
 hold new ends inside the window
 accept the line from x[1], y[1] to x[2], y[2]
 )";
-    /// An end on its way to the window; i is 0 for a and 1 for b.
+    /// An end that is moved to the window; i is 0 for a and 1 for b.
     template <class T, glm::length_t N>
     struct End {
         int i;
         const glm::vec<N, T>& given;
         unsigned code;
-        unsigned done = 0;                ///< the edges that have cut it
-        glm::vec<N, T> at = given, way{}; ///< where it is, and how far it has moved
-        Edge edge = Edge::None;           ///< that has cut it last
+        unsigned done = 0;                ///< bits of the edges that have cut it
+        glm::vec<N, T> at = given, way{}; ///< the current position, and the distance moved
+        Edge edge = Edge::None;           ///< the edge that cut it last
     };
 
-    /// The line of the test for an edge, plus `after`; 0 for Near and Far, which the plane does not
-    /// have.
+    /// The pseudo-code line of the test for an edge, plus `after`; 0 for Near and Far, which have
+    /// no line.
     static constexpr int lineOf(Edge edge, int after = 0)
     {
         return edge <= Edge::Top ? 27 - 4 * static_cast<int>(edge) + after : 0;
     }
 
-    /// Cuts an end at an edge, and asks which edges of the other axes it is beyond then.
+    /// Cuts an end at an edge, and tests which edges of the other axes it is beyond afterwards.
     template <Edge edge, class T, glm::length_t N, class Step>
     static constexpr void cutAt(End<T, N>& end, const BasicSegment<T, N>& s,
                                 const BasicWindow<T, N>& w, Step& step)
@@ -189,14 +189,14 @@ accept the line from x[1], y[1] to x[2], y[2]
     static constexpr void cut(End<T, N>& end, const BasicSegment<T, N>& s,
                               const BasicWindow<T, N>& w, Step& step)
     {
-        if constexpr (edge != Edge::Left) // which needs no test: it is the only one left
+        if constexpr (edge != Edge::Left) // Left needs no test: no other edge remains
             if (!step.test(lineOf(edge), (end.code & bitOf(edge)) != 0, edge))
                 return cut<static_cast<Edge>(static_cast<int>(edge) - 1)>(end, s, w, step);
         cutAt<edge>(end, s, w, step);
     }
 
-    /// Whether the first end, cut at one edge, has moved just as far as to the edge of the second:
-    /// in space both are one point then, which each may have rounded in its own way.
+    /// Whether the first end has moved exactly as far along the segment as the edge of the second
+    /// end. In three dimensions both ends are then the same point, but may be rounded differently.
     template <class T, glm::length_t N>
     static constexpr bool meet(const End<T, N>& one, const End<T, N>& two,
                                const BasicWindow<T, N>& w)

@@ -5,10 +5,10 @@
 //   M. Cyrus, J. Beck: Generalized Two- and Three-Dimensional Clipping.
 //   Computers & Graphics 3(1), 1978, 23-28.
 //
-// Corrected: the inner normals have length 1, so that a window without height or width keeps
-// them and no triple product arises; a new end takes the coordinate of the edge that cut it, and
-// its other coordinates are held inside the window. In three dimensions the edges are the planes
-// of the box.
+// Corrected: the inner normals have length 1, so that they exist for a window without height or
+// width and no triple product arises. A new end takes the coordinate of the edge that cut it, and
+// its other coordinates are clamped to the window. In three dimensions the edges are the planes of
+// the box.
 
 #include "clipping/algorithms/cyrus_beck.h"
 
@@ -95,8 +95,8 @@ accept the line from x1, y1 to x2, y2
         return step.accept(20, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
-    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
-    // between the window's edges of that axis.
+    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
+    // else v clamped to the window's range on that axis.
     static constexpr std::string_view correctedCode = R"(
 tE = 0,  tL = 1,  dx = x2-x1,  dy = y2-y1
 for each edge, with a corner (xv, yv) and an inner normal (nx, ny)

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Exact, ours: no wrong decision on any finite input, and every new coordinate is the true one,
-// rounded once. The answer is therefore unique: it does not depend on which end comes first, nor on
-// the instructions that computed it.
+// Exact, our own algorithm: it makes no wrong decision on any finite input, and every new
+// coordinate is the exact one, rounded once. The result is therefore unique: it depends neither on
+// the order of the ends nor on the instruction set.
 //
 // A segment that is not wholly beyond one edge can enter only through the two edges it reaches
 // first (the near ones, as it travels from a to b) and leave only through the other two (the far
 // ones). It meets the window unless it passes a far edge of one axis before the near edge of the
-// other; and of two edges to enter by, the later counts, of two to leave by, the earlier. Each of
-// these decisions is the order in which the line passes an x and a y, that is, on which side of it
-// a corner of the window lies. exact/bounds.h proves when floating point gives that order and the
-// rounded coordinate; whole numbers settle the rest.
+// other; and it enters at the later of its two near edges and leaves at the earlier of its two far
+// edges. Each of these decisions is the order in which the line passes an x and a y, that is, on
+// which side of it a corner of the window lies. exact/bounds.h proves when floating point gives
+// that order and the rounded coordinate; integer arithmetic decides the rest.
 
 #include "clipping/batch/sets.h"
 #include "clipping/describe.h"
@@ -20,7 +20,7 @@
 namespace clipping {
 namespace {
 
-/// Coordinates of type T, computed with in double, and the way there and back.
+/// Conversion of coordinates of type T to the double numbers used for computing, and back.
 template <class T>
 struct Computing {
     using Number = double;
@@ -47,17 +47,17 @@ struct LineThrough {
           by(Numbers::from(s.b.y))
     {
     }
-    /// Whether it passes x before, together with or after it passes y.
+    /// Whether the line passes x before, together with or after y.
     std::strong_ordering order(T x, T y) const
     {
         return clipping::order(ax, ay, bx, by, Numbers::from(x), Numbers::from(y));
     }
-    /// Its y where it passes x, rounded once.
+    /// The line's y at x, rounded once.
     T yAt(T x) const
     {
         return Numbers::to(crossing<typename Numbers::Target>(ax, ay, bx, by, Numbers::from(x)));
     }
-    /// Its x where it passes y.
+    /// The line's x at y, rounded once.
     T xAt(T y) const
     {
         return Numbers::to(crossing<typename Numbers::Target>(ay, ax, by, bx, Numbers::from(y)));
@@ -114,8 +114,9 @@ else if leaveY
   y[2] = yfar,  x[2] = xAt(yfar)
 accept the line from x[1], y[1] to x[2], y[2]
 )";
-    /// What is visible, and the edges by which it enters and leaves; None where it keeps an end.
-    /// (Where a new end is rounded onto another edge as well, its coordinates do not tell.)
+    /// The visible piece, and the edges at which it enters and leaves; None at an end of the input.
+    /// (The coordinates alone do not tell the edge, because a new end may be rounded onto another
+    /// edge as well.)
     template <class T>
     struct Piece {
         BasicSegment<T> visible;

@@ -6,11 +6,11 @@
 //   Clipping in Computer Graphics Programming. Ceylon Journal of Science (Physical Sciences) 17,
 //   2013, 1-7.
 //
-// Published is the listing of its appendix. It takes a result shorter than one pixel for a miss,
-// and so loses short pieces, steep ones, contacts, and all that lies on an edge. Corrected: every
-// comparison is closed. A segment is rejected by position: an end beyond an edge that the other end
-// is beyond, too, proves a miss, and every miss shows this at one of its ends. The slope stays a
-// fraction, each end moves from where it was given, and new ends are held inside the window.
+// Published: the listing of the paper's appendix. It treats a result shorter than one pixel as a
+// miss, and so loses short pieces, steep ones, contacts, and everything on an edge. Corrected:
+// every comparison is closed. A segment is rejected by position: if both ends are beyond one edge,
+// it misses the window, and every miss shows this at one of the moved ends. The slope stays a
+// fraction, each move starts from the given end, and new ends are clamped to the window.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -231,8 +231,8 @@ pushInY(i, yi, yo):
         return step.accept(18, visible);
     }
 
-    /// Pushes End i, which is at `at`, to the edges that it is beyond. The last of them; nothing if
-    /// the other end is beyond one of them, too.
+    /// Moves End i from `at` to the edges that it is beyond. Returns the last of them, or nothing
+    /// if the other end is beyond one of them too.
     template <class T, class Step>
     static constexpr std::optional<Edge> push(int i, glm::vec<2, T>& at, const BasicSegment<T>& s,
                                               const glm::vec<2, T>& d, const BasicWindow<T>& w,
@@ -276,8 +276,8 @@ pushInY(i, yi, yo):
         return edge;
     }
 
-    /// A line along x (axis 0: lines 10 and 11) or y (axis 1: lines 16 and 17) that runs between
-    /// the edges of the other axis.
+    /// Clips a segment parallel to x (axis 0: lines 10 and 11) or y (axis 1: lines 16 and 17) that
+    /// is within the window's range on the other axis.
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> straight(int axis, const BasicSegment<T>& s,
                                                              const BasicWindow<T>& w, Step& step)
@@ -291,7 +291,7 @@ pushInY(i, yi, yo):
         return step.accept(18, BasicSegment<T>{*end1, *end2});
     }
 
-    /// pushInX (axis 0) or pushInY (axis 1): where End i arrives.
+    /// pushInX (axis 0) or pushInY (axis 1): returns the new position of End i.
     template <class T, class Step>
     static constexpr std::optional<glm::vec<2, T>>
     pushAlong(int axis, int i, const BasicSegment<T>& s, const BasicWindow<T>& w, Step& step)

@@ -5,9 +5,9 @@
 //   Y.-D. Liang, B. A. Barsky: A New Concept and Method for Line Clipping.
 //   ACM Transactions on Graphics 3(1), 1984, 1-22.
 //
-// Published is the paper's procedure. Corrected: a new end takes the coordinate of the edge that
-// cut it, and its other coordinates are held inside the window; a single common point is the same
-// point at both ends.
+// Published: the paper's procedure. Corrected: a new end takes the coordinate of the edge that cut
+// it, and its other coordinates are clamped to the window; a single common point is the same point
+// at both ends.
 
 #include "clipping/algorithms/liang_barsky.h"
 
@@ -57,9 +57,10 @@ if clipt(-dx, x1-xmin)
           x1 = x1 + u0*dx,  y1 = y1 + u0*dy
         accept the line from x1, y1 to x2, y2
 )";
-    static constexpr std::array callLines{0, 14, 15, 17, 18}; // of clipt, by the edge
+    // Pseudo-code lines of the calls of clipt, by edge.
+    static constexpr std::array callLines{0, 14, 15, 17, 18};
 
-    /// False: nothing is left.
+    /// False: nothing is visible.
     template <class T, class Step>
     static constexpr bool clipt(T p, T q, T& u0, T& u1, Edge edge, Step& step)
     {
@@ -107,8 +108,8 @@ if clipt(-dx, x1-xmin)
         return std::nullopt;
     }
 
-    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
-    // between the window's edges of that axis.
+    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
+    // else v clamped to the window's range on that axis.
     static constexpr std::string_view correctedCode = R"(
 clipt(p, q):
   if p < 0
@@ -149,7 +150,7 @@ accept the line from x1, y1 to x2, y2
         step.set("u0", part.start), step.let(13, "u1", part.stop);
         glm::vec<N, T> d;
         for (glm::length_t k = 0; k < N; ++k) {
-            const int first = 14 + 3 * k; // of the three lines of this axis
+            const int first = 14 + 3 * k; // first of this axis's three lines
             d[k] = step.let(lineOn(k, first), extentNames[std::size_t(k)], s.b[k] - s.a[k]);
             if (!clipping::clipt(-d[k], s.a[k] - w.min[k], part, lineOn(k, first + 1), lowerEdge(k),
                                  step)

@@ -5,9 +5,9 @@
 //   D. Matthes, V. Drakopoulos: Another Simple but Faster Method for 2D Line Clipping.
 //   International Journal of Computer Graphics & Animation 9(1/2/3), 2019, 1-15.
 //
-// Published is the paper's pseudo-code (its prose has two misprints). Corrected: each end moves
-// from where it was given; whether it is then beyond the bottom or top is asked of the way it has
-// risen, which is accurate, and not of its rounded height; new ends are held inside the window.
+// Published: the paper's pseudo-code (its prose has two misprints). Corrected: each move starts
+// from the given end; whether the end is then beyond the bottom or top is decided by its rise,
+// which is accurate, not by its rounded y; new ends are clamped to the window.
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/box/uses.h"
@@ -135,7 +135,7 @@ accept the line from x[1], y[1] to x[2], y[2]
             return step.reject(4);
         const T dx = step.set("dx", x2 - x1), dy = step.let(5, "dy", y2 - y1);
         BasicSegment<T> visible = s;
-        Edge edges[]{Edge::None, Edge::None}; // that cut End 1 and End 2 last
+        Edge edges[]{Edge::None, Edge::None}; // the edges that cut End 1 and End 2 last
         for (int i = 0; i < 2; ++i) {
             step.set("i", i + 1);
             const T xi = step.set("xi", i == 0 ? x1 : x2), yi = step.set("yi", i == 0 ? y1 : y2);

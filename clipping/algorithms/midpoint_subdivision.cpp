@@ -5,21 +5,22 @@
 //   R. F. Sproull, I. E. Sutherland: A Clipping Divider. Proceedings of the Fall Joint Computer
 //   Conference 33, 1968, 765-775.
 //
-// Published: halve until a midpoint is one of the two ends that it was to divide.
+// Published: halve until a midpoint equals one of the two ends it lies between.
 //
-// Corrected: the points are whole multiples of 2^-53 of the segment (2^-24 in float), so that as
-// many halvings find each end, whatever the numbers; a point's outcode compares the way from `a` to
-// it with the ways to the edges, all of them accurate. Rounding is monotone, hence so are the
-// codes: a side that the segment has left stays left. Where the last two points are outside for
-// different reasons, the window lies between them: a contact, which halving alone would lose; and
-// so it is where both ends are neighbours. A new end takes the coordinate of the edge that the next
-// point is beyond, and is held inside the window.
+// Corrected: the points are integer multiples of 2^-53 of the segment (2^-24 in float), so 53
+// halvings (24 in float) find each end for any input. A point's outcode compares the distance from
+// `a` to the point with the distances to the edges, all of them accurate. Rounding is monotone,
+// hence so are the outcodes: once the segment has come inside an edge, later points are inside it
+// too. If the last two points are beyond different edges, the window lies between them. That is a
+// contact, which halving alone would lose; it is also a contact if the two ends found are
+// neighbouring points. A new end takes the coordinate of the edge that the next point is beyond,
+// and is clamped to the window.
 //
-// How far off: two points of the last step are 2^-53*D apart, 2 ulps; in README.md they take the
-// place of the two differences in step 1, so its k = 24 holds here too.
-// An outcode is wrong within 3e, 6 ulps: a contact of two ends is off by both steps, both outcodes
-// and the 5 of a way that is added, 4 + 12 + 5 = 21. So it is in three dimensions, where this is
-// far below the k of README.md, "Boxes".
+// Error: two points of the last step are 2^-53*D apart, 2 ulps; in README.md they take the place of
+// the two differences in step 1, so its k = 24 holds here too. An outcode can be wrong within 3e, 6
+// ulps: a contact of two ends is off by both steps, both outcodes and the 5 of an added distance, 4
+// + 12 + 5 = 21. The same holds in three dimensions, where this is far below the k of README.md,
+// "Boxes".
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -42,7 +43,7 @@ struct MidpointSubdivision {
                 "halve the other, until there is nothing left to halve.",
         .ulps = 24,
     };
-    /// Where the published form is given up; from 2^1024 to 2^-1074 it takes 2098.
+    /// The cap of the published form; from 2^1024 to 2^-1074 it needs 2098 halvings.
     static constexpr int mostHalvings = 2200;
 
     /// An edge that a point with this outcode is beyond.
@@ -85,7 +86,8 @@ seek(xn, yn, near, xf, yf, far):
         glm::vec<2, T> at;
         unsigned code;
     };
-    /// Two neighbours, the visible point that is next to the far end and the one behind it.
+    /// Two neighbouring points: the visible one nearest to the far end, and the next one towards
+    /// the far end.
     template <class T>
     struct Found {
         Point<T> near, far;
@@ -192,13 +194,13 @@ place(t, s):
   x = s & LEFT ? xmin : s & RIGHT ? xmax : min(max(x, xmin), xmax)
   y = s & BOTTOM ? ymin : s & TOP ? ymax : min(max(y, ymin), ymax)
 )";
-    /// The ways from a to b and to each side of the window.
+    /// The differences from a to b and to each edge of the window.
     template <class T, glm::length_t N>
     struct Ways {
         glm::vec<N, T> d, low, high;
     };
-    /// Two points of the segment by the fraction of it that lies before them, with their outcodes.
-    /// The end that is sought lies between them.
+    /// Two points of the segment, as fractions of its length from a, with their outcodes. The end
+    /// being sought lies between them.
     template <class T>
     struct Bracket {
         T near;
@@ -215,9 +217,10 @@ place(t, s):
     struct DigitsOf<Counted<T>> : std::numeric_limits<T> {
     };
     template <class T>
-    static constexpr int steps = DigitsOf<T>::digits; ///< halvings until nothing is left to halve
+    /// Number of halvings until two points are neighbours.
+    static constexpr int steps = DigitsOf<T>::digits;
 
-    /// A line for the x axis or its next for the y axis; the plane has none for the third.
+    /// The line for the x axis, the next line for the y axis, 0 for the third axis.
     static constexpr int lineOf(int line, glm::length_t axis) { return axis < 2 ? line + axis : 0; }
 
     template <class T, glm::length_t N, class Step>
@@ -235,8 +238,8 @@ place(t, s):
         return ways;
     }
 
-    /// Halves a bracket until two neighbours are left; nothing if they are beyond one edge. Line
-    /// `line` is that of the call.
+    /// Halves a bracket until its points are neighbours; returns nothing if both are beyond one
+    /// edge. `line` is the line of the call.
     template <class T, glm::length_t N, class Step>
     static constexpr std::optional<Bracket<T>> seek(int line, Bracket<T> bracket,
                                                     const Ways<T, N>& ways, Step& step)
@@ -266,7 +269,8 @@ place(t, s):
         return bracket;
     }
 
-    /// The point that was found, on the sides that its codes name. `line` is that of the call.
+    /// The point found, with the coordinates of the edges that its outcodes name. `line` is the
+    /// line of the call.
     template <class T, glm::length_t N, class Step>
     static constexpr glm::vec<N, T> place(int line, const Bracket<T>& found,
                                           const BasicSegment<T, N>& s, const BasicWindow<T, N>& w,
@@ -320,11 +324,13 @@ place(t, s):
             if (!(first = seek(16, {T(1), code2, T(0), code1}, ways, step)))
                 return std::nullopt;
             contact = step.let(17, "contact", first->nearCode != 0);
-            const T least(1.0 / double(1ULL << steps<T>)); // between two points
+            const T least(1.0 / double(1ULL << steps<T>)); // distance of two neighbouring points
             if (step.test(18, last && last->near - first->near <= least)) {
                 contact = step.set("contact", true);
                 first->nearCode = step.let(19, "near", first->nearCode | last->codes());
-                if constexpr (N > 2) // in space both ends take the parameter found first: one point
+                // In three dimensions both ends take the parameter found first, so that they are
+                // one point.
+                if constexpr (N > 2)
                     first->near = last->near;
             }
             visible.a = place(20, *first, s, w, ways, step);

@@ -5,9 +5,9 @@
 //   T. M. Nicholl, D. T. Lee, R. A. Nicholl: An Efficient New Algorithm for 2-D Line Clipping: Its
 //   Development and Analysis. Computer Graphics 21(4) (SIGGRAPH '87), 253-262.
 //
-// Published is the paper's procedures, which are written for an End 1 inside the window, beyond its
-// left edge, or beyond its top left corner; for the other regions the plane is turned or mirrored.
-// Corrected: the coordinate of a new end that is not its edge's own is held inside the window.
+// Published: the paper's procedures, which are written for an End 1 inside the window, beyond its
+// left edge, or beyond its top left corner; for the other regions the plane is rotated or mirrored.
+// Corrected: the coordinate of a new end that is not its edge's own is clamped to the window.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -28,14 +28,15 @@ struct NichollLeeNicholl {
         .ulps = 24, // README.md, "How far off"
     };
 
-    /// What a procedure is given and may change: the window, the ends, and whether any is visible.
+    /// The parameters of a procedure, which it may change: the window, the ends, and whether
+    /// anything is visible.
     template <class T>
     struct Parameters {
         T xmin, ymax, xmax, ymin, x1, y1, x2, y2;
         bool display;
     };
 
-    /// What a procedure is given in the plane as Symmetry turns it.
+    /// The parameters of a procedure that runs in the plane transformed by Symmetry.
     template <class Symmetry, class T, class Step>
     struct Turned {
         int line; ///< of the call
@@ -44,7 +45,7 @@ struct NichollLeeNicholl {
         Parameters<T> inside;
         decltype(turnedStep<typename Symmetry::Inverse>(std::declval<Step&>())) step;
 
-        /// Turns back what the procedure has left.
+        /// Transforms the procedure's results back.
         constexpr void back()
         {
             using Back = typename Symmetry::Inverse;
@@ -57,7 +58,7 @@ struct NichollLeeNicholl {
         }
     };
 
-    /// Turns the plane for a call: window and ends, before the procedure runs.
+    /// Transforms window and ends for a call.
     template <class Symmetry, class T, class Step>
     static constexpr Turned<Symmetry, T, Step> turned(int line, Parameters<T>& p, Step& step)
     {
@@ -71,7 +72,7 @@ struct NichollLeeNicholl {
         return {line, p, step, inside, turnedStep<typename Symmetry::Inverse>(step)};
     }
 
-    /// What a procedure is given from here on, but for ymin.
+    /// Reports the parameters of a procedure, except ymin.
     template <class T>
     static constexpr void tell(const Parameters<T>& p, auto& step)
     {

@@ -5,12 +5,12 @@
 //   V. Skala: A New Approach to Line and Line Segment Clipping in Homogeneous Coordinates.
 //   The Visual Computer 21(11), 2005, 905-914.
 //
-// Published is the paper's algorithm for segments; its two crossings come in the order of the
-// table, and are divided out. Corrected: the origin is End 1, so that the line has no third
-// coefficient to lose its digits in; a line that seems to have the whole window on its left, or on
-// itself, is asked again with "strictly"; the table tells the edge of entry from that of exit, so
-// that the ends keep their order; a new end takes the coordinate of its edge and is held inside the
-// window.
+// Published: the paper's algorithm for segments; it returns the two crossings in the order of the
+// table, after the homogeneous division. Corrected: the origin is End 1, so that the line has no
+// third coefficient that could lose digits. If the whole window seems to be on the line's left or
+// on the line, the test is repeated with "strictly left". The table distinguishes the edge of entry
+// from that of exit, so that the ends keep their order. A new end takes the coordinate of its edge
+// and is clamped to the window.
 
 #include "clipping/algorithms/skala.h"
 
@@ -97,17 +97,17 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         T x, y, w;
     };
 
-    // The paper's table; MASK has bits of outcodes. Its rows 0, 5, 10 and 15 are empty: nobody asks
-    // for 0 and 15, and 5 and 10 cannot be, not even by rounding, which keeps the sums in F in
+    // The paper's table; MASK has bits of outcodes. Its rows 0, 5, 10 and 15 are empty: 0 and 15
+    // are never looked up, and 5 and 10 cannot occur, because rounding keeps the sums in F in
     // order.
     static constexpr std::array TAB1{0, 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 1, 1, 0, 0, 0};
     static constexpr std::array TAB2{0, 3, 1, 3, 2, 0, 2, 3, 3, 2, 0, 2, 3, 1, 3, 0};
     static constexpr std::array MASK{0U, 4U, 4U, 2U, 2U, 0U, 4U, 8U,
                                      8U, 4U, 0U, 2U, 2U, 4U, 4U, 0U};
-    /// The pseudo-code's names of the corners' answers.
+    /// The pseudo-code's names of the corners' bits.
     static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
 
-    /// The cross product of the line p and edge n, for the call on line `call`.
+    /// The cross product of the line p and edge n. `call` is the line of the call.
     template <class T, class Step>
     static constexpr Homogeneous<T> meet(int call, int n, const Homogeneous<T>& p,
                                          const BasicWindow<T>& window, Step& step)
@@ -171,8 +171,8 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         return step.accept(27, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
-    // held(v) is the edge's own coordinate where the edge that cut the end lies across, else v, held
-    // between the window's edges of that axis.
+    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
+    // else v clamped to the window's range on that axis.
     static constexpr std::string_view correctedCode = R"(
 code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
 if code1 | code2 == 0000

@@ -5,24 +5,26 @@
 //   M. Slater, B. A. Barsky: 2D Line and Polygon Clipping Based on Space Subdivision.
 //   The Visual Computer 10, 1994, 407-422.
 //
-// Published is the function CLIPLINE that the program EnergyPlus made of it; we have seen only
-// parts of the paper. CLIPLINE writes the first lines out for each cell, and asks line 22 once for
-// the whole walk. Where line 52 has c <= 3 it asks c == 3, and goes round for ever if y2 is NaN. Corrected: a segment along an axis has its ends held inside the window, so that nothing
-// is divided by 0; a tie at a corner goes towards the window; the sign of dy is asked once; a new
-// end is held inside the window on the side where rounding may have left it outside.
+// Published: the function CLIPLINE of the program EnergyPlus, which implements the paper; only
+// parts of the paper itself were available. CLIPLINE repeats the first lines for each cell, and
+// tests line 22 once for the whole walk. Where line 52 has c <= 3, CLIPLINE tests c == 3 and loops
+// forever if y2 is NaN. Corrected: the ends of an axis-parallel segment are clamped to the window,
+// so that there is no division by 0; a tie at a corner goes towards the window; the sign of dy is
+// tested once; a new end is clamped to the window on the side where rounding may have left it
+// outside.
 //
-// The walk goes to the right, from End a to End b. c is the cell that it is in: 3*row + col, where
-// column 0 is left of the window and 1 above, in or below it; row 0 is below, 1 beside or in, 2
-// above. There is nothing to find further right.
+// The walk goes to the right, from End a to End b. c is its current cell: 3*row + col. Column 0 is
+// left of the window, column 1 above, in or below it; row 0 is below the window, row 1 beside or in
+// it, row 2 above. The walk never goes further right.
 //
-// How far off. Let e = 2^-53 and M as in README.md. In units of dx*dy the error term is a sum of
-// parameters, t(x) - t(y), of which those that are visible or compared lie between 0 and 1: two
-// products that start it, one for each step to another cell, two such steps before the last
-// question. Each product is off by 3e of itself, and they add up to t(x) + t(y) <= 2: 6e; three
-// sums of at most 1 are off by e each: 9e in all. A wrong decision therefore needs two points of
-// the segment that are 9e*D apart, D <= 2M being its extent: 18 ulps. A new end is off by the
-// same, by the quotient's rounding (2 ulps, for it is no longer than 2M) and by that of the last
-// sum (1): 21 ulps. Both together are 39, and 40 leaves one for terms of second order.
+// Error. Let e = 2^-53 and M as in README.md. In units of dx*dy the error term is a sum of
+// parameters, t(x) - t(y), of which those that are visible or compared are between 0 and 1. It
+// starts with two products; each step to another cell adds one, and there are at most two such
+// steps before the last test. Each product is off by 3e of itself, and they add up to t(x) + t(y)
+// <= 2: 6e; three sums of at most 1 are off by e each: 9e in all. A wrong decision therefore needs
+// two points of the segment that are 9e*D apart, D <= 2M being its extent: 18 ulps. A new end is
+// off by the same, by the quotient's rounding (2 ulps, for it is no longer than 2M) and by that of
+// the last sum (1): 21 ulps. Both together are 39, and 40 leaves one for terms of second order.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"
@@ -43,7 +45,7 @@ struct SlaterBarsky {
         .ulps = 40,
     };
 
-    /// The window's edge on the line of a cell's right side.
+    /// The window's edge that is collinear with a cell's right side.
     static constexpr Edge rightOf(int c) { return c % 3 == 0 ? Edge::Left : Edge::Right; }
 
     static constexpr std::string_view publishedCode = R"(
@@ -117,7 +119,7 @@ repeat
         const bool swapped = step.test(3, x1 > x2);
         const int a = swapped ? 1 : 0, b = swapped ? 0 : 1;
         step.set("a", a + 1), step.set("b", b + 1);
-        // x[a], y[a], x[b], y[b]: in an array, found by a, they would cost a fifth of the time.
+        // x[a], y[a], x[b], y[b]: an array indexed by a would cost a fifth of the time.
         T xa = swapped ? x2 : x1, ya = swapped ? y2 : y1;
         T xb = swapped ? x1 : x2, yb = swapped ? y1 : y2;
         if (step.test(5, xa > xmax || xb < xmin, Edge::Right, Edge::Left))
@@ -264,8 +266,7 @@ repeat
         return step.test(3, s.a.x > s.b.x) ? fromEnd(1, s, w, step) : fromEnd(0, s, w, step);
     }
 
-    /// Clips a segment whose End a, 0 for End 1 and 1 for End 2, is not further right than the
-    /// other.
+    /// Clips a segment whose End a (0: End 1, 1: End 2) is not further right than the other end.
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> fromEnd(int a, const BasicSegment<T>& s,
                                                             const BasicWindow<T>& w, Step& step)
@@ -280,7 +281,7 @@ repeat
         if (step.test(17, c == 4 && to.x <= w.max.x && to.y >= w.min.y && to.y <= w.max.y))
             return step.accept(17, s);
         const T dx = step.set("dx", to.x - from.x), dy = step.let(18, "dy", to.y - from.y);
-        const auto rise = dy <=> T(0); // asked once, for two lines
+        const auto rise = dy <=> T(0); // compared once, for lines 19 and 22
         if (step.test(19, dx == T(0) || std::is_eq(rise))) {
             const BasicSegment<T> visible{clamped(s.a, w), clamped(s.b, w)};
             step.left(20, visible);
@@ -297,7 +298,7 @@ repeat
         T X;
     };
 
-    /// The cell of End a, where the walk begins; nothing if both ends are beyond one edge.
+    /// The cell of End a, where the walk begins; nothing if both ends are found beyond one edge.
     template <class T, class Step>
     static constexpr std::optional<Cell<T>> cellOf(const glm::vec<2, T>& a, const glm::vec<2, T>& b,
                                                    const BasicWindow<T>& w, Step& step)
@@ -321,7 +322,7 @@ repeat
         return Cell<T>{col, row, X};
     }
 
-    /// How the walk goes: from End a to End b, 0 for End 1 and 1 for End 2, and whether upwards.
+    /// The direction of the walk: from End a to End b (0: End 1, 1: End 2), and whether upwards.
     template <class T>
     struct Way {
         int a, b;
@@ -337,7 +338,7 @@ repeat
                                                          const BasicWindow<T>& w, Step& step)
     {
         const auto& [a, b, dx, dy, upwards] = way;
-        const bool up = upwards; // clang takes no binding into a lambda
+        const bool up = upwards; // clang cannot capture a structured binding
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
         BasicSegment<T> visible = s;
         glm::vec<2, T>&from = a == 0 ? visible.a : visible.b, &to = a == 0 ? visible.b : visible.a;
@@ -345,7 +346,8 @@ repeat
         const T yOut = step.let(23, "yOut", up ? ymax : ymin);
         const T Y = step.let(24, "Y", cell.row == 1 ? yOut : yIn);
         T e = step.let(25, "e", dy * (cell.X - from.x) + dx * (from.y - Y));
-        // On the other side, by the sign of e, no rounding can bring a new end out of the window.
+        // On the opposite side no clamping is needed: by the sign of e, rounding cannot move a new
+        // end out of the window there.
         const auto heldX = [&](T x) { return x < xmin ? xmin : x; };
         const auto heldY = [&](T y) { return (up ? y < yIn : y > yIn) ? yIn : y; };
         for (int col = cell.col, c = 3 * cell.row + col;;) {

@@ -5,14 +5,13 @@
 //   M. S. Sobkow, P. Pospisil, Y.-H. Yang: A Fast Two-Dimensional Line Clipping Algorithm via Line
 //   Encoding. Computers & Graphics 11(4), 1987, 459-467.
 //
-// The regions of both ends make one of 81 cases, and each case has a short script of its own, of
-// procedures that move an end or ask where it is. The scripts are data: the compiler turns every
-// one into a function without loops, and the code of the case picks it, as the authors' switch
-// does.
+// The regions of both ends give one of 81 cases. Each case has a short script of procedures that
+// move an end or test its position. The scripts are data: the compiler turns each one into a
+// function without loops, which is selected by the code of the case, as in the authors' switch.
 //
-// Corrected: each end moves from where it was given, not along what rounding has left; whether it
-// is then beyond an edge is asked of the way it has gone where its rounded place is on that edge;
-// and it is held inside the window, but for the sides where it cannot be outside.
+// Corrected: each move starts from the given end, not from a rounded one. If a moved end is rounded
+// onto an edge, the distance moved decides whether the end is beyond this edge. New ends are
+// clamped to the window, except at the sides where they cannot be outside.
 
 #include "clipping/algorithms/sobkow_pospisil_yang.h"
 
@@ -45,8 +44,8 @@ struct SobkowPospisilYang {
         else
             return &playCorrected<script, T, Step>;
     }
-    /// The function of every pair of outcodes, 16 * End 1's + End 2's; null where the table
-    /// rejects.
+    /// The function for every pair of outcodes, at index 16 * End 1's + End 2's; null where the
+    /// table rejects.
     template <Form form, class T, class Step>
     static constexpr auto players()
     {
@@ -67,7 +66,7 @@ struct SobkowPospisilYang {
     template <Form form, class T, class Step>
     static constexpr auto player = players<form, T, Step>();
 
-    /// The line of an edge, where each of the four has one, from `first` on.
+    /// The line of an edge, if the four edges have one line each, starting at `first`.
     static constexpr int lineOf(int first, Edge edge) { return first + static_cast<int>(edge) - 1; }
 
     static constexpr std::string_view publishedCode = R"(
@@ -93,7 +92,7 @@ ifR(): if x[i] > xmax: R()
 ifB(): if y[i] < ymin: B()
 ifT(): if y[i] > ymax: T()
 )";
-    /// Both ends while a script is followed as published.
+    /// The state of both ends while a script runs as published.
     template <class T, class Step>
     struct AsPublished {
         const BasicWindow<T>& w;
@@ -153,7 +152,7 @@ ifT(): if y[i] > ymax: T()
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
         const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
         const std::size_t code = step.let(2, "code", 16 * std::size_t(code1) + code2);
-        if (step.test(3, (code1 & code2) != 0)) // the crosses of the table
+        if (step.test(3, (code1 & code2) != 0)) // the rejected cases of the table
             return step.reject(4);
         return player<Form::Published, T, std::remove_reference_t<Step>>[code](s, w, step);
     }
@@ -195,7 +194,8 @@ ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()
 ifB(): if y[i] < ymin or y[i] == ymin and way[i] < ymin-yi: B()
 ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
 )";
-    /// Both ends while a script is followed as corrected; how far each has gone along its edge.
+    /// The state of both ends while a script runs as corrected, with each end's distance moved
+    /// along its edge.
     template <class T, class Step>
     struct AsCorrected {
         const BasicSegment<T>& s;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cyrus-Beck (1978) for infinite lines and rays: what is left begins at -infinity or at a, and ends
-// at infinity. The lines of the steps are those of the corrected pseudo-code for segments.
+// Cyrus-Beck (1978) for infinite lines and rays: the remaining part begins at -infinity or at a,
+// and ends at infinity. Steps have the line numbers of the corrected pseudo-code for segments.
 
 #include "clipping/algorithms/cyrus_beck.h"
 

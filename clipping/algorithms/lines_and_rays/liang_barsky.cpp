@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Liang-Barsky (1984) for infinite lines and rays: what is left begins at -infinity or at a, and
-// ends at infinity. The lines of the steps are those of the corrected pseudo-code for segments.
+// Liang-Barsky (1984) for infinite lines and rays: the remaining part begins at -infinity or at a,
+// and ends at infinity. Steps have the line numbers of the corrected pseudo-code for segments.
 
 #include "clipping/algorithms/liang_barsky.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Matthes-Drakopoulos (2019) for infinite lines and rays. An end that lies at infinity, before a or
-// behind b, is beyond the sides that the line comes from or goes to. The lines of the steps are
-// those of the corrected pseudo-code for segments.
+// Matthes-Drakopoulos (2019) for infinite lines and rays. An end at infinity, before a or behind b,
+// is beyond the sides that the line comes from or goes to. Steps have the line numbers of the
+// corrected pseudo-code for segments.
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/clamped.h"
@@ -13,14 +13,15 @@ namespace clipping {
 namespace {
 
 struct OnLinesAndRays {
-    /// The side at which infinity lies, along the line or backwards, that runs by d on one axis.
+    /// The side on one axis at which the line, with direction d on this axis, goes to infinity;
+    /// `backwards`: in the opposite direction.
     template <class T>
     static constexpr Edge side(T d, bool backwards, Edge low, Edge high)
     {
         return d == T(0) ? Edge::None : (d > T(0)) != backwards ? high : low;
     }
 
-    /// Whether it lies wholly below `low` or above `high` on an axis, where a and b are two points.
+    /// Whether the line or ray through a and b is wholly below `low` or above `high` on an axis.
     template <Reach reach, class T>
     static constexpr bool missed(T a, T b, T low, T high)
     {
@@ -30,7 +31,7 @@ struct OnLinesAndRays {
             return a == b && (a < low || a > high);
     }
 
-    /// Pushes end i, given as `from`, to the edges it is beyond; `edge` becomes the last of them.
+    /// Moves end i from `from` to the edges it is beyond; `edge` becomes the last of them.
     template <bool infinite, class T, class Step>
     static constexpr glm::vec<2, T> pushed(int i, const glm::vec<2, T>& from,
                                            const glm::vec<2, T>& d, const BasicWindow<T>& w,

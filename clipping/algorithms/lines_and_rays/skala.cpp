@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Skala (2005) for infinite lines and rays. A line has no ends to encode, a ray one; where there is
-// none, there is a cut. The lines of the steps are those of the corrected pseudo-code for segments.
+// Skala (2005) for infinite lines and rays. A line has no end with an outcode, a ray has one; at
+// infinity there is always a cut. Steps have the line numbers of the corrected pseudo-code for
+// segments.
 
 #include "clipping/algorithms/skala.h"
 
@@ -14,7 +15,7 @@ namespace clipping {
 namespace {
 
 struct OnLinesAndRays {
-    /// Whether a ray begins beyond an edge and does not come nearer to it.
+    /// Whether a ray begins beyond an edge and does not approach it.
     template <class T>
     static constexpr bool missed(unsigned code, const BasicSegment<T>& s)
     {

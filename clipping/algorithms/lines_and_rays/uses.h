@@ -5,8 +5,8 @@
 
 namespace clipping {
 
-// The forms for infinite lines and rays that the rows of the catalogue name, each from the file of
-// its algorithm beside this.
+// The forms for infinite lines and rays that the rows of the catalogue name. Each is defined in its
+// algorithm's file in this folder.
 extern const Uses<Line, Window, Segment> cyrusBeckLine, liangBarskyLine, matthesDrakopoulosLine,
     skalaLine;
 extern const Uses<Ray, Window, Segment> cyrusBeckRay, liangBarskyRay, matthesDrakopoulosRay,
