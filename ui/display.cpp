@@ -19,7 +19,7 @@ QString instead()
               "(clearcut --help lists them).");
 }
 
-/// Where windows were to be shown.
+/// The display or platform that was requested.
 QString whereAsked()
 {
     if (const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM"); !platform.isEmpty())
@@ -30,16 +30,16 @@ QString whereAsked()
     return tr("this system");
 }
 
-QtMessageHandler handlerBefore = nullptr; // of messages; set before Qt starts
+QtMessageHandler handlerBefore = nullptr; // the previous message handler; set before Qt starts
 
-// Qt says many things about platforms while it tries them, and then one that is fatal.
+// Qt prints many messages about platforms while it tries them; only the last one is fatal.
 void whileStarting(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
     if (type == QtFatalMsg) {
         const QString sentence =
             tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
         std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
-        std::_Exit(int(app::Exit::Failed)); // a fatal message that is returned from aborts
+        std::_Exit(int(app::Exit::Failed)); // returning from a fatal message aborts
     }
     if (!QByteArrayView(context.category).startsWith("qt.qpa"))
         handlerBefore(type, context, text);

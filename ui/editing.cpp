@@ -17,12 +17,12 @@ namespace ui {
 
 namespace {
 
-constexpr double stepMillimetres = 5; // of a copy from what it is a copy of, and from the last
+// Offset of a copy from its original and from the previous copy.
+constexpr double stepMillimetres = 5;
 
 QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
 
-/// Adds them in one step, each to its container, beside what they are copies of; then they are
-/// what is selected.
+/// Adds copies in one undo step, each to its container, offset from its original, and selects them.
 void add(app::Session& session, std::vector<app::ObjectInHand> copies, const QString& text)
 {
     const app::Document& document = session.now();
@@ -33,7 +33,7 @@ void add(app::Session& session, std::vector<app::ObjectInHand> copies, const QSt
     const app::Placement where{{1, 1}, app::copyOffset(document, all, step)};
     for (auto& [object, into] : copies) {
         object.path = object.path.placed(where);
-        object.particulars.id.clear(); // an id is there once
+        object.particulars.id.clear(); // ids are unique
         object.particulars.recipe = placed(object.particulars.recipe, where);
     }
     app::Edit edit = app::adding(document, copies);
@@ -58,7 +58,8 @@ void copySelection(const app::Session& session)
 {
     if (!session.selection().empty())
         QGuiApplication::clipboard()->setMimeData(
-            app::copied(session.now(), session.selection()).release()); // the clipboard owns it
+            // The clipboard takes ownership.
+            app::copied(session.now(), session.selection()).release());
 }
 
 void cutSelection(app::Session& session)

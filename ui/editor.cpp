@@ -30,8 +30,8 @@ namespace ui {
 
 namespace {
 
-constexpr qint64 quickBytes = 1'000'000; // read in a blink
-constexpr int mostPixels = 10'000;       // of --size, each way: 400 MB for a picture
+constexpr qint64 quickBytes = 1'000'000; // such a file is read without noticeable delay
+constexpr int mostPixels = 10'000;       // limit of --size in each direction: a picture of 400 MB
 constexpr QSize usualPicture(1280, 800);
 
 struct Options {
@@ -39,9 +39,9 @@ struct Options {
     std::optional<Theme> theme;
     QString file, screenshot;
     std::optional<QSize> size;
-    QString panes;                     ///< 1 to 4, or "all"; empty: as they were
-    std::optional<QString> microscope; ///< open it: at a line that is typed so; empty: at the first
-    std::optional<app::Variant> algorithm; ///< what clips
+    QString panes;                     ///< 1 to 4, or "all"; empty: unchanged
+    std::optional<QString> microscope; ///< the line to open it at, as text; empty: the first line
+    std::optional<app::Variant> algorithm; ///< the variant that clips
     std::size_t step = 1;
     bool verbose = false;
 };
@@ -64,7 +64,7 @@ std::optional<QSize> parsedSize(const QString& text)
 
 app::Refusal wrong(const QString& sentence) { return {sentence, app::Exit::Usage}; }
 
-/// One option with its value; the sentence that says what is wrong with it.
+/// Reads one option with its value; returns a sentence if it is wrong.
 std::optional<QString> take(Options& options, const QString& name, const QString& value)
 {
     static const std::map<QString, Backend> backends{
@@ -141,7 +141,7 @@ void nameProgram()
     app::useSafeSettings();
 }
 
-/// Nothing, or why it could not be written.
+/// Returns nothing, or the reason why the file could not be written.
 std::optional<QString> savePicture(MainWindow& window, const QString& path)
 {
     window.canvas().settle();
@@ -180,26 +180,26 @@ void openMicroscope(MainWindow& window, const Options& options)
     microscope.goTo(options.step - 1);
 }
 
-/// Opens what was asked for; the picture is taken when all has been painted.
+/// Opens what the options request; saves the screenshot when everything is painted.
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     MainWindow window(options.backend);
     if (!options.screenshot.isEmpty())
-        window.resize(options.size.value_or(usualPicture)); // whatever the screen is
+        window.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {
         window.resize(*options.size);
         fitToScreens(window);
     }
     if (!options.panes.isEmpty())
         showPanes(window.canvas(), options.panes);
-    // What takes long to read must not keep the window from being seen.
+    // A large file must not delay the window.
     const auto open = [&] { window.files().open(options.file); };
     const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;
     if (options.file.isEmpty())
         window.showStart();
     else if (first)
         open();
-    std::optional<Recovery> recovery; // none for a screenshot: it must not touch unsaved work
+    std::optional<Recovery> recovery; // none for a screenshot, which must not touch unsaved work
     if (options.screenshot.isEmpty())
         recovery.emplace(window);
     const auto begin = [&] {
@@ -222,7 +222,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     if (options.screenshot.isEmpty())
         return application.exec();
     std::optional<QString> error;
-    constexpr int forThumbnails = 1500; // milliseconds; they are painted on another thread
+    // Milliseconds for thumbnails, which are painted on another thread.
+    constexpr int forThumbnails = 1500;
     QTimer::singleShot(forThumbnails, &window, [&] {
         error = savePicture(window, options.screenshot);
         application.quit();
@@ -251,7 +252,8 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
         return int(app::Exit::Failed);
     }
     nameProgram();
-    const QTemporaryDir own; // a screenshot neither shows the user's settings nor changes them
+    // Temporary settings: a screenshot neither shows nor changes the user's.
+    const QTemporaryDir own;
     if (!options.screenshot.isEmpty()) {
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, own.path());
         qputenv("XDG_RUNTIME_DIR", own.path().toLocal8Bit());

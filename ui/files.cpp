@@ -16,8 +16,8 @@ namespace ui {
 
 namespace {
 
-constexpr double exportDpi = 300;         // of pictures
-constexpr double newPenMillimetres = 0.3; // the width of a fresh drawing's pen
+constexpr double exportDpi = 300;         // of exported pictures
+constexpr double newPenMillimetres = 0.3; // the stroke width in a new drawing
 
 bool isNative(const QString& path) { return app::formatOfFile(path) == &app::formats().front(); }
 
@@ -138,7 +138,7 @@ bool Files::save()
     return (!changedElsewhere || questions_->overwriteChanged(path)) && write(path);
 }
 
-// Only the native format holds a whole drawing: what is saved in another one would be lost later.
+// Only the native format holds a whole drawing; another format would lose parts of it.
 bool Files::saveAs()
 {
     emit documentWanted();
@@ -181,19 +181,20 @@ namespace {
 
 using Exported = std::pair<std::optional<QString>, app::CutCounts>;
 
-// On a thread of its own, where an exception would end the program. Separate lines are cut as
-// lines, so that each of them lies inside the window.
+// Runs on a thread of its own, where an exception would end the program. Separate lines are cut as
+// lines, so that each of them is inside the window.
 Exported exported(app::Document document, const app::CutOptions& options, const QString& path,
                   const app::WriteOptions& writing, bool hides)
 {
     try {
-        document = app::withOwnStyles(document); // a cut adds many, and the open one keeps its own
+        // A cut adds many styles; the open document keeps its own.
+        document = app::withOwnStyles(document);
         if (!hides)
             document = app::withoutHidden(document);
         if (options.keepContacts)
             document = app::flattened(document, app::usualTolerance(document.page()));
         app::Cut cut = app::cut(document, options);
-        cut.edit.windows = app::ClipWindows(); // what is cut is not cut again
+        cut.edit.windows = app::ClipWindows(); // the exported drawing must not be cut again
         document.apply(cut.edit);
         return {app::writeFile(document, path, writing), cut.counts};
     } catch (const std::bad_alloc&) {
@@ -292,7 +293,7 @@ bool Files::recover(app::Leftover& leftover)
     const app::Origin& origin = leftover.origin;
     show(std::move(*read->value), origin.path, origin.path.isEmpty() ? origin.name : QString());
     seen_ = origin.fileTime;
-    session_.history.resetClean(); // it is not saved yet
+    session_.history.resetClean(); // mark as unsaved
     emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(origin.name)});
     return true;
 }

@@ -10,7 +10,8 @@ namespace ui {
 
 namespace {
 
-/// A row of keys from left to right, and the scan code of the first. Xkb's codes are Linux' and 8.
+/// A row of keys from left to right, and the scan code of the first. XKB's codes are Linux's plus
+/// 8.
 struct Row {
     quint32 first;
     std::string_view keys;
@@ -31,13 +32,13 @@ bool isLatin(int key)
 
 std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event)
 {
-    // Special keys have codes of their own in Qt; what types a sign is below them.
+    // In Qt, keys that type a character have codes below those of special keys.
     if (isLatin(event.key()) || event.key() >= Qt::Key_Escape)
         return std::nullopt;
     for (const Row& row : rows)
         if (row.contains(event.nativeScanCode())) {
             const char key = row.keys[event.nativeScanCode() - row.first];
-            // A sign above an American digit is typed with Shift; so it means itself.
+            // A character typed with Shift on a digit key is meant itself.
             const bool digit = key >= '0' && key <= '9';
             if (digit && event.modifiers().testFlag(Qt::ShiftModifier))
                 return std::nullopt;

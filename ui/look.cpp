@@ -117,8 +117,8 @@ const Look& lookOf(const QPalette& palette)
 void applyTheme(QApplication& application, Theme theme)
 {
     if (!qobject_cast<LookStyle*>(application.style()))
-        QApplication::setStyle(new LookStyle); // the application owns it
-    QApplication::setPalette(QPalette());      // back to the desktop's, to ask it
+        QApplication::setStyle(new LookStyle); // the application takes ownership
+    QApplication::setPalette(QPalette());      // back to the desktop's palette, to query it
     const bool wantsDark =
         theme == Theme::Dark || (theme == Theme::System && lookOf(QApplication::palette()).dark);
     const Look& look = wantsDark ? dark : light;

@@ -13,7 +13,7 @@ namespace ui {
 
 namespace {
 
-/// Reads the file once, at the first painting, and paints it as paths at every size.
+/// Reads the icon's file at the first painting and paints it as paths at every size.
 class Engine : public QIconEngine {
 public:
     explicit Engine(QString path) : path_(std::move(path)) {}

@@ -15,7 +15,7 @@ namespace {
 
 bool has(const QStyleOption& option, QStyle::StateFlag flag) { return option.state & flag; }
 
-/// A rounded field or button: its ground, and a border that becomes the focus ring.
+/// Paints a rounded field or button: its background, and a border that becomes the focus ring.
 void drawBox(QPainter& painter, const QRect& rect, const QColor& ground, const QColor& border,
              double width = 1)
 {
@@ -64,7 +64,7 @@ void drawButton(QPainter& painter, const QStyleOption& option)
             focus ? look.selection : look.border, focus ? 2 : 1);
 }
 
-/// Flat until the pointer is over it; what is on has the tint and a border of the selection colour.
+/// Flat unless hovered; a checked button has the tint and a border in the selection colour.
 void drawToolButton(QPainter& painter, const QStyleOption& option)
 {
     const Look& look = lookOf(option.palette);
@@ -128,7 +128,7 @@ void drawTabLabel(QPainter& painter, const QStyleOptionTab& tab)
     painter.restore();
 }
 
-/// One rule at the side that looks at the canvas.
+/// One rule at the side towards the canvas.
 void drawToolBar(QPainter& painter, const QStyleOption& option, const QWidget* widget)
 {
     const Look& look = lookOf(option.palette);
@@ -182,7 +182,7 @@ void LookStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
     case PE_FrameStatusBarItem:
     case PE_FrameTabBarBase:
     case PE_FrameFocusRect:
-        return; // bars have no frames; focus is a ring of the widget's own
+        return; // bars have no frames; widgets paint their own focus rings
     case PE_PanelStatusBar:
     case PE_PanelMenuBar:
         return painter->fillRect(option->rect, option->palette.window());

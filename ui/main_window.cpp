@@ -86,7 +86,8 @@ void MainWindow::rememberPanes()
     });
 }
 
-// Said once a drawing. It comes after what the command itself says, which would replace it.
+// The message is shown once per drawing, and after the command's own message, which would replace
+// it.
 void MainWindow::limitHistory()
 {
     session_.history.setLimit(bytesOf(undoMegabytes()));
@@ -106,8 +107,8 @@ MainWindow::~MainWindow()
 {
     if (fontBefore_)
         QApplication::setFont(*fontBefore_);
-    // All that is on the screen looks at the session, which goes with the members: it goes first.
-    // The session's last signals would reach widgets that no longer exist.
+    // All widgets use the session, which is destroyed with the members, so they are destroyed
+    // first. Without the disconnects the session's last signals would reach deleted widgets.
     const QSignalBlocker quiet(this);
     for (const QObject* source :
          {static_cast<QObject*>(&session_), static_cast<QObject*>(&session_.document),
@@ -239,12 +240,12 @@ void MainWindow::closeEvent(QCloseEvent* event)
     event->accept();
 }
 
-/// A key that no widget took: it says why its command is disabled, or another key at its place on
-/// the keyboard is meant.
+/// Handles a key that no widget took: says why the key's command is disabled, or treats the key as
+/// the American one at the same place.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && centre_->currentWidget() == canvas_)
-        return canvas_->setFocus(); // out of a list or a field
+        return canvas_->setFocus(); // from a list or a field
     const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     const QKeySequence pressed(event->keyCombination());
@@ -273,7 +274,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) {
             event->acceptProposedAction();
-            // After the drop is over: a question may follow, and the other program waits.
+            // Queued until the drop is finished, because a question may follow while the other
+            // program waits.
             QMetaObject::invokeMethod(
                 this, [this, path = url.toLocalFile()] { files_->open(path); },
                 Qt::QueuedConnection);

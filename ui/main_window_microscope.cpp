@@ -19,13 +19,13 @@
 #include <cstdlib>
 #include <utility>
 
-// The microscope takes the place of the canvas, and of all panels. They come back as they were.
+// The microscope replaces the canvas and hides all panels. They are restored as they were.
 
 namespace ui {
 
 namespace {
 
-/// What the tabs above a panel take of its place; 0: it has none.
+/// The height of the tab bar above a panel, in logical pixels; 0: none.
 int tabsAbove(const QDockWidget& dock, const QMainWindow& window)
 {
     constexpr int nearby = 8; // pixels
@@ -89,7 +89,8 @@ void MainWindow::makeMicroscopePage()
     });
 }
 
-/// The microscope has a bar of its own and needs the tools; who presents needs the options.
+/// The microscope has its own bar and keeps the tool bar visible; presenting keeps the option bar
+/// visible.
 void MainWindow::fitMode()
 {
     const bool microscope = session_.microscope.isOpen();
@@ -102,7 +103,8 @@ void MainWindow::fitMode()
         endBare();
 }
 
-/// A stack is at least as large as the largest of its pages, those that are hidden included.
+/// A stacked widget is at least as large as its largest page, hidden ones included, so hidden pages
+/// are made to ask for no room.
 void MainWindow::showInCentre()
 {
     if (!microscopePage_)
@@ -142,18 +144,18 @@ void MainWindow::endBare()
 {
     if (layoutBefore_.isEmpty())
         return;
-    findChild<LinePanel*>()->showNow(); // or it would have the height of another line
+    findChild<LinePanel*>()->showNow(); // or it would have the height for another line
     bringPanelsBack();
     layoutBefore_.clear();
     barsBefore_.clear();
-    if (fittingArrangement() != arrangement_) // the window is another size now, or Start is over
+    if (fittingArrangement() != arrangement_) // the window's size has changed, or Start is finished
         arrange();
-    makeRoomForLine(); // one may have been inspected meanwhile
+    makeRoomForLine(); // a line may have been inspected meanwhile
     fitStack();
     refreshDockTitles();
 }
 
-/// Not by restoreState(), which shows panels, too, that are in no place of the window.
+/// Does not use restoreState(), which would also show panels that are not placed in the window.
 void MainWindow::bringPanelsBack()
 {
     const QScopedValueRollback quiet(arranging_, true);

@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-// The panels at the right, and where they stand. A layout that the person made is kept as it is.
+// The panels at the right and their arrangement. A layout that the person made is not changed.
 
 namespace ui {
 
@@ -27,7 +27,7 @@ namespace {
 
 const QString placeKey = QStringLiteral("geometry");
 constexpr QSize usual(1280, 800);
-constexpr int wide = 1200, high = 780; // below: narrow panels; tabs instead of a stack
+constexpr int wide = 1200, high = 780; // below these sizes: narrow panels; tabs instead of a stack
 constexpr int panelWidth = 336, narrowPanelWidth = 272, startWidth = 396, widePanelWidth = 572;
 constexpr int separator = 4;   // between two panels
 constexpr int barsHeight = 90; // menus, option bar and status bar, before they are laid out
@@ -49,7 +49,7 @@ void MainWindow::addPanels()
     for (Dock* dock : docks_ + wide_)
         place(*dock);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    setDockOptions(AllowTabbedDocks | AllowNestedDocks); // nothing slides
+    setDockOptions(AllowTabbedDocks | AllowNestedDocks); // no animation
     connect(line, &LinePanel::titled, docks_[3],
             [this](const QString& title, const QString& remark) {
                 docks_[3]->setRemark(remark);
@@ -60,7 +60,7 @@ void MainWindow::addPanels()
     connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
     connect(window, &WindowPanel::resized, this, &MainWindow::fitStack, Qt::QueuedConnection);
     connectStart(*start);
-    connect(line, &LinePanel::titled, this, &MainWindow::makeRoomForLine); // it has its size now
+    connect(line, &LinePanel::titled, this, &MainWindow::makeRoomForLine); // its size is known now
 }
 
 void MainWindow::place(Dock& dock)
@@ -98,7 +98,7 @@ void MainWindow::connectStart(StartPanel& start)
     connect(files_.get(), &Files::nameChanged, &start,
             [this, &start] { start.markSample(files_->sample()); });
     follow();
-    // Choosing or drawing leads on from Start to what can be done there.
+    // Loading a drawing or changing it leaves Start and shows the working panels.
     connect(&session_, &app::Session::loaded, this, &MainWindow::leaveStart);
     connect(&session_.history, &app::History::indexChanged, this, [this](int index) {
         if (index > 0)
@@ -106,7 +106,7 @@ void MainWindow::connectStart(StartPanel& start)
     });
 }
 
-/// The first line in the inspector gets the room for what is said of it.
+/// Gives the line panel the room it needs when the first line is inspected.
 void MainWindow::makeRoomForLine()
 {
     const bool inspecting = session_.inspected().has_value();
@@ -150,7 +150,7 @@ int MainWindow::lowerTabs() const
     return 0;
 }
 
-/// A panel that has grown may leave too little room for the others.
+/// Rearranges if a panel has grown and leaves too little room for the others.
 void MainWindow::fitStack()
 {
     if (layoutBefore_.isEmpty() && !ownLayout_ && arrangement_ == Arrangement::Stacked
@@ -162,7 +162,7 @@ QList<QAction*> MainWindow::panelToggles() const
 {
     QList<QAction*> toggles;
     for (Dock* dock : docks_ + wide_)
-        if (dock != docks_[0]) // Help > Start; it comes and goes by itself
+        if (dock != docks_[0]) // Help > Start; it is shown and hidden automatically
             toggles << dock->toggleViewAction();
     return toggles;
 }
@@ -206,7 +206,7 @@ MainWindow::Arrangement MainWindow::fittingArrangement() const
 void MainWindow::arrange()
 {
     if (!layoutBefore_.isEmpty())
-        return; // the microscope has all the room
+        return; // the microscope hides all panels
     if (!ownLayout_)
         arrangeAs(fittingArrangement());
     else if (starting_)
@@ -224,16 +224,17 @@ void MainWindow::arrangeAs(Arrangement arrangement)
     }
     const bool tabs = arrangement != Arrangement::Stacked;
     const bool start = arrangement == Arrangement::StartInFront;
-    Dock* const hidden = start ? docks_[3] : docks_[0]; // no line is chosen yet; or Start is over
+    // No line is selected yet, or Start is finished.
+    Dock* const hidden = start ? docks_[3] : docks_[0];
     Dock* last = nullptr;
     for (Dock* dock : openWide_ + docks_) {
         if (dock == hidden && !tabs)
-            continue; // not even behind another, whose title would then be in a tab
+            continue; // not even behind another panel, whose title would then be in a tab
         if (dock == docks_[2] && !openWide_.isEmpty())
-            last = nullptr; // those from here on stand below
+            last = nullptr; // the panels from here on are below
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->setVisible(dock != hidden);
-        const bool lower = docks_.indexOf(dock) > docks_.size() - lowerTabs_; // but the first
+        const bool lower = docks_.indexOf(dock) > docks_.size() - lowerTabs_; // except the first
         if ((tabs || lower) && last)
             tabifyDockWidget(last, dock);
         last = dock;
@@ -255,7 +256,7 @@ int MainWindow::columnWidth() const
     return width() < wide ? narrowPanelWidth : starting_ ? startWidth : panelWidth;
 }
 
-/// Algorithm and clip window get what they need, line and layers share the rest.
+/// The algorithm and clip window panels get the height they need; line and layers share the rest.
 void MainWindow::shareHeight()
 {
     const auto needed = [](const Dock* dock) {
@@ -276,7 +277,8 @@ void MainWindow::shareHeight()
                 {algorithm, window, line, rest - line}, Qt::Vertical);
 }
 
-/// Among tabs the tab is the title; the tab bars themselves come and go with the docks.
+/// In a tab group the tab is the title. Qt creates and deletes the tab bars together with the
+/// docks.
 void MainWindow::refreshDockTitles()
 {
     if (!layoutBefore_.isEmpty())

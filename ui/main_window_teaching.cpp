@@ -5,13 +5,13 @@
 
 #include <QApplication>
 
-// What is made for a class: lessons beside the microscope, and the program on a projector.
+// Functions for teaching: lessons beside the microscope, and presenting on a projector.
 
 namespace ui {
 
 namespace {
 
-constexpr double larger = 1.5; // type, for those who sit at the back
+constexpr double larger = 1.5; // factor of the font size while presenting
 
 QFont enlarged(QFont font)
 {
@@ -22,7 +22,7 @@ QFont enlarged(QFont font)
     return font;
 }
 
-/// Widgets that are there take a new font only with a new style sheet.
+/// Existing widgets adopt a new font only with a new style sheet.
 void setFontOfAll(const QFont& font)
 {
     QApplication::setFont(font);
@@ -37,7 +37,7 @@ void MainWindow::showLessons()
         drawnLine_.look();
     if (!microscopePage_->side()) {
         auto* lessons = new LessonPanel(session_.course);
-        // It goes; not in the middle of its own event.
+        // Queued: the panel is deleted, but not while it handles an event.
         connect(lessons, &LessonPanel::closeWanted, this, &MainWindow::closeLessons,
                 Qt::QueuedConnection);
         microscopePage_->setSide(lessons);
@@ -56,7 +56,8 @@ void MainWindow::closeLessons()
     refreshActions();
 }
 
-/// Type and marks get their size when a widget is made, so the microscope's page is made anew.
+/// Widgets take the sizes of type and marks when they are created, so the microscope's page is
+/// recreated.
 void MainWindow::togglePresenting()
 {
     app::Display display = session_.display();

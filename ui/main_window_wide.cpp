@@ -12,8 +12,8 @@
 
 #include <algorithm>
 
-// The panels that are opened to compare. They want more width than the others, which then share
-// the place below them; all of it comes back when they are closed.
+// The comparison panels. They need more width than the others, which then share the place below
+// them. Closing them restores the previous layout.
 
 namespace ui {
 
@@ -47,7 +47,7 @@ void MainWindow::addWide()
 void MainWindow::follow(Dock& wide)
 {
     if (!layoutBefore_.isEmpty())
-        return; // it comes back with the others
+        return; // it is restored with the others
     const bool open = !wide.isHidden();
     if (open == openWide_.contains(&wide))
         return;
@@ -69,7 +69,7 @@ void MainWindow::togglePanel(const QString& key)
     for (Dock* dock : wide_) {
         if (dock->objectName() != key)
             continue;
-        // Qt keeps those behind other tabs off the screen.
+        // Qt moves docks behind other tabs off the screen.
         const bool behind = dock->x() < 0 && !dock->isFloating();
         const bool open = dock->isHidden() || behind;
         starting_ = starting_ && !open;
@@ -84,7 +84,7 @@ void MainWindow::togglePanel(const QString& key)
         follow(*dock);
 }
 
-/// The one in front gets what it needs, as long as something is left for those below.
+/// The front panel gets the height it needs, as long as some is left for those below.
 void MainWindow::shareHeightWithWide()
 {
     constexpr int leastBelow = 190;

@@ -45,7 +45,7 @@ void Recovery::tell()
                 window_.canvas().objectInHand()});
 }
 
-/// Saved, or another drawing has taken its place.
+/// Discards the leftover when its drawing is saved or replaced by another.
 void Recovery::forgetRecovered()
 {
     if (!recovered_ || !window_.session().history.isClean())
@@ -54,7 +54,7 @@ void Recovery::forgetRecovered()
     recovered_.reset();
 }
 
-// On the thread of the watch, while the other threads do what they do.
+// Runs on the watch's thread while the other threads continue.
 void Recovery::keep(int signal) const
 {
     const auto say = [signal](const QString& sentence) {
@@ -66,10 +66,10 @@ void Recovery::keep(int signal) const
             say(tr("The unsaved drawing is lost: %1").arg(*written.error));
         else if (written.unsaved)
             say(tr("The unsaved drawing is kept; the next start offers it."));
-    } catch (const std::exception&) { // no memory
+    } catch (const std::exception&) { // std::bad_alloc
         say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
     }
-    app::removeUnfinished(); // of a Save that the signal interrupts
+    app::removeUnfinished(); // the partial file of a Save that the signal interrupted
 }
 
 void Recovery::offer()

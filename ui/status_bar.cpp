@@ -79,7 +79,7 @@ void StatusBar::note(const FrameTimes& times)
         pause_.start();
 }
 
-/// Until the first frame of another drawing there is nothing to say of it.
+/// Clears the times until the first frame of another drawing.
 void StatusBar::forgetFrames()
 {
     pause_.stop();
@@ -139,7 +139,7 @@ void StatusBar::showPoint(std::optional<app::Point> point)
               : QString());
 }
 
-/// While the microscope is open it tells of that, and not of times.
+/// While the microscope is open, shows its step instead of times.
 void StatusBar::showStep()
 {
     const app::Microscope& microscope = session_.microscope;
@@ -167,10 +167,10 @@ void StatusBar::showZoom()
     zoom_->setText(tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
 }
 
-/// Every cell gets the room of the widest text that this drawing can bring.
+/// Gives every cell the width of the widest text possible for this drawing.
 void StatusBar::keepRoom()
 {
-    const QFont type = captionFont(font()); // larger while presenting
+    const QFont type = captionFont(font()); // it is larger while presenting
     for (QWidget* cell : std::initializer_list<QWidget*>{hint_, position_, visible_, algorithm_,
                                                          times_, renderer_, zoom_})
         if (cell && cell->font() != type)

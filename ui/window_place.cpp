@@ -13,7 +13,7 @@
 namespace ui {
 namespace {
 
-/// What is free on each, that with the window first.
+/// The available area of each screen, the window's screen first.
 std::vector<QRect> screensFor(const QWidget& window)
 {
     std::vector<QRect> all{window.screen()->availableGeometry()};

@@ -97,7 +97,7 @@ public:
         if (const auto place = places_.first(app::placesInside(onScreen(area.corners), size)))
             area.strong == 0 ? text(*place, area.label, labelEmphasis(area)) : code(*place, area);
     }
-    /// In which order areas get their labels: 0 the first.
+    /// The order in which areas get their labels: 0 is first.
     static int rank(const OverlayArea& area)
     {
         return area.pointed ? 0 : area.emphasis == Emphasis::Lit ? 1 : 2;
@@ -131,7 +131,7 @@ private:
         return pen;
     }
 
-    // Short strokes on the side that is not kept.
+    // Paints short strokes on the side that is not kept.
     void outerSide(const QLineF& seen, const OverlayLine& line)
     {
         const app::Point middle = (line.segment.a + line.segment.b) / 2.0;
@@ -202,7 +202,7 @@ private:
         painter_.setPen(quiet ? ground_.look.muted : ground_.look.text);
         painter_.drawText(place, Qt::AlignCenter, words);
     }
-    // Character by character: what stands out is strong and, where the pointer is, blue.
+    // Paints an outcode character by character: emphasised ones are strong and, if hovered, blue.
     void code(const QRectF& place, const OverlayArea& area)
     {
         base(place, labelEmphasis(area));

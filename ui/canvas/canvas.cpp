@@ -45,7 +45,7 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
 
 Canvas::~Canvas()
 {
-    for (const auto& widget : parts_->widgets) // they send events while they go
+    for (const auto& widget : parts_->widgets) // they send events while they are destroyed
         widget->surface().widget().removeEventFilter(this);
 }
 

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-// The panes of a canvas: where they stand, and which is the active one. One of them alone has
-// rulers instead of a heading.
+// The panes of a canvas: their places, and which one is active. A single pane has rulers instead of
+// a heading.
 
 namespace ui {
 
@@ -48,7 +48,7 @@ void Canvas::activatePane(std::size_t pane)
     setPanes(panes);
 }
 
-/// Another algorithm was chosen, somewhere.
+/// The session's variant has changed.
 void Canvas::followChoice()
 {
     const app::Variant choice = parts_->controller.session().variant();
@@ -69,7 +69,7 @@ void Canvas::addPane()
     widget.surface().widget().setCursor(parts.controller.cursor());
     const auto change = [this, place = parts.widgets.size() - 1](auto edit) {
         if (place >= parts_->shown.size())
-            return; // a menu outlived its pane
+            return; // the menu's pane no longer exists
         app::Panes panes = parts_->panes;
         edit(panes, parts_->shown[place]);
         setPanes(panes);
@@ -160,7 +160,7 @@ void Canvas::settle()
 
 void Canvas::resizeEvent(QResizeEvent*) { layOut(); }
 
-// What is between panes, and beside the last one.
+// Paints the gaps between panes and the area beside the last one.
 void Canvas::paintEvent(QPaintEvent*)
 {
     const Look& look = parts_->controller.look();
@@ -171,7 +171,7 @@ void Canvas::paintEvent(QPaintEvent*)
                      look.canvas);
 }
 
-// Panes are activated by what also gives them the focus.
+// The events that give a pane the focus also activate it.
 bool Canvas::activates(const QEvent& event) const
 {
     if (event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick)
@@ -193,7 +193,7 @@ bool Canvas::eventFilter(QObject* watched, QEvent* event)
         activatePane(parts_->shown[place]);
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
         parts_->corner.setFocused(event->type() == QEvent::FocusIn);
-    // From pane to pane the focus does not leave the drawing: Space is still held down.
+    // If the focus moves to another pane, it stays in the drawing: Space is still held down.
     if (event->type() == QEvent::FocusOut
         && std::ranges::any_of(widgets, shows(QApplication::focusWidget())))
         return QWidget::eventFilter(watched, event);

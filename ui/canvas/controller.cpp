@@ -53,19 +53,19 @@ Controller::Controller(app::Session& session, QObject* parent)
 
 void Controller::outdate()
 {
-    snap_.reset(); // perhaps to what is no longer there
+    snap_.reset(); // its target may no longer exist
     emit hintChanged();
     renew();
 }
 
-// The lines are the same, their picture is not.
+// The lines are unchanged but look different.
 void Controller::renew()
 {
     ++revision_;
     emit changed();
 }
 
-// Which algorithm is chosen is in the pane's key: the other panes' pictures stay good.
+// The variant is part of a pane's key, so the other panes' pictures stay valid.
 void Controller::followDisplay()
 {
     const app::Display before = std::exchange(shown_, session_.display());
@@ -99,7 +99,7 @@ void Controller::setTool(std::string_view key)
     emit changed();
 }
 
-// A new object on a layer that is locked or not shown would surprise.
+// New objects must not be added to a locked or hidden layer.
 bool Controller::mayDraw() const
 {
     const app::Containers& containers = session_.now().containers();
@@ -139,7 +139,7 @@ const app::Differences* Controller::differing(const Pane& pane) const
     return pane.fromExact ? pane.fromExact->at(window()) : nullptr;
 }
 
-/// Lines in the colours of their errors; those that are wrong differ.
+/// Colours lines by their error class; wrong lines are marked like differing ones.
 void Controller::addErrors(app::PictureOptions& options) const
 {
     const auto pieces = session_.truth.piecesAt(window());
@@ -177,12 +177,12 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
     if (pane.among == 1)
         addErrors(options);
     options.marked = colourOf(look_.differs);
-    if (look_.dark) // magenta is near the selection's blue there
+    if (look_.dark) // magenta is close to the selection's blue in the dark look
         options.ticks = app::PictureOptions::Ticks::Everywhere;
     return app::picture(session_.now().styles(), session_.scene.lines(), frame, options);
 }
 
-// The page and what is drawn beside it.
+// Shows the page and objects outside it.
 void Controller::fitDrawing()
 {
     clipping::Window all = session_.now().page().rectangle();
@@ -217,7 +217,8 @@ Controller::Steps Controller::steps() const
     return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pointsInHand()};
 }
 
-// Who keeps what is in hand copies all of it: for each point of a long freehand line that is slow.
+// Receivers copy the whole object being drawn, which would be slow for each point of a long
+// freehand line.
 void Controller::tellSteps(const Steps& before)
 {
     const Steps now = steps();
@@ -322,7 +323,7 @@ void Controller::pointerEvent(QMouseEvent& event)
         press(event);
     pointer_ = pointerAt(event.position(), event.buttons(), event.modifiers());
     if (event.type() == QEvent::MouseButtonRelease)
-        snap_.reset(); // what it marked is done
+        snap_.reset(); // the snapped action is finished
     emit pointerMoved(pointer_->position);
 }
 
@@ -344,8 +345,8 @@ void Controller::press(QMouseEvent& event)
     });
 }
 
-// Whether the offer of a clip window takes the click. When a double click's second press comes, the
-// offer has gone.
+// Whether the offered handle takes the click. At the second press of a double click it no longer
+// exists.
 bool Controller::pressOffer(const QMouseEvent& event)
 {
     if (onOffer_ && event.type() == QEvent::MouseButtonDblClick)

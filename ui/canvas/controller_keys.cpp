@@ -5,13 +5,13 @@
 
 #include <array>
 
-// What the keys do while the canvas has the focus (product.md A4).
+// The keys that work while the canvas has the focus.
 
 namespace ui {
 namespace {
 
 constexpr double zoomStep = 1.25, panStep = 48; // pixels
-constexpr double larger = 10;                   // with Shift
+constexpr double larger = 10;                   // factor with Shift
 
 bool has(const QKeyEvent& event, Qt::KeyboardModifiers modifiers)
 {
@@ -64,7 +64,7 @@ bool Controller::keyRelease(QKeyEvent& event)
     return true;
 }
 
-// Backs out one level: the gesture, the selection, the tool.
+// Backs out one level: first the gesture, then the selection, then the tool.
 bool Controller::escape()
 {
     if (tool_->busy()) {
@@ -80,7 +80,8 @@ bool Controller::escape()
 
 bool Controller::canUndo() const { return tool_->canTakeBack() || session_.history.canUndo(); }
 
-// While there are corners in hand, a later step of the history would come before them.
+// While a polyline is being drawn, redoing a later step of the history would put it before the
+// corners.
 bool Controller::canRedo() const
 {
     return tool_->canPutBack(bench_) || (!tool_->canTakeBack() && session_.history.canRedo());
@@ -149,7 +150,8 @@ bool Controller::navigationKey(const QKeyEvent& event)
         navigation_.zoomAt(middle, 1 / zoomStep);
     else if (control && event.key() == Qt::Key_0)
         setZoom(1);
-    else if (shift && isOneOf(event.key(), {Qt::Key_1, Qt::Key_Exclam})) // by keyboard layout
+    // The key with Shift depends on the keyboard layout.
+    else if (shift && isOneOf(event.key(), {Qt::Key_1, Qt::Key_Exclam}))
         fitDrawing();
     else if (shift && isOneOf(event.key(), {Qt::Key_2, Qt::Key_At, Qt::Key_QuoteDbl}))
         fitSelection();

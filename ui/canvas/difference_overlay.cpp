@@ -68,7 +68,7 @@ void paintDifferenceLabel(QPainter& painter, const Controller& controller, const
     painter.setPen(QPen(look.differs, sampleWidth, Qt::SolidLine, Qt::FlatCap));
     const double middle = box.center().y(), left = box.left() + margin;
     painter.drawLine(QPointF(left, middle), QPointF(left + sample, middle));
-    if (look.dark) // as the lines themselves
+    if (look.dark) // like the lines themselves
         painter.drawLine(QPointF(left + sample / 2, middle - 4),
                          QPointF(left + sample / 2, middle + 4));
     painter.setPen(look.text);

@@ -37,10 +37,10 @@ public:
     }
 
 protected:
-    // Also called again where the widget moves to another window, with another context.
+    // Called again if the widget moves to another window, which has another context.
     void initializeGL() override { renderer_ = Renderer::make(); }
 
-    // Not QPainter(this): what that paints is missing from QWidget::grab().
+    // Not QPainter(this), whose output is missing from QWidget::grab().
     void paintGL() override
     {
         QElapsedTimer clock;

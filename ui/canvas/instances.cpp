@@ -14,7 +14,8 @@ enum : std::uint32_t { Butt, Round, Square };
 constexpr double edgeWidth = 0.5; // pixels
 constexpr double joinsShow = 2.5; // pixels of a stroke's width
 constexpr double roundJoinsShow = 1.5;
-constexpr std::size_t mostOutlined = 50'000; // points of strokes made areas in a plate
+// Limit of the points of strokes that become areas in a draw list.
+constexpr std::size_t mostOutlined = 50'000;
 
 std::uint32_t packed(const app::Colour& c)
 {
@@ -32,7 +33,7 @@ bool ownEnds(const app::Chain& chain)
     return chain.closed || (chain.capAtStart && chain.capAtEnd);
 }
 
-// The stroke as an area, with its joins, and with its caps if both ends have one.
+// The outline of a stroke as an area, with joins, and with caps if both ends have one.
 QPainterPath outline(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
 {
     QPainterPath line(points.front());
@@ -78,7 +79,8 @@ public:
     Batches result;
 
 private:
-    // Whether it would show that the card makes joins round, or a translucent ink darker at them.
+    // Whether the stroke needs an outline, because instanced quads have round joins and draw
+    // translucent joins twice.
     bool needsOutline(const app::Chain& chain, const app::Ink& ink)
     {
         const bool round = ink.join == app::Join::Round && ink.colour.alpha == 255;
@@ -88,7 +90,8 @@ private:
         return outlined_ <= mostOutlined;
     }
 
-    // A cap that only one end has is an area of its own: in one with the stroke it could cancel it.
+    // A cap at only one end is a separate area, because within the stroke's area the fill rule
+    // could cancel it.
     void strokeArea(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
     {
         area(outline(points, chain, ink), ink.colour);
@@ -117,7 +120,7 @@ private:
         if (result.batches.empty() || result.batches.back().filled)
             result.batches.push_back({false, std::uint32_t(result.instances.size()), 0});
         const bool overlaps = ink.colour.alpha != 255 || ink.width < roundJoinsShow;
-        const std::uint32_t join = overlaps ? Butt : Round; // where it would be seen twice
+        const std::uint32_t join = overlaps ? Butt : Round; // overlapping round joins would show
         const auto end = [&](bool own) {
             return chain.closed ? join : own ? capOf(ink.cap) : Butt;
         };
@@ -147,7 +150,7 @@ private:
         ++result.batches.back().count;
     }
 
-    // Over a translucent area it would be seen.
+    // Adds an opaque area's edge stroke; over a translucent area it would show.
     void edge(std::span<const QPointF> points, const app::Colour& colour)
     {
         app::Ink ink;

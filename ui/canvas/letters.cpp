@@ -5,7 +5,7 @@
 
 namespace ui {
 
-constexpr std::size_t mostLines = 20'000; // more take longer than the labels are worth
+constexpr std::size_t mostLines = 20'000; // more lines would take too long
 
 Letters::Letters(const app::Scene& scene, QObject* parent) : QObject(parent), scene_(scene)
 {

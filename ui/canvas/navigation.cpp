@@ -5,9 +5,9 @@
 
 namespace ui {
 
-constexpr double notch = 120;              // of QWheelEvent::angleDelta
-constexpr double pixelsPerNotch = 48;      // panning by the wheel
-constexpr double pinchPerPixel = 1 / 60.0; // notches: Ctrl and a touchpad's scroll
+constexpr double notch = 120;              // QWheelEvent::angleDelta of one notch
+constexpr double pixelsPerNotch = 48;      // panning with the wheel
+constexpr double pinchPerPixel = 1 / 60.0; // notches per pixel of Ctrl and touchpad scrolling
 
 static app::Point point(const QPointF& p) { return {p.x(), p.y()}; }
 
@@ -48,7 +48,7 @@ void Navigation::show(const clipping::Window& rectangle)
     fitted_ = fitted;
 }
 
-// Small panes have less to spare.
+// The margin is smaller in small panes.
 void Navigation::fit(app::View& view, const Fitted& fitted)
 {
     constexpr double share = 0.06;
@@ -93,7 +93,7 @@ void Navigation::forth()
     }
 }
 
-// A mouse wheel turns by whole notches and has no phases. X11 gives it pixels all the same.
+// A mouse wheel turns by whole notches and has no phases; but X11 reports pixel deltas for it too.
 bool Navigation::isTouchpad(const QWheelEvent& event) const
 {
     if (device != PointingDevice::Automatic)

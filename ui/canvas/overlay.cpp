@@ -16,7 +16,7 @@ namespace {
 
 using clipping::Segment;
 
-// A segment on the screen, cut to what could be seen.
+// A segment in screen coordinates, clipped to the visible range.
 std::optional<QLineF> lineOnScreen(const Controller& controller, const Segment& segment)
 {
     static const auto clip = clipping::algorithms().front().corrected.clip;
@@ -62,7 +62,7 @@ void paintEnd(QPainter& painter, const Controller& controller, const app::Point&
     }
 }
 
-// The line in the inspector: what the algorithm leaves of it strong, the rest dashed.
+// Paints the inspected line: its visible part strong, the rest dashed.
 void paintInspected(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     const app::Session& session = controller.session();

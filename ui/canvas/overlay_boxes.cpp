@@ -18,7 +18,8 @@ using app::OverlayTable;
 
 constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
 constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45;
-// Of the axis, in rows of the font: so much above and below it, and at either side.
+// Sizes of the axis in multiples of the font's row height: its height, and the margin at either
+// side.
 constexpr double axisRows = 5.6, axisMarginRows = 7;
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
@@ -40,8 +41,9 @@ std::vector<double> columnWidths(const OverlayTable& table, const QFont& font)
     return widths;
 }
 
-// At the upper right, over less than half the height: of a longer table the rows about the lit one.
-// None where it would leave no room for the sentence beside it, which says the most of it.
+// Places the table at the top right, lower than half the height; of a longer table it shows the
+// rows around the highlighted one. No table if it would leave no room for the sentence beside it,
+// which is more important.
 void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& room,
                 const QFont& font)
 {
@@ -115,8 +117,8 @@ void paintTable(QPainter& painter, const OverlayTable& table, const Look& look,
     painter.setFont(font);
 }
 
-/// The axis of t on the screen: 0 to 1, and a little more where something happens there. What is
-/// farther off is shown at its end.
+/// The axis of t on the screen: from 0 to 1, extended a little if there are values beyond. Values
+/// farther off are shown at its end.
 class AxisScale {
 public:
     AxisScale(const OverlayAxis& axis, const QRectF& box, double margin)
@@ -136,7 +138,7 @@ public:
     bool isOff(double t) const { return t < low_ || t > high_; }
 
 private:
-    static constexpr double most = 0.6; // beyond either end
+    static constexpr double most = 0.6; // maximum extension beyond either end, in t
     double left_, right_, low_ = 0, high_ = 1;
 };
 
@@ -148,7 +150,7 @@ void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale
     painter.setPen(QPen(colour, 1.5));
     painter.setBrush(tick.enters ? colour : ground.look.panel);
     const QPointF at(scale.at(tick.t), y);
-    if (scale.isOff(tick.t)) { // an arrow: it is farther off
+    if (scale.isOff(tick.t)) { // an arrow: the value is farther off
         const double way = tick.t < 0 ? -5 : 5;
         painter.drawPolygon(
             QPolygonF{at + QPointF(way, 0), at + QPointF(-way, 4), at + QPointF(-way, -4)});
@@ -156,14 +158,14 @@ void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale
         painter.drawEllipse(at, 4, 4);
 }
 
-/// A word at the axis, above or below it.
+/// A label at the axis, above or below it.
 struct AxisWord {
     QString text;
     double t;
     bool above, lit;
-    bool end = false; ///< of the line: one word is enough, wherever there is room
+    bool end = false; ///< an end of the line: its label goes above or below, wherever there is room
 };
-// Entries above, exits below; the lit ones first, then the ends of the line.
+// Entries are above, exits below; highlighted ones come first, then the ends of the line.
 std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
 {
     std::vector<AxisWord> words;
@@ -181,7 +183,7 @@ std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
     return words;
 }
 
-// Where two would be one over the other the second goes without.
+// If two labels would overlap, the second is omitted.
 void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& scale,
                 const QRectF& box, const Look& look)
 {
@@ -232,7 +234,7 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
     paintWords(painter, axis, scale, box, look);
     painter.setPen(look.muted);
     if (scale.left() - box.left() < wanted)
-        return; // no room for what is said at the line too
+        return; // no room for the caption at the line
     QRectF line(box.left() + padding, y - 1.5 * row, wanted, row);
     for (const QString& word : {tr("enters"), tr("t"), tr("leaves")}) {
         painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, word);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int updateMilliseconds = 100; // ten times a second
 constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
-constexpr int widthForClose = 260; // in narrower ones the menu can close it
-constexpr int leastName = 48;      // a name shorter than this says nothing
+constexpr int widthForClose = 260; // in narrower headings the menu closes the pane
+constexpr int leastName = 48;      // a name elided to less is not shown
 
 QIcon markerIcon(const app::Variant& choice, const QPalette& palette)
 {
@@ -63,7 +63,8 @@ PaneHeading::PaneHeading(QWidget* parent)
 
 PaneHeading::~PaneHeading()
 {
-    disconnect(qApp, nullptr, this, nullptr); // its buttons may lose the focus by going
+    // Its buttons may lose the focus while they are destroyed.
+    disconnect(qApp, nullptr, this, nullptr);
 }
 
 void PaneHeading::show(const Pane& pane)

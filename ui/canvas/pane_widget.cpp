@@ -29,7 +29,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
 }
 
-// Corrected forms hardly ever differ: they are compared when a gesture is over.
+// Corrected forms rarely differ, so they are compared only after a gesture.
 void PaneWidget::followWindow()
 {
     if (pane_.choice.form == clipping::Form::Published || !session_.preview().window)

@@ -15,11 +15,11 @@
 namespace ui {
 namespace {
 
-constexpr double atOnceMs = 8; // pictures as fast as this are painted in the frame itself
-constexpr double expectedMsPerLine = 6e-4; // until it was measured
+constexpr double atOnceMs = 8; // pictures that take less are painted in the frame itself
+constexpr double expectedMsPerLine = 6e-4; // estimate until it is measured
 
-// One picture being painted, band by band. The threads that paint it own it too, and know no
-// widget.
+// A picture being painted, band by band. The painting threads share its ownership and do not use
+// widgets.
 struct Job {
     FrameKey key;
     app::Picture picture;
@@ -39,7 +39,7 @@ struct Job {
     }
 };
 
-// The art, as far as it is painted.
+// The painted picture, possibly out of date.
 struct Art {
     FrameKey key;
     QImage image;
@@ -47,8 +47,8 @@ struct Art {
 
 double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) * 1e-6; }
 
-/// Where a picture takes long, the last one is shown, moved and scaled, until the new one is
-/// there: it is painted by all cores meanwhile, and the newest wish is the next to be fulfilled.
+/// While a slow picture is being painted on all cores, the last one is shown, moved and scaled.
+/// When it is finished, the newest requested picture is painted next.
 class RasterSurface final : public QWidget, public Surface {
 public:
     RasterSurface(Controller& controller, const Pane& pane, Report report, QWidget* parent)
@@ -93,13 +93,13 @@ protected:
         painter.drawImage(placeOfArt(), art_.image);
         paintOverlay(painter, controller_, pane_);
         const double clipMs = double(frame.nanoseconds) * 1e-6;
-        const double waitMs = art_.key == key ? 0 : lastMs_; // painted by others meanwhile
+        const double waitMs = art_.key == key ? 0 : lastMs_; // painted by other threads
         report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
                  frame.visible, frame.total, pane_.choice, art_.key != key});
     }
 
 private:
-    // That of the whole program: QCoreApplication sees to it that no thread outlives it.
+    // The program's global pool: QCoreApplication waits for its threads at exit.
     static QThreadPool& pool() { return *QThreadPool::globalInstance(); }
     QSize deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
 
@@ -109,7 +109,7 @@ private:
         const double expected = known ? lastMs_ : double(frame.total) * expectedMsPerLine;
         const bool atOnce = expected * pane_.among <= atOnceMs;
         if (job_ && !atOnce)
-            return; // deliver() will ask again
+            return; // deliver() will start the next one
         auto job = std::make_shared<Job>();
         job->clock.start();
         job->key = key;
@@ -128,7 +128,7 @@ private:
             return;
         }
         job_ = job;
-        // Not now: other panes are still to be clipped in this frame, and timed.
+        // Queued, because other panes must first be clipped and timed in this frame.
         QMetaObject::invokeMethod(
             this, [this, job] { begin(job); }, Qt::QueuedConnection);
     }
@@ -142,7 +142,7 @@ private:
             pool().start([job, i] { job->paint(i); });
     }
 
-    // Its threads stop soon after; there is no need to wait for them.
+    // Does not wait for the job's threads, which stop soon.
     void cancel()
     {
         if (job_)
@@ -165,7 +165,7 @@ private:
         update();
     }
 
-    // In the view of now, the rectangle that the art's view showed.
+    // The rectangle that the painted picture covers in the current view.
     QRectF placeOfArt() const
     {
         const app::View& now = controller_.view();
@@ -179,7 +179,7 @@ private:
     const Pane& pane_;
     Report report_;
     std::shared_ptr<Job> job_;
-    QFutureWatcher<void> watcher_; // of the job
+    QFutureWatcher<void> watcher_; // watches job_
     Art art_;
     double lastMs_ = 0;
     std::size_t measuredLines_ = 0;

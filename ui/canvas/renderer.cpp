@@ -11,12 +11,12 @@ namespace ui {
 namespace {
 
 constexpr GLuint endsAt = 0, colourAt = 1, widthAt = 2, capsAt = 3,
-                 pointAt = 0; // as in the shaders
+                 pointAt = 0; // attribute locations, as in the shaders
 
 // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset into a buffer as a pointer
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-// New storage each frame: the driver need not wait for the last frame's.
+// Allocates new storage each frame, so that the driver need not wait for the last frame.
 template <class T>
 void upload(QOpenGLBuffer& buffer, const std::vector<T>& data)
 {
@@ -61,7 +61,7 @@ bool Renderer::build()
     return true;
 }
 
-// There is no first instance to say in 3.3: the attributes start there.
+// OpenGL 3.3 has no base instance, so the attribute pointers start at the first instance.
 void Renderer::describeInstances(std::size_t first)
 {
     instances_.bind();
@@ -154,9 +154,9 @@ void Renderer::paintStrokes(const Batches::Batch& batch)
     gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(batch.count));
 }
 
-// Each contour as a fan: where an odd number (or an unequal number of either sense) of triangles
-// lie over one another is inside. The second time round they are drawn where the stencil is not 0,
-// and set it back.
+// Draws each contour as a triangle fan into the stencil. A pixel is inside if an odd number of
+// triangles covers it (even-odd), or unequal numbers of clockwise and counter-clockwise ones
+// (nonzero). The second pass paints where the stencil is not 0 and resets it.
 void Renderer::paintArea(const Batches& all, const Batches::Batch& batch)
 {
     use(areas_);

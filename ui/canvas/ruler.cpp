@@ -18,12 +18,12 @@ QFont rulerFont(const QWidget& widget)
 {
     QFont font = widget.font();
     font.setPointSizeF(font.pointSizeF() * typeSize);
-    if (QFontMetrics(font).height() > mostType) // the ruler is not wider for those who see little
+    if (QFontMetrics(font).height() > mostType) // the ruler's width does not grow with the font
         font.setPixelSize(mostType * 3 / 4);
     return font;
 }
 
-// As many decimals as the step from number to number needs.
+// The number of decimals that the distance between numbers needs.
 int decimalsOf(std::span<const app::Tick> ticks)
 {
     std::optional<double> first;
@@ -52,7 +52,7 @@ void Ruler::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), look.window);
     const int axis = across() ? 0 : 1;
     const double length = across() ? width() : height(), pixel = 1 / devicePixelRatioF();
-    // Everything is painted as along a horizontal ruler; a vertical one is that, turned.
+    // Everything is painted as on a horizontal ruler; a vertical ruler is rotated.
     if (!across()) {
         painter.translate(0, length);
         painter.rotate(-90);

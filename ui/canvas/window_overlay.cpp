@@ -17,7 +17,8 @@ namespace {
 constexpr double outline = 1.5, outlineLit = 2.5, casing = 1; // pixels
 constexpr double handle = 9, labelGap = 13;
 
-// The window on the screen, no farther out than its lines could be seen: no painter likes 1e9.
+// The window in screen coordinates, limited to the visible range, because painters fail with
+// coordinates like 1e9.
 QRectF onScreen(const app::View& view, const clipping::Window& window)
 {
     const app::Point room(64), least = -room, most = view.size + room;
@@ -31,7 +32,7 @@ QRectF rectangleOnScreen(const Controller& controller)
     return onScreen(controller.view(), controller.window());
 }
 
-// One that adds is solid; what the others do can be told apart by their dashes.
+// Windows that add are solid; the other operations have different dashes.
 Qt::PenStyle dashesOf(app::WindowOperation operation)
 {
     static const std::map<app::WindowOperation, Qt::PenStyle> styles{
@@ -41,14 +42,14 @@ Qt::PenStyle dashesOf(app::WindowOperation operation)
     return styles.at(operation);
 }
 
-// The other windows of the drawing: thin.
+// Paints the drawing's other windows with thin lines.
 void paintOthers(QPainter& painter, const Controller& controller)
 {
     painter.setBrush(Qt::NoBrush);
     bool first = true;
     for (const app::ClipRegion::Step& step : controller.session().region().steps) {
         if (std::exchange(first, false))
-            continue; // that is the one with handles
+            continue; // this window is painted with handles
         painter.setPen(QPen(controller.look().accent, 1, dashesOf(step.operation)));
         painter.drawRect(onScreen(controller.view(), step.box));
     }
@@ -110,7 +111,7 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
     painter.drawText(label, Qt::AlignCenter, labelText(controller));
 }
 
-// Whether the window has handles and a label: in one pane, where its outline is in sight.
+// Whether the window has handles and a label: only in the active pane, if its outline is visible.
 bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& window)
 {
     const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
