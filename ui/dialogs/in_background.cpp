@@ -23,7 +23,7 @@ bool runInBackground(QWidget* parent, const QString& label, std::function<void()
                              parent);
     progress.setWindowModality(Qt::ApplicationModal);
     progress.setMinimumDuration(0);
-    progress.reset(); // or it would show itself by a rule of its own
+    progress.reset(); // otherwise it would appear by its own rule
     QTimer patience;
     patience.setSingleShot(true);
     bool finished = false;
@@ -37,7 +37,7 @@ bool runInBackground(QWidget* parent, const QString& label, std::function<void()
     QObject::connect(qApp, &QCoreApplication::aboutToQuit, thread, [thread] { thread->wait(); });
     patience.start(patienceMilliseconds);
     thread->start();
-    // Nothing may change the drawing meanwhile: until the dialog is there, input waits.
+    // The drawing must not change meanwhile, so input waits until the dialog is visible.
     while (!finished && !progress.wasCanceled() && !progress.isVisible())
         loop.processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
     if (!finished && !progress.wasCanceled())

@@ -36,7 +36,8 @@ QTextBrowser* openPage(MainWindow& window, const QString& title)
     return page;
 }
 
-/// The first two that a keyboard of today has: others have F13 and more for copy and paste.
+/// The first two shortcuts on a common keyboard; standard keys for copy and paste may include F13
+/// and above.
 QStringList keysOf(const QAction& action)
 {
     QStringList keys;

@@ -24,7 +24,7 @@ QString filter(const app::Format& format)
     return QStringLiteral("%1 (*.%2)").arg(format.name, ending(format));
 }
 
-/// What Return answers: the first verb, or Cancel where the verb cannot be taken back.
+/// The button for Return: the first verb, or Cancel if the verb cannot be undone.
 enum class Usual : std::uint8_t { FirstVerb, Cancel };
 
 /// A message box with verbs; -1 for Cancel or Esc.

@@ -16,7 +16,7 @@ namespace ui {
 
 namespace {
 
-constexpr int aboutWidth = 34; // the year's
+constexpr int aboutWidth = 34; // width of the year, in pixels
 
 class RowPainter : public QStyledItemDelegate {
 public:
@@ -58,7 +58,7 @@ public:
         text(x, abbreviation, look.text, semiBold(option.font), app::latin(row.abbreviation));
         x += abbreviation;
         text(x, r.right() - year - 8 - x, look.text, option.font, app::latin(row.name));
-        if (!(option.state & QStyle::State_MouseOver)) // else the "?" is there
+        if (!(option.state & QStyle::State_MouseOver)) // a hovered row shows the "?" instead
             text(r.right() - year, year + 1, look.muted, captionFont(option.font),
                  QString::number(row.year), Qt::AlignRight);
     }
@@ -124,7 +124,7 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     about_->setText(QStringLiteral("?"));
     about_->setFont(semiBold(captionFont(font())));
     about_->setCursor(Qt::ArrowCursor);
-    about_->setFocusPolicy(Qt::NoFocus); // by keys: F1, or the row's menu
+    about_->setFocusPolicy(Qt::NoFocus); // keyboard users have F1 and the row's menu
     about_->setFixedSize(aboutWidth, space::rowHeight - 4);
     about_->hide();
     connect(about_, &QToolButton::clicked, this, [this] {

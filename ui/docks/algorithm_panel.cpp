@@ -15,7 +15,7 @@ namespace ui {
 namespace {
 
 constexpr int idleMilliseconds = 400;
-constexpr std::size_t mostLinesUnasked = 150'000; // some 60 ms with every algorithm
+constexpr std::size_t mostLinesUnasked = 150'000; // about 60 ms for all algorithms
 
 } // namespace
 
@@ -29,7 +29,8 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop);
-    verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing()); // or it would jump
+    // So that the layout does not jump.
+    verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing());
     verdict_->setAccessibleName(tr("Agreement"));
     tick_->setFixedSize(16, 16);
 
@@ -86,7 +87,7 @@ void AlgorithmPanel::compare()
     paintVerdict();
 }
 
-// A line that is being drawn is no other window.
+// Other previews, such as a line being drawn, do not change the window.
 void AlgorithmPanel::followWindow()
 {
     if (window_ == session_.window())

@@ -19,7 +19,7 @@ struct Compare {
     Q_DECLARE_TR_FUNCTIONS(Compare)
 };
 
-/// What a cell is about.
+/// The data of a cell.
 struct Cell {
     const app::RaceRow& row;
     const app::Summary& summary;
@@ -40,7 +40,7 @@ QString onlyTimed(const Cell& cell, const QString& text)
     return cell.timed ? text : QStringLiteral("–");
 }
 
-/// Times that say nothing leave the order of the catalogue.
+/// Without meaningful times all keys are equal, which keeps the catalogue's order.
 QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0; }
 
 // In the order of CompareModel::Column.

@@ -59,7 +59,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(choice);
-    auto* rows = new QHBoxLayout; // the gap after a text is part of the table
+    auto* rows = new QHBoxLayout; // the table includes the gap after a text
     rows->setContentsMargins(0, 0, space::dockMargin - DenseTable::gap, 0);
     rows->addWidget(table_);
     column->addLayout(rows, 1);
@@ -107,7 +107,7 @@ void ComparePanel::resizeEvent(QResizeEvent* event)
     fitGroups();
 }
 
-/// With room for all rows before they are there.
+/// Reserves room for all rows before there are any.
 QSize ComparePanel::sizeHint() const
 {
     const QSize all = QWidget::sizeHint();

@@ -18,7 +18,7 @@ namespace {
 constexpr qint64 sortMilliseconds = 1000;
 constexpr int sparklineWidth = 96, leastNameWidth = 112;
 
-/// What goes first where space is short.
+/// The columns to hide if space is short, first to last.
 constexpr std::array dispensable{CompareModel::Visible, CompareModel::Spread,
                                  CompareModel::Sparkline};
 
@@ -99,7 +99,8 @@ void CompareTable::sort()
     sinceSorted_.start();
 }
 
-/// No arrow at times that say nothing, which leave the catalogue's order.
+/// No sort arrow at a column of times that are not meaningful; the rows are then in the catalogue's
+/// order.
 void CompareTable::showOrder()
 {
     QHeaderView* header = horizontalHeader();
@@ -118,7 +119,7 @@ int CompareTable::widthOf(int column) const
     return std::max(width, heading.horizontalAdvance(title) + 1) + 2 * gap;
 }
 
-/// The name gets what the others leave.
+/// The name column gets the width that the others leave.
 void CompareTable::fitColumns()
 {
     int left = viewport()->width();

@@ -113,7 +113,7 @@ void CostMapPanel::addMap()
     connect(view_, &CostMapView::pointed, this, &CostMapPanel::point);
 }
 
-/// What cannot be measured so is not offered.
+/// Offers only algorithms that the selected measure supports.
 void CostMapPanel::choose()
 {
     plan_.measure = &app::costMeasures()[std::size_t(measure_->currentIndex())];
@@ -132,7 +132,7 @@ void CostMapPanel::choose()
     point(std::nullopt);
 }
 
-// The fixed end stays beside the window.
+// Moves the fixed end with the window.
 void CostMapPanel::followWindow()
 {
     soon_.stop();
@@ -144,7 +144,7 @@ void CostMapPanel::followWindow()
     plan_.area = app::areaAround(window);
     plan_.fixed = plan_.area.min + (plan_.area.max - plan_.area.min) * share;
     if (!isVisible())
-        return; // it asks as it is shown
+        return; // showEvent() will ask
     ask();
     point(std::nullopt);
 }

@@ -24,7 +24,7 @@ int sideOf(int column)
 DifferenceModel::DifferenceModel(const app::Session& session, QObject* parent)
     : QAbstractTableModel(parent), session_(session)
 {
-    connect(&session, &app::Session::displayChanged, this, [this] { // the unit
+    connect(&session, &app::Session::displayChanged, this, [this] { // the unit may have changed
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     });
     follow();
@@ -45,7 +45,7 @@ QVariant DifferenceModel::data(const QModelIndex& index, int role) const
     const auto& list = session_.differences.found().list;
     const std::uint32_t at = rows_[std::size_t(index.row())];
     if (at >= list.size())
-        return {}; // another list is on its way
+        return {}; // the list has changed; follow() will be called
     if (role == Qt::DisplayRole)
         return columnOf(index.column()).text(session_, list[at]);
     if (role == Qt::TextAlignmentRole)

@@ -20,11 +20,11 @@ namespace ui {
 
 namespace {
 
-constexpr int asInContract = -1; // of the box with the ulps: below all that can be chosen
+constexpr int asInContract = -1; // value of the ulps box for "as in the contract", below all others
 constexpr int mostUlps = 1'000'000;
 constexpr int mostColumnWidth = 260;
 
-/// Published KWC loses lines, which is the difference to begin with.
+/// Published KWC loses lines, so the first comparison shows differences.
 app::Variant firstA()
 {
     return {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"), clipping::Form::Published};
@@ -126,7 +126,7 @@ void DifferencePanel::addTable()
         if (const auto line = model_.lineOf(index.row()))
             emit lineWanted(*line);
     });
-    // Once more, perhaps from elsewhere.
+    // A click on the current row shows it again, even if the view has moved.
     connect(table_, &QTableView::clicked, this,
             [this](const QModelIndex& index) { showRow(index.row()); });
 }
@@ -145,10 +145,10 @@ void DifferencePanel::ask()
         return;
     session_.differences.ask(wanted());
     if (soon_.isActive())
-        follow(); // what a person changed here is answered at once
+        follow(); // the person's own change is answered at once
 }
 
-/// Others differ on other lines: the one that was chosen says nothing any more.
+/// Another comparison differs on other lines, so the inspected difference is closed.
 void DifferencePanel::change()
 {
     if (following_)
@@ -177,7 +177,7 @@ void DifferencePanel::swap()
     ask();
 }
 
-// A timer waits for all that is posted, also for the frame that is due: that comes first.
+// A timer fires after all posted events, so the pending frame is shown first.
 void DifferencePanel::follow()
 {
     const QScopedValueRollback quietly(following_, true);
@@ -202,7 +202,8 @@ void DifferencePanel::follow()
     choose(line ? model_.rowOf(*line) : -1);
 }
 
-/// To what another comparison finds; then they stay, also while the window moves.
+/// Fits the columns to the first results of a comparison; they then stay, also while the window
+/// moves.
 void DifferencePanel::fitColumns()
 {
     if (model_.rowCount() == 0 || fittedTo_ == session_.differences.asked())
@@ -271,7 +272,7 @@ void DifferencePanel::go(int rows)
     showRow(next);
 }
 
-/// With room for some twenty rows.
+/// Room for about twenty rows.
 QSize DifferencePanel::sizeHint() const
 {
     return {QWidget::sizeHint().width(),

@@ -168,7 +168,7 @@ void ExactnessPanel::ask()
         session_.truth.ask(wanted());
 }
 
-// A timer waits for all that is posted, also for the frame that is due: that comes first.
+// A timer fires after all posted events, so the pending frame is shown first.
 void ExactnessPanel::follow()
 {
     const QScopedValueRollback quietly(following_, true);
@@ -248,7 +248,7 @@ void ExactnessPanel::leaveMagnifier()
     table_->setFocus();
 }
 
-/// With room for some ten rows.
+/// Room for about ten rows.
 QSize ExactnessPanel::sizeHint() const
 {
     return {QWidget::sizeHint().width(), 320 + 10 * space::denseRowHeight};

@@ -26,11 +26,12 @@ QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
     return imported ? app::thumbnail(imported.value->document, points, ratio, colours) : QImage();
 }
 
-constexpr int behindTheCanvas = -1; // in the queue for a thread; the usual is 0
+constexpr int behindTheCanvas = -1; // priority in the thread pool; the default is 0
 
-// All pictures in one size. The threads that make them own it too, and know no widget.
+// A job that renders all pictures in one size. The rendering threads share its ownership and do not
+// use widgets.
 struct Sitting {
-    QPromise<QImage> promise; ///< finished with the last one, or cancelled
+    QPromise<QImage> promise; ///< finished with the last picture, or cancelled
     std::atomic<int> left;
 };
 

@@ -13,7 +13,7 @@ namespace ui {
 
 namespace {
 
-// The topmost first, each above those that lie in it.
+// Appends layers, topmost first, each before those nested in it.
 void append(std::vector<app::ContainerId>& layers, const app::Containers& containers,
             app::ContainerId around)
 {
@@ -138,7 +138,7 @@ void LayerModel::follow(const app::DocumentChange& change)
         layers_ = std::move(layers);
         endResetModel();
     } else if (change.containers) {
-        // No reset: the name is perhaps being edited in the list, which a reset would take away.
+        // No reset, because it would close an editor that is open on a name.
         emit dataChanged(index(0), index(rowCount() - 1));
     } else if (change.objects) {
         emit dataChanged(index(0), index(rowCount() - 1), {CountRole, Qt::DecorationRole});

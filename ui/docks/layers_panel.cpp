@@ -75,7 +75,8 @@ public:
     }
 
 private:
-    static constexpr int indent = 14, deepest = 5; // pixels a level; deeper ones are not moved on
+    // Pixels per level; deeper levels are not indented further.
+    static constexpr int indent = 14, deepest = 5;
     static QStyleOptionViewItem indented(QStyleOptionViewItem option, const QModelIndex& index)
     {
         const int depth = index.data(LayerModel::DepthRole).toInt();
@@ -94,7 +95,7 @@ private:
     {
         return row.adjusted(space::dockMargin + 46, 0, -110, 0);
     }
-    /// As the canvas shows it on this page.
+    /// The colour as the canvas shows it on this page.
     static QColor shown(const QColor& ink, const Look& look)
     {
         const auto plain = [](const QColor& c) {

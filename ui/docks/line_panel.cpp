@@ -39,7 +39,8 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     grid_->addWidget(verdict_, Verdict, Name, 1, 5);
     cost_->setFont(captionFont(font()));
     cost_->setAlignment(Qt::AlignRight | Qt::AlignTop);
-    cost_->setMinimumHeight(2 * QFontMetrics(cost_->font()).lineSpacing()); // a wrapped one too
+    // Two lines, because the text may wrap.
+    cost_->setMinimumHeight(2 * QFontMetrics(cost_->font()).lineSpacing());
     cost_->setWordWrap(true);
     grid_->addWidget(cost_, Cost, XColumn, 1, 4);
     steps_->setReadOnly(true);
@@ -169,7 +170,7 @@ void LinePanel::put(int row, int column, const QString& text, Qt::Alignment alig
     QLabel* label = cell(row, column);
     label->setAlignment(alignment | Qt::AlignVCenter);
     label->setText(text);
-    label->setVisible(!text.isEmpty()); // a row without any takes no room
+    label->setVisible(!text.isEmpty()); // an empty row takes no room
 }
 
 } // namespace ui

@@ -128,8 +128,8 @@ StartPanel::StartPanel(QWidget* parent)
     scroll->setWidget(body);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    // The samples grow with the width: a bar that comes and goes would change what it is there for,
-    // without end.
+    // The samples' height depends on the width. A scroll bar that appears and disappears would
+    // change both in an endless loop.
     scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->viewport()->setAutoFillBackground(false);

@@ -21,7 +21,7 @@ ChartsPage::ChartsPage(QWidget* parent) : QScrollArea(parent)
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // heights follow from widths
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // because heights depend on the width
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setBackgroundRole(QPalette::Base);
     auto* body = new QWidget;

@@ -17,7 +17,7 @@ namespace ui {
 
 namespace {
 
-constexpr std::uint64_t fewestTimed = 100'000; // a small drawing again and again
+constexpr std::uint64_t fewestTimed = 100'000; // a smaller drawing is clipped repeatedly
 
 enum Forms { Published, Corrected, Both };
 
@@ -179,7 +179,8 @@ void ChoicePanel::followDrawing(std::size_t lines)
         showSubject();
 }
 
-/// What is chosen, with its number of lines; the paper brings its own algorithms.
+/// Shows the selected subject with its number of lines; the paper's tables have their own
+/// algorithms.
 void ChoicePanel::showSubject()
 {
     const app::Subject& subject = this->subject();

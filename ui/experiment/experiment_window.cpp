@@ -26,7 +26,7 @@ namespace {
 
 const QString paceKey = QStringLiteral("experimentPace");
 constexpr QSize usual(1180, 780), smallest(640, 360);
-constexpr double leastTelling = 1; // seconds: shorter runs mostly begin and end
+constexpr double leastTelling = 1; // seconds; shorter runs consist mostly of overhead
 constexpr double leastPace = 0.02, mostPace = 50;
 constexpr int leftWidth = 300, barWidth = 180;
 
@@ -48,7 +48,7 @@ QLabel* aside(const QString& text)
     return label;
 }
 
-/// What stands where results will be.
+/// The page shown until there are results.
 QWidget* invitation()
 {
     auto* text = new QLabel(ExperimentWindow::tr(
@@ -69,7 +69,7 @@ QWidget* invitation()
     return page;
 }
 
-/// A line of one pixel.
+/// A line one pixel wide.
 QFrame* rule(QFrame::Shape shape)
 {
     auto* line = new QFrame;
@@ -176,7 +176,7 @@ QWidget* ExperimentWindow::right()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(stack_, 1);
-    column->addWidget(strip_); // below, so that what it tells moves nothing
+    column->addWidget(strip_); // at the bottom, so that a message moves nothing
     return whole;
 }
 
@@ -216,7 +216,7 @@ void ExperimentWindow::addTools()
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight);
     export_->setProperty("framed", true);
-    copy_->setFocusPolicy(Qt::TabFocus); // a click leaves it to the table
+    copy_->setFocusPolicy(Qt::TabFocus); // a click leaves the focus in the table
     copy_->setToolTip(tr("The table that was clicked last, or the first: with tabs, for a "
                          "spreadsheet."));
     connect(copy_, &QPushButton::clicked, this, [this] {
@@ -232,7 +232,7 @@ void ExperimentWindow::addTools()
 void ExperimentWindow::run(app::Choice choice)
 {
     if (choice.easel)
-        choice.easel = app::bestEasel(); // looked for here, in the thread of the window
+        choice.easel = app::bestEasel(); // queried here, in the window's thread
     auto plan = app::planOf(choice);
     if (!plan || measuring_.active())
         return showEffort();
@@ -272,7 +272,7 @@ void ExperimentWindow::showProgress(const app::Progress& progress)
         tr("%1. Working elsewhere meanwhile disturbs the times.").arg(app::progressText(progress)));
 }
 
-/// What it will take, or why it cannot be done.
+/// Shows how long the run will take, or why it is impossible.
 void ExperimentWindow::showEffort()
 {
     const app::Choice choice = choice_->choice();
@@ -296,7 +296,7 @@ void ExperimentWindow::showState()
     cancel_->setVisible(active);
 }
 
-/// A hidden window follows nothing: it catches up when it is shown.
+/// A hidden window ignores changes and updates itself when shown.
 void ExperimentWindow::followDrawing()
 {
     if (isVisible())
@@ -319,7 +319,7 @@ void ExperimentWindow::hideEvent(QHideEvent* event)
     QDialog::hideEvent(event);
 }
 
-/// Esc stops what goes on first.
+/// Esc first cancels a running measurement.
 void ExperimentWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && measuring_.active())

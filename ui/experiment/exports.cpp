@@ -19,7 +19,7 @@ namespace {
 
 using Written = app::Result<QStringList>;
 
-/// What a row makes of a study, and of how many files.
+/// The menu text of a row for a study, with the number of files.
 QString entryText(const app::StudyFile& row, const app::Study& study)
 {
     using Group = app::StudyFile::Group;
@@ -95,7 +95,7 @@ void Exports::addStudy(QMenu& menu, const Current& current)
     }
 }
 
-/// The folder is the next proposal.
+/// Remembers the folder for the next proposal.
 QString Exports::remembered(const QString& path)
 {
     if (!path.isEmpty())
@@ -129,7 +129,7 @@ void Exports::exportChart(const app::Chart& chart)
     writeChart(chart, app::chartFormats().front());
 }
 
-/// Where to write, once whatever is there may be overwritten; empty: cancelled.
+/// The path to write to, after asking about existing files; empty: cancelled.
 QString Exports::pathFor(const app::StudyFile& row, const app::Study& study)
 {
     const QString proposed = proposal(QStringLiteral("clearcut"), row.ending);

@@ -33,7 +33,7 @@ QStringList namesOf(const std::vector<app::Measure>& measures)
     return names;
 }
 
-/// Runs in the paper's layout have their average below; else a heading sorts.
+/// A table of runs in the paper's layout ends with an average; other tables are sortable.
 TableView::Rows rowsOf(const app::Table& table)
 {
     return table.names.front() == u"algorithm" ? TableView::Rows::Sortable
@@ -132,7 +132,7 @@ void Results::show(std::shared_ptr<const app::Study> study)
     circumstances_->show({{app::circumstancesTable(*study_), TableView::Rows::Plain}});
 }
 
-/// There are more of them if something was drawn.
+/// Recreates the measures' buttons; a study with drawn lines has more measures.
 void Results::showMeasures()
 {
     const int chosen = measures_ ? measures_->chosen() : 0;
@@ -167,7 +167,7 @@ void Results::showTrial()
     charts_->show(app::chartsOf(trial(), measure()));
 }
 
-/// What is said of a measure begins with its name.
+/// Shows the verdict sentences of the current measure, which begin with its name.
 void Results::showVerdict()
 {
     QString text;
@@ -189,7 +189,7 @@ void Results::showReasons()
     reason_->setText(app::reasons(*study_->explanation)[reasons_->chosen()]);
     why_->show({{table, TableView::Rows::Sortable}});
     auto charts = app::chartsOf(*study_->explanation);
-    const auto chart = std::ranges::find_if( // there is none of accuracy
+    const auto chart = std::ranges::find_if( // there is no chart of accuracy
         charts, [&](const app::Chart& one) { return one.key.endsWith(table.key); });
     reasonChart_->setVisible(chart != charts.end());
     if (chart != charts.end())
@@ -202,7 +202,7 @@ void Results::markOld()
     verdict_->setEnabled(false);
 }
 
-/// As high whatever the summary says, so that the tabs stay where they are; the rest scrolls.
+/// Gives the summary a fixed height, so that the tabs do not move; longer text scrolls.
 void Results::reserveRoom()
 {
     constexpr int least = 2, most = 7;

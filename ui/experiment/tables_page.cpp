@@ -14,8 +14,8 @@ namespace {
 
 constexpr int gap = 32, noteWidth = 620;
 
-/// Sentences in a limited width, of which layouts are told (they ask for the height in all there
-/// is).
+/// Text of limited width. It computes its height for that width, because layouts ask for the height
+/// in the whole available width.
 class Note : public QLabel {
 public:
     using QLabel::QLabel;
@@ -98,7 +98,7 @@ void TablesPage::show(std::vector<Entry> entries)
     place();
 }
 
-/// The first two beside each other if both fit, the rest below.
+/// Places the first two tables side by side if both fit, the others below.
 void TablesPage::place()
 {
     const int room = viewport()->width() - 2 * space::betweenGroups;

@@ -241,13 +241,13 @@ void ExplanationWindow::hideEvent(QHideEvent* event)
     QDialog::hideEvent(event);
 }
 
-/// Esc ends the search first.
+/// Esc first ends the search.
 void ExplanationWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && finder_->isVisible())
         return stopFinding();
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-        return; // no button is the default one
+        return; // there is no default button
     QDialog::keyPressEvent(event);
 }
 

@@ -34,7 +34,7 @@ void styleBlock(const QTextBlock& block, const Look& look)
         format.setTopMargin(isCode(block.previous()) ? 0 : paragraphGap);
         format.setBottomMargin(isCode(block.next()) ? 0 : paragraphGap);
         format.setNonBreakableLines(true);
-        // Higher ones would leave gaps in the ground.
+        // Higher lines would leave gaps in the background.
         format.setLineHeight(0, QTextBlockFormat::SingleHeight);
     } else {
         const int level = format.headingLevel();
@@ -52,13 +52,13 @@ void styleBlock(const QTextBlock& block, const Look& look)
     QTextCursor(block).setBlockFormat(format);
 }
 
-/// What becomes of a stretch of text.
+/// A range of text and its new format.
 struct Stretch {
     int from, length;
     QTextCharFormat format;
 };
 
-/// Code in the fixed font; links as everywhere in the program.
+/// Code gets the fixed font; links get the program's link style.
 void addStretches(std::vector<Stretch>& all, const QTextBlock& block, const Look& look)
 {
     static const QString fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont).family();
@@ -74,7 +74,7 @@ void addStretches(std::vector<Stretch>& all, const QTextBlock& block, const Look
     }
 }
 
-/// After all are known: what is changed splits and joins the fragments.
+/// Applied after all ranges are known, because changes split and join the fragments.
 void set(QTextDocument& document, const std::vector<Stretch>& all)
 {
     QTextCursor cursor(&document);

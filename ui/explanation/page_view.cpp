@@ -22,9 +22,9 @@ namespace ui {
 namespace {
 
 constexpr int charactersInLine = 92, leastMargin = 24, smallestZoom = -3, largestZoom = 12;
-constexpr double step = 0.1;     // of the text size
+constexpr double step = 0.1;     // fraction of the text size
 constexpr int figureWidth = 620; // logical pixels on paper
-constexpr double printRatio = 3; // pixels of a figure for each
+constexpr double printRatio = 3; // figure pixels per logical pixel
 constexpr double printSize = 10; // points
 
 } // namespace
@@ -33,13 +33,14 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
 {
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or a page would change its own width
+    // So that a page does not change its own width.
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &PageView::setAnew);
     setAccessibleName(tr("Page"));
     connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
     connect(this, &QTextBrowser::historyChanged, this,
-            &PageView::pageChanged); // source() is new now
+            &PageView::pageChanged); // source() has changed now
 }
 
 void PageView::show(const clipping::Algorithm& algorithm)
@@ -161,8 +162,8 @@ std::optional<QString> PageView::saveAsPdf(const QString& file) const
     });
 }
 
-/// Later, for it may be in the middle of a page: figures are as wide as the lines, and have the
-/// palette's colours.
+/// Reloads the page later, because a page may be loading now. Figures depend on the line width and
+/// the palette.
 void PageView::setAnew()
 {
     if (!algorithm())
@@ -189,7 +190,7 @@ void PageView::changeEvent(QEvent* event)
 void PageView::keyPressEvent(QKeyEvent* event)
 {
     if (event->matches(QKeySequence::ZoomIn) || event->matches(QKeySequence::ZoomOut))
-        return event->ignore(); // the window's commands
+        return event->ignore(); // leave the window's shortcuts to the window
     QTextBrowser::keyPressEvent(event);
 }
 

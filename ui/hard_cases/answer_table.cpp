@@ -90,7 +90,7 @@ QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
         return app::nameOf(answer.variant);
     case Verdict:
         return app::words(answer);
-    case Error: // of nothing, and of what is no number, there is none
+    case Error: // no error for an empty or non-finite result
         return answer.visible && answer.ulps >= 0 && answer.ruling != app::Ruling::Shown
                        && answer.ruling != app::Ruling::Allowed
                        && answer.ruling != app::Ruling::NotANumber

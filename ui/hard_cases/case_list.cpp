@@ -16,9 +16,9 @@ namespace ui {
 namespace {
 
 constexpr int gap = 10, captionLines = 2, leastWidth = 132;
-constexpr double shape = 0.72; // of a picture: its height by its width
+constexpr double shape = 0.72; // a picture's height divided by its width
 
-/// A picture, and up to two lines of its title.
+/// Paints a picture and up to two lines of its title.
 class CasePainter : public QStyledItemDelegate {
 public:
     CasePainter(const CaseModel& model, QListView& list)
@@ -111,7 +111,8 @@ CaseList::CaseList(QWidget* parent) : QListView(parent)
     setMouseTracking(true);
     setFrameShape(QFrame::NoFrame);
     setVerticalScrollMode(ScrollPerPixel);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or the pictures would change their size
+    // So that the pictures do not change their size.
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setAutoFillBackground(false);
 }

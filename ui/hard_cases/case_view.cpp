@@ -119,7 +119,7 @@ void CaseView::show(const app::HardCase& hard)
     ensureVisible(0, 0);
 }
 
-/// The colour of a link is that of the palette when the text is set.
+/// Sets the text again, because links take the palette's colour when the text is set.
 void CaseView::showOrigin()
 {
     if (!hard_)

@@ -10,7 +10,7 @@ namespace ui {
 namespace {
 
 constexpr int usualHeight = 250;
-constexpr double stroke = 1.2; // of a thumbnail's
+constexpr double stroke = 1.2; // factor of a thumbnail's stroke width
 
 } // namespace
 

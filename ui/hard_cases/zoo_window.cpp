@@ -104,7 +104,8 @@ void ZooWindow::openMicroscope(const app::HardCase& hard, const app::Variant& va
     window_.activateWindow();
 }
 
-/// With what was looked at, so that its answer is what the canvas shows.
+/// Opens the case as a drawing with the variant that was viewed, so that the canvas shows its
+/// result.
 void ZooWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
     const auto document = app::documentOf(hard);

@@ -131,7 +131,7 @@ QWidget* JudgeWindow::top()
     return whole;
 }
 
-/// What stands where the verdict will be.
+/// The page shown until there is a verdict.
 QWidget* JudgeWindow::invitation()
 {
     auto* text = new QLabel(tr(
@@ -191,7 +191,7 @@ void JudgeWindow::choose()
         take(path);
 }
 
-/// The question is asked once for each library.
+/// Takes a library; asks once per library whether to trust it.
 void JudgeWindow::take(const QString& path)
 {
     QStringList trusted = QSettings().value("plugInsTrusted").toStringList();
@@ -239,7 +239,8 @@ void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& ver
     showState();
 }
 
-/// A file that was replaced is no longer watched; its folder changes with other files, too.
+/// Watches the file and its folder: a replaced file is no longer watched, and the folder also
+/// changes with other files.
 void JudgeWindow::followFile()
 {
     const QFileInfo file(path_);
@@ -273,7 +274,7 @@ void JudgeWindow::saveExample()
                         : Message{Message::Kind::Warning, result.error});
 }
 
-/// The reference, step by step, in the editor's microscope.
+/// Opens the reference's trace in the editor's microscope.
 void JudgeWindow::lookAt(const app::plug_in::Finding& finding)
 {
     session_.microscope.open({app::exactVariant(), finding.question.line, finding.question.window,
@@ -294,7 +295,7 @@ void JudgeWindow::showState()
     file_->setToolTip(QDir::toNativeSeparators(path_));
 }
 
-/// What was compiled while it was closed is judged now.
+/// Judges a library that was rebuilt while the window was closed.
 void JudgeWindow::showEvent(QShowEvent* event)
 {
     QDialog::showEvent(event);
@@ -310,7 +311,7 @@ void JudgeWindow::hideEvent(QHideEvent* event)
     QDialog::hideEvent(event);
 }
 
-/// Esc stops what goes on first.
+/// Esc first cancels a running judgement.
 void JudgeWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && judging_.active())

@@ -15,7 +15,7 @@ namespace ui {
 
 namespace {
 
-constexpr double sentenceSize = 1.2; // of the text's
+constexpr double sentenceSize = 1.2; // factor of the text's size
 
 QLabel* text()
 {
@@ -32,7 +32,7 @@ QFont sentenceFont(QFont font)
     return semiBold(font);
 }
 
-/// A table of few rows is not worth sorting, and rows of findings must stay where they are.
+/// Small tables need no sorting, and rows of findings must keep their order.
 TableView::Rows rowsOf(const app::Table& table)
 {
     return table.names.front() == u"algorithm" ? TableView::Rows::Sortable : TableView::Rows::Plain;
@@ -105,7 +105,7 @@ void VerdictView::showSentence()
     remarks_->setVisible(!more.isEmpty());
 }
 
-/// The first line is chosen, so that the button does something at once.
+/// Selects the first line, so that the button works at once.
 void VerdictView::follow(TableView* findings)
 {
     findings_ = findings;
@@ -129,7 +129,7 @@ void VerdictView::want()
     emit wanted(verdict_->findings[std::size_t(row)]);
 }
 
-/// Whole, though a row of it is chosen.
+/// Copies the whole table, although a row is selected.
 void VerdictView::copy() const
 {
     const int row = findings_ ? findings_->currentIndex().row() : -1;

@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-/// A label that wraps and can be read aloud.
+/// A label that wraps and that screen readers can read.
 QLabel* sentence()
 {
     auto* label = new QLabel;
@@ -49,7 +49,7 @@ void ChoiceList::show(const app::Course& course)
     setVisible(question.has_value());
     for (QPushButton* button : buttons_) {
         button->hide();
-        button->deleteLater(); // it may be the one that was pressed
+        button->deleteLater(); // Deleted later: it may be handling its click
     }
     buttons_.clear();
     if (!question)
@@ -69,7 +69,7 @@ void ChoiceList::show(const app::Course& course)
     QAccessible::updateAccessibility(&told);
 }
 
-/// What is said of the last try, and what helps.
+/// The judgement of the last try, with a hint.
 QString ChoiceList::verdict(const app::Course& course) const
 {
     const app::Question& question = *course.question();
@@ -96,12 +96,13 @@ void ChoiceList::addButton(const QString& text)
     button->setMinimumHeight(space::toolButton);
     button->setAutoDefault(true); // Enter presses it
     connect(button, &QPushButton::clicked, this, [this, index] { emit chosen(index); });
-    column_->insertWidget(column_->count() - 2, button); // above what is said of them
-    button->show();                                      // now, so that it can have the focus
+    column_->insertWidget(column_->count() - 2, button); // above the verdict
+    button->show(); // shown at once, so that it can take the focus
     buttons_ << button;
 }
 
-/// A choice that was tried, or is right, by a sign and by words. The right one settles all.
+/// Marks a choice that was tried or is right, with a sign and in words. Marking the right one
+/// disables the others.
 void ChoiceList::mark(int button, bool right)
 {
     if (right)

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int margin = 10, mark = 16;
 
-/// One lesson: its number and title, below it what it is about and the best points, and a tick if
-/// they pass the lesson.
+/// The button of a lesson: its number and title, below them its subject and best points, and a tick
+/// if the lesson is passed.
 class LessonButton : public QAbstractButton {
 public:
     LessonButton(int number, const app::Lesson& lesson) : lesson_(lesson)
@@ -87,7 +87,7 @@ private:
     {
         const QRect room(margin, margin + fontMetrics().height() + 2, width - 2 * margin, 1000);
         QRect area = QFontMetrics(captionFont(font())).boundingRect(room, Qt::TextWordWrap, words_);
-        area.setWidth(room.width()); // in less, the words would be wrapped otherwise
+        area.setWidth(room.width()); // with less width the words would wrap differently
         return area;
     }
     const app::Lesson& lesson_;

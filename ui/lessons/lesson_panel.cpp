@@ -32,7 +32,7 @@ QPushButton* button(const QString& text, const QString& tip)
     return made;
 }
 
-/// Markdown as a label shows it, with lines that are not crammed.
+/// Converts Markdown to a label's rich text with a larger line height.
 QString richText(const QString& markdown)
 {
     QTextDocument document;
@@ -65,7 +65,7 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
     connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
         course_.choose(choice);
-        focusNext(); // the buttons are new ones
+        focusNext(); // the buttons have been recreated
         body_->ensureWidgetVisible(choices_);
     });
     connect(choices_, &ChoiceList::answerWanted, this, [this] {
@@ -125,7 +125,7 @@ QLayout* LessonPanel::makeHead()
     return head;
 }
 
-/// The text, and below it the question; it scrolls where there is no room.
+/// The text with the question below; scrolls if there is too little room.
 QWidget* LessonPanel::makeBody()
 {
     ending_->setFont(semiBold(font()));
@@ -136,7 +136,7 @@ QWidget* LessonPanel::makeBody()
     }
     auto* inner = new QWidget;
     auto* column = new QVBoxLayout(inner);
-    column->setContentsMargins(0, 0, space::labelToField, 0); // off the scroll bar
+    column->setContentsMargins(0, 0, space::labelToField, 0); // distance from the scroll bar
     column->addWidget(text_);
     column->addWidget(choices_);
     column->addSpacing(space::labelToField);
@@ -184,7 +184,7 @@ void LessonPanel::turn(int pages)
     focusNext();
 }
 
-/// Where Enter goes on, or answers.
+/// Focuses the button with which Enter continues or answers.
 void LessonPanel::focusNext()
 {
     if (course_.lesson())
@@ -208,7 +208,7 @@ void LessonPanel::showPage()
         app::keepPoints(settings, *course_.lesson(), score.points);
     }
     place_->setText(place);
-    if (course_.answer().tries.empty()) // a new page, not a try
+    if (course_.answer().tries.empty()) // a new page, not another try
         body_->verticalScrollBar()->setValue(0);
     text_->setText(richText(course_.text()));
     choices_->show(course_);
@@ -224,7 +224,7 @@ void LessonPanel::showPage()
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
 }
 
-/// Below the text, where it is seen without scrolling.
+/// Shows the ending below the text, where it is visible without scrolling.
 void LessonPanel::showEnding()
 {
     ending_->setText(course_.ending());

@@ -30,7 +30,7 @@ void choose(MainWindow& window, const clipping::Algorithm& algorithm)
     change(window, [&](app::Display& display) { display.variant.algorithm = &algorithm; });
 }
 
-/// The algorithms, by digit while the canvas has the focus.
+/// Adds the algorithms, with digits as shortcuts while the canvas has the focus.
 void addAlgorithms(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);

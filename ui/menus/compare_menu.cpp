@@ -17,7 +17,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
 
-/// The objects whose lines some algorithm treats in another way; locked ones are left alone.
+/// Selects the objects with lines that some algorithm clips differently, except locked ones.
 void selectDiffering(MainWindow& window)
 {
     AlgorithmPanel& panel = window.algorithmPanel();
@@ -25,7 +25,7 @@ void selectDiffering(MainWindow& window)
     const app::Session& session = window.session();
     app::ObjectRanges objects;
     for (const app::Dissent& dissent : panel.dissents()) {
-        app::ObjectRanges treated; // ascending, hence each is added at the end
+        app::ObjectRanges treated; // in ascending order, so each one is appended
         for (const std::uint32_t segment : dissent.segments)
             treated.insert(session.scene.lines().objectOf(segment));
         objects = united(objects, treated);
@@ -34,7 +34,7 @@ void selectDiffering(MainWindow& window)
     window.session().select(common(objects, app::editableObjects(session.now())));
 }
 
-/// The next line, or the one before, in the inspector; from the first or last one on.
+/// Inspects the next or previous line; begins with the first or last one.
 void inspectNext(MainWindow& window, std::ptrdiff_t by)
 {
     app::Session& session = window.session();
@@ -115,7 +115,7 @@ void closePane(MainWindow& window)
     window.canvas().setPanes(panes);
 }
 
-/// What is about panes goes into a menu of its own.
+/// Moves the pane commands into a submenu.
 void gatherPanes(MainWindow&, QMenu& menu)
 {
     auto* panes = new QMenu(tr("Pan&es"), &menu);

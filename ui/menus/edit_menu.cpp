@@ -17,7 +17,7 @@ bool someSelected(const MainWindow& window) { return !window.session().selection
 
 QString nothingSelected() { return tr("Nothing is selected. Select shapes first."); }
 
-/// The clipboard now holds a drawing: a warning that it does not is out of date.
+/// The clipboard now holds a drawing, so a warning that it does not is outdated.
 void withdrawWarning(MainWindow& window)
 {
     if (window.message() == nothingToPaste())
@@ -40,7 +40,7 @@ struct StepEntry {
     QString (Canvas::*step)() const; ///< the name of the step
 };
 
-/// Undo or Redo, which carry the name of the step.
+/// The Undo or Redo action, whose text names the step.
 QAction* stepAction(Canvas& canvas, QMenu& menu, const StepEntry& entry)
 {
     auto* action = new QAction(icon(entry.key), entry.verb, &menu);

@@ -22,7 +22,7 @@ void toggle(MainWindow& window, bool app::Display::*member)
     window.session().setDisplay(display);
 }
 
-/// What is seen: the drawing, or the line under the microscope.
+/// Zooms the drawing, or the microscope if it is open.
 template <int over, int under>
 void zoom(MainWindow& window)
 {

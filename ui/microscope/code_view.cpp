@@ -28,7 +28,7 @@ QFont codeFont(const QFont& body)
 
 } // namespace
 
-/// The margin with the numbers.
+/// The margin with the line numbers.
 class CodeView::Numbers : public QWidget {
 public:
     explicit Numbers(CodeView& code) : QWidget(&code), code_(code) {}

@@ -43,7 +43,7 @@ void StepExports::ask()
     dialog->open();
 }
 
-/// Where to write, once whatever is there may be overwritten; empty: cancelled.
+/// The paths to write to, after asking about existing files; empty: cancelled.
 QStringList StepExports::pathsFor(const app::TraceFormat& format, const app::TraceExport& trace)
 {
     const QString ending = app::latin(format.ending);
@@ -74,7 +74,7 @@ void StepExports::write(const app::TraceFormat& format, const app::TraceExport& 
     const auto painted =
         inBackground(&window_, tr("Painting %n steps…", nullptr, int(trace.steps().size())),
                      [&format, trace] { return app::traceBytes(trace, format); });
-    if (!painted) // cancelled, and nothing is written yet
+    if (!painted) // cancelled before anything is written
         return;
     const auto& bytes = *painted;
     const auto error =

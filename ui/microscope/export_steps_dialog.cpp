@@ -14,7 +14,7 @@ namespace {
 
 constexpr int previewWidth = 480;
 
-/// The step as a slide.
+/// A preview of the step as a slide.
 QPixmap previewOf(const app::TraceExport& trace, std::size_t step, const QColor& border,
                   double ratio)
 {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double reach = 14, snapReach = 8; // pixels
 
-/// Divided by a whole power of ten, so that tenths come out as they are written.
+/// Rounds to a multiple of `step`. For steps below 1 it divides by an integral power of ten, so
+/// that 0.1 is the double nearest to 0.1.
 double rounded(double value, double step)
 {
     return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step)

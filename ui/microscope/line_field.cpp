@@ -41,7 +41,7 @@ void LineField::read()
     emit done();
 }
 
-/// Esc belongs to the field while something else stands in it than was there.
+/// The field handles Esc while its text is changed.
 bool LineField::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)

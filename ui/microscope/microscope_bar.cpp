@@ -187,7 +187,7 @@ void MicroscopeBar::paintMarkers()
             int(i), marker(rows[i], clipping::Form::Corrected, palette(), devicePixelRatioF()));
 }
 
-/// The captions go first, then the words on the buttons.
+/// Drops the captions first, then the buttons' texts.
 void MicroscopeBar::arrange()
 {
     const double scale = fontMetrics().height() / 16.0;

@@ -62,7 +62,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     setAccessibleName(tr("Clip microscope"));
     place_->setFont(captionFont(font()));
     place_->setForegroundRole(QPalette::PlaceholderText);
-    place_->setAutoFillBackground(true); // where nothing is free it lies over lines
+    place_->setAutoFillBackground(true); // it may cover lines if no corner is free
     place_->setBackgroundRole(QPalette::Base);
     place_->setAttribute(Qt::WA_TransparentForMouseEvents);
     back_->setText(tr("Back to the line of the drawing"));
@@ -160,7 +160,7 @@ void MicroscopePage::addKeys()
     add(Qt::Key_Home, [&microscope] { microscope.goTo(0); });
     add(Qt::Key_End, [&microscope] { microscope.goTo(last); });
     add(Qt::Key_Escape, [this] { emit closeWanted(); });
-    // A button that Tab has led to is pressed by Space, as everywhere.
+    // Space still presses a button that has the focus.
     QShortcut* play = add(Qt::Key_Space, [this] { steps_->playback().toggle(); });
     play->setAutoRepeat(false);
     connect(qApp, &QApplication::focusChanged, play, [play](QWidget*, const QWidget* now) {
@@ -198,8 +198,8 @@ void MicroscopePage::showPlace()
     placeOverview();
 }
 
-/// What lies over the view: in its first corner, as long as no end of the line lies there, nor the
-/// line itself.
+/// Places the widgets over the view in a corner, the first one if neither the line nor its ends are
+/// there.
 void MicroscopePage::placeOverview()
 {
     const bool small = view_->width() < 560 || view_->height() < 360;
@@ -226,7 +226,7 @@ void MicroscopePage::placeOverview()
         view_->reserve(all);
 }
 
-/// It stays where it is while it covers nothing.
+/// Keeps the current corner while it covers nothing.
 QRect MicroscopePage::cornerFor(const QSize& size)
 {
     const QRect inside = view_->rect().adjusted(corner, corner, -corner, -corner);
@@ -241,7 +241,7 @@ QRect MicroscopePage::cornerFor(const QSize& size)
         return place;
     };
     const auto covered = [&](Qt::Corner which) {
-        constexpr int mark = 20; // with some of its label
+        constexpr int mark = 20; // including a part of its label
         const QRect place = rectIn(which).adjusted(-mark, -mark, mark, mark);
         const clipping::Window below{frame.pointAt(place.topLeft()),
                                      frame.pointAt(place.bottomRight())};
@@ -269,7 +269,7 @@ void MicroscopePage::setSide(QWidget* side)
         return;
     if (QWidget* before = std::exchange(side_, side)) {
         before->hide();
-        before->deleteLater(); // it may be what asked for it
+        before->deleteLater(); // Deleted later: it may have sent the signal
     }
     if (!side)
         return;
@@ -278,8 +278,8 @@ void MicroscopePage::setSide(QWidget* side)
     across_->setStretchFactor(1, 1);
 }
 
-/// The column at the right as wide as the picture of it, where there is room; the steps as high as
-/// they want to be.
+/// Gives the right column its designed width if there is room, and the steps their preferred
+/// height.
 void MicroscopePage::share()
 {
     const int right = width() < wide ? narrowRight : rightWidth;

@@ -67,7 +67,7 @@ void MicroscopeView::fit()
     refit();
 }
 
-/// Where an end has been moved out of sight, all is shown again.
+/// Fits everything into the view if an end was moved out of it.
 void MicroscopeView::keepInSight()
 {
     const auto& line = microscope_.specimen().line;
@@ -214,7 +214,8 @@ void MicroscopeView::zoomAt(const QPointF& place, double factor)
                                 fixed + (frame_.seen.max - fixed) / factor};
     const double size = seen.max.x - seen.min.x;
     const double far = std::max({std::abs(seen.min.x), std::abs(seen.max.x), 1e-290});
-    if (!(size > far * 1e-12) || !std::isfinite(size)) // neighbouring numbers, or none
+    // Too small: neighbouring doubles, or not finite.
+    if (!(size > far * 1e-12) || !std::isfinite(size))
         return;
     frame_.seen = seen;
     fitted_ = false;
@@ -261,7 +262,7 @@ void MicroscopeView::keyPressEvent(QKeyEvent* event)
     }
 }
 
-/// Tab goes from the view to End 1, End 2 and on.
+/// Tab goes from the view to End 1, then End 2, then to the next widget.
 bool MicroscopeView::focusNextPrevChild(bool next)
 {
     const std::optional<LineEnd> first = next ? LineEnd::One : LineEnd::Two;
@@ -299,7 +300,7 @@ void MicroscopeView::changeEvent(QEvent* event)
         fit();
 }
 
-/// The arrow keys step, unless they move an end.
+/// The arrow keys step unless an end is selected, which they move.
 bool MicroscopeView::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {

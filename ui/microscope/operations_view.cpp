@@ -73,7 +73,7 @@ int OperationsView::cellHeight() const
            + 8;
 }
 
-/// Where the cells are: in one row with the room that is left between them, or in several.
+/// The positions of the cells: in one row with equal gaps if they fit, else in several rows.
 std::vector<QPoint> OperationsView::places(int width) const
 {
     const int room = width - 2 * space::dockMargin;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t mostLines = 20'000;
 constexpr double margin = 4, lineWidth = 0.5; // pixels
-constexpr double mostInk = 0.7; // of the picture: more lines would make it a grey area
+// Maximum share of the picture that lines cover, so that it does not become a grey area.
+constexpr double mostInk = 0.7;
 
 std::optional<QLineF> onScreen(const clipping::Segment& line, const app::View& view)
 {
@@ -53,7 +54,7 @@ app::View Overview::view() const
     return view;
 }
 
-/// All that can be seen, or of many some.
+/// The visible lines, or a sample if there are many.
 std::vector<QLineF> Overview::linesIn(const app::View& view) const
 {
     const app::SceneLines& lines = session_.scene.lines();
@@ -73,7 +74,7 @@ QPixmap Overview::drawing(const app::View& view) const
     picture.fill(look.paper);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    // Opaque, so that many lines over each other do not become dark.
+    // An opaque colour, so that overlapping lines do not become darker.
     const auto mixed = [&, share = look.ghost * 0.8](int ink, int paper) {
         return int(ink * share + paper * (1 - share));
     };

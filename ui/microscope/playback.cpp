@@ -5,7 +5,7 @@ namespace ui {
 
 namespace {
 
-constexpr double usualMilliseconds = 1500; // a sentence wants to be read
+constexpr double usualMilliseconds = 1500; // long enough to read a sentence
 
 } // namespace
 

@@ -141,7 +141,7 @@ void StepsPanel::showStep()
                     : any          ? tr("<b>%1</b> of %2").arg(now, total)
                     : covered      ? QString()
                                    : tr("no steps"));
-    // So wide that nothing moves while one steps.
+    // Wide enough for the longest text, so that nothing moves while stepping.
     count_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %1").arg(total)) + 10);
     const bool start = microscope_.step() == 0, end = microscope_.atEnd();
     for (const int button : {First, Previous})

@@ -20,7 +20,7 @@ namespace ui {
 namespace {
 
 constexpr double side = 14, railY = 28; // pixels
-constexpr double crowded = 9;           // pixels between signs: below, comparisons are mere dashes
+constexpr double crowded = 9; // pixels between marks; if closer, comparisons are painted as dashes
 constexpr int notch = 120;
 constexpr double coveredSpacing = 40, leastVeil = 200; // pixels
 
@@ -61,13 +61,15 @@ QSize Timeline::sizeHint() const { return {480, minimumSizeHint().height()}; }
 double Timeline::spacing() const
 {
     const auto count = microscope_.walk().moments.size();
-    if (microscope_.isCovered()) // the same however many steps there are
+    // Covered steps have fixed spacing, so that it does not reveal their number.
+    if (microscope_.isCovered())
         return std::min(coveredSpacing,
                         (width() - 2 * side - leastVeil) / std::max(1.0, double(count)));
     return count < 2 ? 0 : std::min((width() - 2 * side) / double(count - 1), 96.0);
 }
 
-/// Over all later steps, and as far to the right as the timeline goes: its end tells nothing.
+/// The area that covers all later steps, extended to the right end so that it does not reveal their
+/// number.
 QRect Timeline::veil() const
 {
     constexpr int high = 22;
@@ -87,7 +89,7 @@ std::size_t Timeline::stepAt(double x) const
     return spacing() > 0 ? std::size_t(std::max(0L, std::lround((x - side) / spacing()))) : 0;
 }
 
-/// So that no two numbers touch: each, each fifth, each tenth, each fiftieth …
+/// Numbers every 1st, 5th, 10th, 50th … step, so that no two numbers touch.
 std::size_t Timeline::numberEvery() const
 {
     const auto count = microscope_.walk().moments.size();
@@ -136,7 +138,7 @@ void Timeline::paintMarks(QPainter& painter) const
 {
     const Look& look = lookOf(palette());
     const auto& moments = microscope_.walk().moments;
-    // What decides is never hidden under comparisons.
+    // Decisive steps are painted last, so that comparisons never cover them.
     for (const bool important : {false, true})
         for (std::size_t i = 0; i < moments.size(); ++i) {
             if (telling(moments[i].mark) != important || i == microscope_.step())

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int gap = DenseTable::gap;
 
-/// Rows are as high as the font wants, tinted where the step changed them.
+/// Paints rows as high as the font needs, tinted if the step changed them.
 class VariableCells : public QStyledItemDelegate {
 public:
     explicit VariableCells(const DenseTable& table, QObject* parent)
@@ -95,7 +95,8 @@ void VariableTable::resizeEvent(QResizeEvent* event)
     showChanged();
 }
 
-/// The word keeps its room, the others share the rest: nothing moves from step to step.
+/// The column with the word for changes keeps its width and the others share the rest, so that
+/// nothing moves from step to step.
 void VariableTable::fitColumns()
 {
     const int all = viewport()->width();

@@ -7,9 +7,9 @@
 namespace ui {
 namespace {
 
-constexpr double roughness = 0.7; // pixels that the line may stray from the hand's
+constexpr double roughness = 0.7; // maximum deviation from the pointer's path, in pixels
 
-/// Draws what the hand draws, with as few points as look the same.
+/// Draws a freehand line, simplified to as few points as look the same.
 class PencilTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench&) override { points_ = {pointer.raw}; }

@@ -8,7 +8,8 @@
 namespace ui {
 namespace {
 
-/// A corner at every click. A click on the first corner closes it. Undo takes back the last corner.
+/// Draws a polyline with a corner at every click. A click on the first corner closes it. Undo
+/// removes the last corner.
 class PolylineTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
@@ -51,7 +52,8 @@ public:
         corners_.pop_back();
         stepsBefore_ = stepsDone(bench);
     }
-    // Once all corners are taken back, Undo reaches earlier steps: these are redone first.
+    // When all corners are removed, Undo goes on with the history; those steps must be redone
+    // before the corners return.
     bool canPutBack(const Workbench& bench) const override
     {
         return !takenBack_.empty() && (!corners_.empty() || stepsDone(bench) == stepsBefore_);
@@ -116,9 +118,9 @@ private:
     }
 
     std::vector<app::Point> corners_;
-    std::vector<app::Point> takenBack_; ///< the last one is put back first
-    int stepsBefore_ = 0;               ///< in the history, when a corner was taken back
-    std::optional<app::Point> to_;      ///< the corner that a click would place; nothing: none
+    std::vector<app::Point> takenBack_; ///< removed corners; the last one returns first
+    int stepsBefore_ = 0;               ///< number of history steps done when a corner was removed
+    std::optional<app::Point> to_;      ///< the corner that a click would add; nothing: none
 };
 
 } // namespace

@@ -17,10 +17,11 @@ namespace ui {
 namespace {
 
 constexpr double boxReach = 8;              // pixels
-constexpr std::size_t mostPreviewed = 4000; // segments of a selection that is being dragged
+// Limit of previewed segments while a selection is dragged.
+constexpr std::size_t mostPreviewed = 4000;
 
-/// Selects objects by clicks and boxes, and drags them; drags the clip window by its handles and
-/// outline, too.
+/// Selects objects by clicks and boxes, and drags them; also drags the clip window by its handles
+/// and outline.
 class SelectTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
@@ -63,7 +64,7 @@ private:
     void startDrag(Workbench& bench);
     void finishDrag(Workbench& bench);
     app::Point offset() const { return to_.raw - from_.raw; }
-    clipping::Window target() const; ///< where the drag would bring the selection's bounds
+    clipping::Window target() const; ///< the selection's bounds after the drag
     void paintBox(QPainter& painter, const Workbench& bench) const;
     void paintBounds(QPainter& painter, const Workbench& bench,
                      const clipping::Window& bounds) const;
@@ -71,14 +72,15 @@ private:
 
     WindowGesture gesture_;
     std::optional<app::Grip> litGrip_;
-    std::optional<app::Grip> boxGrip_;      ///< of the selection's bounding box
-    std::optional<std::size_t> litSegment_; ///< of the scene
-    clipping::Window bounds_{};             ///< of the selection, as the drag began
+    /// Dragged or hovered handle of the selection's bounding box.
+    std::optional<app::Grip> boxGrip_;
+    std::optional<std::size_t> litSegment_; ///< hovered segment of the scene
+    clipping::Window bounds_{};             ///< the selection's bounds when the drag began
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
 
-// A single line has no box around it: it shows its ends.
+// A single line has no bounding box; it shows its ends instead.
 std::optional<clipping::Window> boxAround(const app::Session& session)
 {
     const bool single = session.selection().size() == 1 && session.inspected();
@@ -121,8 +123,8 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
         startDrag(bench);
 }
 
-// In the area of an object that is not selected a box begins: else a background would be in the
-// way.
+// In the area of an unselected object the drag draws a selection box; otherwise a background could
+// not be dragged across.
 void SelectTool::startDrag(Workbench& bench)
 {
     const app::Session& session = bench.session;
@@ -142,7 +144,7 @@ clipping::Window SelectTool::target() const
                         anchorOf(to_.modifiers));
 }
 
-// The line in the inspector is still the same one: only its numbers are others.
+// Keeps the inspected line if the drag has only changed its coordinates.
 void SelectTool::finishDrag(Workbench& bench)
 {
     app::Session& session = bench.session;
@@ -153,7 +155,8 @@ void SelectTool::finishDrag(Workbench& bench)
     else
         session.history.push(
             new app::ResizeObjects(session.document, session.selection(), bounds_, target()));
-    if (session.scene.lines().size() == lines) // else a curve has other lines now
+    // Otherwise a curve has been divided into other lines.
+    if (session.scene.lines().size() == lines)
         session.inspect(inspected);
 }
 
@@ -174,7 +177,7 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     litSegment_.reset();
 }
 
-/// The line under the microscope.
+/// Opens the line in the microscope.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
@@ -201,7 +204,7 @@ void SelectTool::click(const Pointer& pointer, Workbench& bench)
     session.inspect(chosen ? segment : std::nullopt);
 }
 
-// From left to right what the box contains, from right to left what it touches.
+// Dragged from left to right the box selects what it contains, from right to left what it touches.
 void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
 {
     const auto how = pointer.screen.x >= from_.screen.x ? app::Picking::Box::Contains
@@ -224,7 +227,7 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
     return true;
 }
 
-// What the pointer is on, else what is selected.
+// A hint about the hovered object, else about the selection.
 QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
@@ -275,7 +278,7 @@ void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
     painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
 }
 
-// The selection's bounding box with round handles at its corners and sides.
+// Paints the selection's bounding box with round handles at its corners and sides.
 void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
                              const clipping::Window& box) const
 {

@@ -38,7 +38,7 @@ void WindowGesture::cancel(Workbench& bench)
     bench.session.setPreview({});
 }
 
-// The preview ends after the command: the window does not jump back in between.
+// The preview ends after the command, so that the window does not jump back in between.
 void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer);
@@ -57,8 +57,8 @@ std::optional<clipping::Window> WindowGesture::window() const
     if (!state_->start)
         return app::between(state_->from.position, state_->to.position, proportionOf(modifiers),
                             anchorOf(modifiers));
-    // A grip is not taken exactly where it is: it moves by as much as the pointer does, and to
-    // where the pointer snaps.
+    // The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer,
+    // or to the snap point.
     app::Point by = state_->to.raw - state_->from.raw;
     const bool moving = state_->grip == app::Grip{};
     const bool snapped = state_->to.position != state_->to.raw;

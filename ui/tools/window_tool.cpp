@@ -66,7 +66,7 @@ private:
     std::optional<app::Grip> lit_;
 };
 
-// With this tool the arrows move the window, whatever is selected.
+// With this tool the arrow keys move the window, even if objects are selected.
 bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 {
     const int key = event.key();

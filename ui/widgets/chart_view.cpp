@@ -129,7 +129,7 @@ void ChartView::keyPressEvent(QKeyEvent* event)
     tellRow();
 }
 
-/// What a pointer would be told, for the keyboard and for who listens.
+/// Shows the row's tooltip for keyboard users and describes the row for screen readers.
 void ChartView::tellRow()
 {
     const QRect row = layoutOf(chart_, area(), chartLookOf(*this)).rows[*current_].toRect();

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int margin = 3, gap = 6;
 constexpr double cellPixels = 2;
-constexpr double keyStep = 1. / 200; // of the area's width
-constexpr double far = 10;           // steps, with Shift
+constexpr double keyStep = 1. / 200; // fraction of the area's width
+constexpr double far = 10;           // factor with Shift
 
 } // namespace
 
@@ -73,7 +73,7 @@ void CostMapView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const QRectF map = place();
     app::CostMap shown = map_.value_or(app::CostMap{plan_});
-    shown.plan.fixed = plan_.fixed; // where the hand has it, whatever map there is
+    shown.plan.fixed = plan_.fixed; // the dragged position, even if the map is older
     shown.plan.window = plan_.window;
     const bool fine = shown.plan == plan_;
     const auto labels = fine && !dragging_ ? app::RegionLabels::Shown : app::RegionLabels::None;

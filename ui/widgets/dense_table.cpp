@@ -36,10 +36,10 @@ public:
     }
 
 protected:
-    /// With room for the arrow, so that nothing jumps when it comes.
+    /// Includes room for the arrow, so that nothing jumps when it appears.
     QSize sectionSizeFromContents(int section) const override
     {
-        if (!model()) // it may go before the table does
+        if (!model()) // it may be destroyed before the table
             return {};
         const QString text = model()->headerData(section, Qt::Horizontal).toString();
         return {fontMetrics().horizontalAdvance(text + QStringLiteral(" ▴")) + 2 * gap
@@ -67,7 +67,7 @@ protected:
     }
 
 private:
-    /// In the gap after the text, which stays where it is.
+    /// Paints the arrow in the gap after the text, which does not move.
     void paintArrow(QPainter& painter, int x, const QRect& place) const
     {
         const double up = sortIndicatorOrder() == Qt::AscendingOrder ? 1 : -1;
@@ -127,7 +127,7 @@ DenseTable::DenseTable(QWidget* parent) : QTableView(parent)
     setFrameShape(QFrame::NoFrame);
     setShowGrid(false);
     setWordWrap(false);
-    horizontalHeader()->setResizeContentsPrecision(200); // rows; the rest is much like these
+    horizontalHeader()->setResizeContentsPrecision(200); // rows to measure; the others are similar
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setTabKeyNavigation(false);

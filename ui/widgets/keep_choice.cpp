@@ -3,7 +3,7 @@
 
 namespace ui {
 
-// Queued: where the program itself takes the choice away, the current row goes after the selection.
+// Queued: if the program clears the selection, the current row becomes invalid only after that.
 void keepChoice(QAbstractItemView& view)
 {
     QItemSelectionModel* chosen = view.selectionModel();

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double limit = 1e9;
 
-/// Shows the beginning of a number for which there is no room, with an ellipsis, or it would look
-/// like another number. With the focus it scrolls.
+/// If a number does not fit, shows its beginning with an ellipsis, because a cut number would look
+/// like another number. Scrolls while it has the focus.
 class NumberEdit : public QLineEdit {
 public:
     QString seen() const
@@ -55,7 +55,7 @@ LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidge
     setLineEdit(new NumberEdit);
     setAlignment(suffix == Suffix::Unit ? Qt::AlignLeft : Qt::AlignRight);
     setProperty("withUnit", suffix == Suffix::Unit);
-    setRange(-limit, limit); // what is refused is said, not silently changed
+    setRange(-limit, limit); // refused values are reported, not silently changed
     setKeyboardTracking(false);
     setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
     setStepType(QAbstractSpinBox::DefaultStepType);
@@ -63,7 +63,8 @@ LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidge
     connect(this, &QDoubleSpinBox::valueChanged, this, &LengthField::finish);
 }
 
-/// Numbers as people type them here: locale or C, either minus and other signs of arithmetic.
+/// Parses numbers in the locale's or the C format, with either minus sign and other arithmetic
+/// signs.
 app::Result<double> LengthField::typed(QString text) const
 {
     text = text.simplified();
@@ -76,19 +77,19 @@ app::Result<double> LengthField::typed(QString text) const
     return length;
 }
 
-/// Whether what stands there can be taken; else says why not and shows the last number.
+/// Whether the typed text is valid; if not, says why and restores the last number.
 bool LengthField::takesTyped()
 {
     const auto length = typed(text());
     if (length) {
-        const bool fits = range_ == Range::Any || *length.value >= 0; // else finish() says so
+        const bool fits = range_ == Range::Any || *length.value >= 0; // if not, finish() says so
         if (fits && lineEdit()->isModified())
             emit taken();
         return fits;
     }
     const QString refusedText = text().trimmed(), quoted = tr("“%1”").arg(refusedText);
     lineEdit()->setText(textFromValue(value()));
-    emit refused(length.error.contains(quoted) // which is not said twice
+    emit refused(length.error.contains(quoted) // the text is not quoted twice
                      ? tr("%1: %2.").arg(name_, length.error)
                      : tr("%1: %2 is no length: %3.").arg(name_, quoted, length.error));
     return false;
@@ -114,7 +115,7 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
 
 QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
 
-/// What there is no room for is said by the tooltip.
+/// The tooltip shows the whole text if it is elided.
 bool LengthField::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip && seenText() != text()) {
@@ -129,7 +130,7 @@ void LengthField::finish()
     if (value() == shown_)
         return;
     if (range_ == Range::NotNegative && value() < 0) {
-        setValue(shown_); // which comes back here and changes nothing
+        setValue(shown_); // calls this function again, without effect
         emit refused(tr("%1 must be at least 0.").arg(name_));
         return;
     }
@@ -174,9 +175,9 @@ void LengthField::focusOutEvent(QFocusEvent* event)
 void LengthField::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape && text() == textFromValue(value()))
-        return event->ignore(); // out of the field
+        return event->ignore(); // Esc leaves the field
     if (event->key() == Qt::Key_Escape) {
-        lineEdit()->setText(textFromValue(value())); // Esc backs out of what was typed
+        lineEdit()->setText(textFromValue(value())); // Esc discards the typed text
         return selectAll();
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int steps = 4, narrowSnapping = 104;
 
-/// The square of an ink, in the true colour; a struck-through one for no stroke.
+/// A square in the stroke's own colour; struck through for no stroke.
 QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
 {
     QPixmap picture(32, 32);
@@ -149,7 +149,8 @@ void OptionBar::addClipping()
 
 void OptionBar::addPanes(Canvas& canvas)
 {
-    static constexpr std::array<std::size_t, 3> counts{1, 2, 4}; // and all
+    // Pane counts; the last choice is all.
+    static constexpr std::array<std::size_t, 3> counts{1, 2, 4};
     addCaption(tr("Panes"));
     panes_->setObjectName(QStringLiteral("panes"));
     addWidget(panes_);
@@ -182,7 +183,7 @@ void OptionBar::addExport(QAction* exportCut)
     export_->setFixedHeight(space::fieldHeight + 2);
     export_->setProperty("framed", true);
     addWidget(export_);
-    export_->setAutoRaise(false); // which bars set
+    export_->setAutoRaise(false); // which tool bars set
 }
 
 QLabel* OptionBar::addCaption(const QString& text)
@@ -205,7 +206,7 @@ void OptionBar::resizeEvent(QResizeEvent* event)
     QToolBar::resizeEvent(event);
 }
 
-/// From 0, all that there is, each step takes less room.
+/// Step 0 shows everything; each further step takes less room.
 void OptionBar::arrange(int step)
 {
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
@@ -222,7 +223,7 @@ void OptionBar::changeEvent(QEvent* event)
         paintIcons();
 }
 
-/// What is painted once, and not at every showing as other icons are.
+/// Repaints the icons that are pixmaps, which do not follow the palette like other icons.
 void OptionBar::paintIcons()
 {
     const Look& look = lookOf(palette());

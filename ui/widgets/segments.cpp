@@ -33,7 +33,7 @@ protected:
         const Look& look = lookOf(palette());
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        // One outline around all: each paints its part of it, shared sides once.
+        // One outline around all buttons: each paints its part, shared sides once.
         QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
         if (place_ != Place::First)
             box.setLeft(-4);

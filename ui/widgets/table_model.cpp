@@ -13,7 +13,7 @@ namespace ui {
 
 namespace {
 
-/// With as many decimals as the field has.
+/// The number in the locale's format, with as many decimals as the field has.
 QString numberInWords(const QString& field)
 {
     const qsizetype point = field.indexOf(u'.');
@@ -30,7 +30,7 @@ void TableModel::show(app::Table table)
     table_ = std::move(table);
     numeric_ = app::numericColumns(table_);
     if (const auto checksum = table_.names.indexOf(QStringLiteral("checksum")); checksum >= 0)
-        numeric_[std::size_t(checksum)] = false; // though it may be made of digits
+        numeric_[std::size_t(checksum)] = false; // a checksum may consist of digits alone
     endResetModel();
 }
 
@@ -49,7 +49,7 @@ const QString& TableModel::field(const QModelIndex& index) const
     return table_.rows[std::size_t(index.row())][index.column()];
 }
 
-/// Key and form of the algorithm that a cell names.
+/// Key and form of the algorithm in a cell.
 QVariant TableModel::variant(const QModelIndex& index) const
 {
     const auto* algorithm = app::timedAlgorithm(field(index));
@@ -59,7 +59,7 @@ QVariant TableModel::variant(const QModelIndex& index) const
     const auto published = app::wordOf(clipping::Form::Published);
     return QStringList{app::latin(algorithm->key),
                        form >= 0 ? table_.rows[std::size_t(index.row())][form]
-                       : table_.key.contains(published) ? published // all of one form
+                       : table_.key.contains(published) ? published // all rows have the same form
                                                         : QString()};
 }
 

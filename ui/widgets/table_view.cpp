@@ -19,7 +19,7 @@ namespace {
 
 constexpr int padding = 8, marker = 12, headerLine = 16;
 
-/// A cell: marker, text in tabular figures, the last row of a sum in semi-bold under a rule.
+/// Paints a cell: marker, text in tabular figures; a last row with sums is semi-bold under a rule.
 class CellPainter : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -73,7 +73,7 @@ private:
     }
 };
 
-/// Headings in muted text, an arrow where it sorts, a rule below.
+/// Paints headings in muted text, with an arrow at the sort column and a rule below.
 class Headings : public QHeaderView {
 public:
     explicit Headings(QWidget* parent) : QHeaderView(Qt::Horizontal, parent)
@@ -181,7 +181,7 @@ QSize TableView::sizeHint() const
 
 QSize TableView::minimumSizeHint() const { return {200, sizeHint().height()}; }
 
-/// With the headings; of one cell alone just what it says.
+/// Copies with headings; for a single cell just its text.
 void TableView::copy() const
 {
     const auto selection = selectionModel()->selection();
@@ -217,7 +217,7 @@ void TableView::changeEvent(QEvent* event)
         fit();
 }
 
-/// What it stands in scrolls, unless it is sideways.
+/// Vertical scrolling is left to the parent.
 void TableView::wheelEvent(QWheelEvent* event)
 {
     if (event->angleDelta().x() != 0)
@@ -226,7 +226,7 @@ void TableView::wheelEvent(QWheelEvent* event)
         event->ignore();
 }
 
-/// A bar at the bottom needs its height.
+/// A horizontal scroll bar needs additional height.
 void TableView::resizeEvent(QResizeEvent* event)
 {
     QTableView::resizeEvent(event);

@@ -13,7 +13,8 @@ void ToolList::showPopup()
     QComboBox::showPopup();
 }
 
-// Queued: the choice itself comes when the list is gone. Qt calls this for a closed list, too.
+// Queued, because Qt signals the selection after it hides the list. Qt also calls this for a closed
+// list.
 void ToolList::hidePopup()
 {
     QComboBox::hidePopup();

@@ -17,7 +17,7 @@ WindowNote::WindowNote(const app::Session& session) : session_(session)
 {
     setContentsMargins(12, 8, 12, 8);
     setWordWrap(true);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes no window wider
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it must not widen the window
     connect(&session.document, &app::EditedDocument::changed, this,
             [this](const app::DocumentChange& change) {
                 if (change.windows && !change.everything && isVisible())
