@@ -239,8 +239,8 @@ void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& ver
     showState();
 }
 
-/// Watches the file and its folder: a replaced file is no longer watched, and the folder also
-/// changes with other files.
+/// Watches the file again, because a replaced file is no longer watched. Compares its time, because
+/// the folder also changes with other files.
 void JudgeWindow::followFile()
 {
     const QFileInfo file(path_);
