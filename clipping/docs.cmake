@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# `cmake --build BUILD --target docs`: the contracts of the public headers as pages, in
-# clipping/docs/html/index.html of the build tree. What has no contract is an error.
+# `cmake --build BUILD --target docs` renders the contracts of the public headers as pages, in
+# clipping/docs/html/index.html of the build tree. A declaration without a contract is an error.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
   return()

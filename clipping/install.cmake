@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# `cmake --install BUILD --component library`: what find_package(Clearcut) finds, wherever it is moved.
+# `cmake --install BUILD --component library` installs a relocatable package for find_package(Clearcut).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Clearcut)
