@@ -9,8 +9,7 @@
 namespace ui {
 
 /// Every colour of the program, light or dark; only look.cpp contains colour values. The accent is
-/// used for the clip window alone, the selection colour for whatever is selected, hovered or
-/// focused.
+/// used for the clip window alone, the selection colour for selected, hovered and focused items.
 struct Look {
     bool dark;
     QColor window, panel, base, canvas, paper;

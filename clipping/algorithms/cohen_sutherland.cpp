@@ -184,7 +184,7 @@ accept the line from x[1], y[1] to x[2], y[2]
     }
 
     /// Finds the edge at which to cut, in the order of lines 11, 15, 19 and 23, and cuts there; in
-    /// space Far and Near come first.
+    /// three dimensions Far and Near come first.
     template <Edge edge, class T, glm::length_t N, class Step>
     static constexpr void cut(End<T, N>& end, const BasicSegment<T, N>& s,
                               const BasicWindow<T, N>& w, Step& step)

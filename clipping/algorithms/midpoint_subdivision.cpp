@@ -93,7 +93,7 @@ seek(xn, yn, near, xf, yf, far):
         Point<T> near, far;
     };
 
-    /// `line` is that of the call.
+    /// Seeks the visible point nearest to `to`; `line` is the line of the call.
     template <class T, class Step>
     static constexpr std::optional<Found<T>>
     seek(int line, const Point<T>& from, const Point<T>& to, const BasicWindow<T>& w, Step& step)

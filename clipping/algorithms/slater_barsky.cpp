@@ -330,7 +330,7 @@ repeat
         bool up;
     };
 
-    /// Lines 23 to 45, from cell to cell.
+    /// Lines 23 to 45: the walk from cell to cell.
     template <class T, class Step>
     // NOLINTNEXTLINE(readability-function-size): nested as in the pseudo-code
     static constexpr std::optional<BasicSegment<T>> walk(const BasicSegment<T>& s,

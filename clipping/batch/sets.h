@@ -33,11 +33,11 @@ Box<T> boxOf(const BasicWindow<T>& window);
 template <class T>
 bool canShow(const BasicWindow<T>& window);
 
-/// The line through a and b misses the box if |m x d| > hw |dy| + hh |dx|, where d = b - a and
-/// m = a - centre. Computed, |m x d| is off by less than 5u(|mx dy| + |my dx|) (u, half the
-/// epsilon: three for a product, one for the difference, squares), the right side by less than 4u
-/// of itself, by 2^-1073 (2^-147 in float) more where a product underflows. 8u of all three terms
-/// leaves room for the rounding of the bound. Infinities and NaNs never miss.
+/// The line through a and b misses the box if |m x d| > hw |dy| + hh |dx|, where d = b - a and m =
+/// a - centre. Computed, |m x d| is off by less than 5u(|mx dy| + |my dx|) (u, half the epsilon:
+/// three for a product, one for the difference, squares), the right side by less than 4u of itself,
+/// by 2^-1073 (2^-147 in float) more where a product underflows. 8u of all three terms allows for
+/// the rounding of the bound. Infinities and NaNs never miss.
 template <class T>
 constexpr T missBound = std::numeric_limits<T>::epsilon() * 4;
 template <class T>

@@ -29,12 +29,12 @@ constexpr double parameterBound = 0x1p-48;
 ///   low  = pe + Mh Ul + Ml Uh              off by  8.1 e^2 |ph|  (7 by rounding, Ml Ul left out)
 ///   q    = ph / Dh or ph times 1 / Dh      off by  at most 3e |q|
 ///   rest = (ph - q Dh) + low - q Dl        off by 17 e^2 |ph| more (3, 6, 1 and 7 by rounding)
-///   rest / Dh, |rest| at most 7e |ph| off by 28 e^2 |q| (Dh for D, quotient) together less than 54
-///   e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds e^2 |s| + 8 e^2 |q| where t is
-///   rounded, and the same again where the error is added to t. All that is below 71 e^2 |q| + 2.1
-///   e^2 |s|: the bound is quotientBound |q| + sumBound |s|, 128 e^2 of each. Rounding is monotone:
-///   if s + (t - bound) and s + (t + bound) round to the same number, the exact value rounds to it
-///   too.
+///   rest / Dh, |rest| at most 7e |ph|      off by 28 e^2 |q|     (Dh for D, quotient)
+/// together less than 54 e^2 |q|. The sum s + t of ay + q exactly and rest / Dh adds
+/// e^2 |s| + 8 e^2 |q| where t is rounded, and the same again where the error is added to t. All
+/// that is below 71 e^2 |q| + 2.1 e^2 |s|: the bound is quotientBound |q| + sumBound |s|, 128 e^2
+/// of each. Rounding is monotone: if s + (t - bound) and s + (t + bound) round to the same number,
+/// the exact value rounds to it too.
 constexpr double quotientBound = 0x1p-99;
 template <class T>
 inline constexpr double sumBound = 0x1p-99;

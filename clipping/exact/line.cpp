@@ -24,7 +24,7 @@ int commonExponent(std::initializer_list<double> values)
     return lowest;
 }
 
-/// quotient * 2^exponent rounded to the nearest T, to even in a tie.
+/// quotient * 2^exponent rounded to the nearest T, ties to even.
 template <class T>
 T rounded(ExactInteger::Quotient quotient, int exponent)
 {

@@ -40,7 +40,7 @@ class Canvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// Automatic: OpenGL where a graphics card does it, else the raster canvas.
+    /// Automatic: OpenGL if a graphics card supports it, else the raster canvas.
     explicit Canvas(app::Session& session, Backend backend = Backend::Automatic,
                     QWidget* parent = nullptr);
     ~Canvas() override;

@@ -85,7 +85,7 @@ public:
     std::optional<clipping::Window> clipWindow() const { return session_.clipWindow(); }
     /// clipWindow(), or the page if there is none.
     clipping::Window window() const { return session_.window(); }
-    /// Boxes that labels should not hide, in logical pixels.
+    /// Boxes that labels should not cover, in logical pixels.
     const std::vector<QRectF>& letters() const { return letters_.in(view()); }
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1

@@ -20,7 +20,7 @@ class AlgorithmPanel : public QWidget {
 public:
     explicit AlgorithmPanel(app::Session& session, QWidget* parent = nullptr);
 
-    void compare(); ///< now
+    void compare(); ///< compares at once
     QString verdict() const { return verdict_->text(); }
     const std::vector<app::Dissent>& dissents() const { return dissents_; }
 

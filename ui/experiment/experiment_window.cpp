@@ -192,7 +192,7 @@ QWidget* ExperimentWindow::below()
         widget->setSizePolicy(policy);
     }
     state_->setFont(captionFont(state_->font()));
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut off
     state_->setObjectName(QStringLiteral("state"));
     auto* whole = new QWidget;
     auto* row = new QHBoxLayout(whole);

@@ -116,7 +116,7 @@ void JudgeWindow::layOut()
 QWidget* JudgeWindow::top()
 {
     file_->setObjectName(QStringLiteral("file"));
-    file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut
+    file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut off
     follow_->setChecked(true);
     strict_->setToolTip(tr("Holds it to the contract of Clearcut's own algorithms: no end outside "
                            "the window, not even by rounding. Textbooks do not speak of "

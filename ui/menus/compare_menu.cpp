@@ -50,7 +50,7 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     window.raisePanel("line");
 }
 
-/// Opens the panel if need be, and brings it to the front.
+/// Opens the panel if it is closed, and brings it to the front.
 void showDifferences(MainWindow& window)
 {
     if (window.differencePanel().visibleRegion().isEmpty())

@@ -13,7 +13,7 @@ QString tr(const char* text) { return QCoreApplication::translate("DrawMenu", te
 
 } // namespace
 
-/// The tools, from their own catalogue.
+/// The Draw menu: the tools, from their own catalogue.
 MenuInfo drawMenu()
 {
     return {tr("&Draw"), {}, [](MainWindow& window, QMenu& menu) {

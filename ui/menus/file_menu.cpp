@@ -30,7 +30,7 @@ void fillRecent(MainWindow& window, QMenu& menu)
     forget->setEnabled(number > 1);
 }
 
-/// "Open recent" comes right after "Open…".
+/// Inserts "Open recent" after "Open…".
 void complete(MainWindow& window, QMenu& menu)
 {
     auto* recent = new QMenu(tr("Open &recent"), &menu);

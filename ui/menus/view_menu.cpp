@@ -49,7 +49,7 @@ void addThemes(MainWindow& window, QMenu& menu)
     }
 }
 
-/// Theme and panels come before "Presentation".
+/// Inserts theme and panels before "Presentation".
 void complete(MainWindow& window, QMenu& menu)
 {
     QAction* before = nullptr;

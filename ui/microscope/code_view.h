@@ -14,7 +14,7 @@ public:
     explicit CodeView(QWidget* parent = nullptr);
 
     void show(const QStringList& code);
-    void light(int line); ///< from 1; 0: none
+    void light(int line); ///< highlights a line, counted from 1; 0: none
     int lit() const { return lit_; }
 
 protected:

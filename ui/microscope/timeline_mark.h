@@ -12,7 +12,7 @@ namespace ui {
 /// background colour.
 void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& ink,
                const QColor& ground);
-/// "compare", "cut".
+/// The word for a mark: "compare", "cut".
 QString markWord(app::Mark mark);
 
 } // namespace ui

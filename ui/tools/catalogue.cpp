@@ -8,7 +8,7 @@
 
 namespace ui {
 
-// Each in the file of its name, KEY_tool.cpp.
+// Each is defined in the file of its name, KEY_tool.cpp.
 std::unique_ptr<Tool> makeSelectTool();
 std::unique_ptr<Tool> makeHandTool();
 std::unique_ptr<Tool> makeZoomTool();

@@ -6,7 +6,7 @@
 namespace ui {
 namespace {
 
-/// A line from press to release.
+/// Draws a line from press to release.
 class LineTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override

@@ -5,8 +5,8 @@
 namespace ui {
 namespace {
 
-/// The clip window: drag outside it to draw another one, inside it to move it, a handle to resize
-/// it.
+/// Edits the clip window: a drag outside it draws another one, a drag inside moves it, a handle
+/// resizes it.
 class WindowTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override

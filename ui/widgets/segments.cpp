@@ -51,7 +51,7 @@ protected:
             painter.setPen(QPen(look.selection, 2));
             painter.drawRect(rect().adjusted(1, 1, -1, -1));
         }
-        painter.setPen(palette().color(QPalette::WindowText)); // fainter while it is disabled
+        painter.setPen(palette().color(QPalette::WindowText)); // fainter while disabled
         painter.drawText(rect(), Qt::AlignCenter, text());
     }
 

@@ -29,7 +29,7 @@ struct OnLinesAndRays {
     static constexpr std::optional<BasicSegment<T>> clip(const BasicSegment<T>& s,
                                                          const BasicWindow<T>& w, Step&& step)
     {
-        bool isCut = true; // End 1
+        bool isCut = true; // whether End 1 is cut
         if constexpr (reach == Reach::OneWay) {
             const unsigned code = step.let(1, "code1", outcodeOf(s.a, w));
             if (step.test(4, missed(code, s)))
