@@ -39,7 +39,7 @@ public:
     bool recover(app::Leftover& leftover);
 
     Questions& questions() { return *questions_; }
-    app::Origin origin() const; ///< restored with the document after a crash or signal
+    app::Origin origin() const; ///< restored with the document after a signal ended the program
     QString name() const;       ///< for the title: the file's, the sample's, or "Untitled"
     QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
     std::vector<app::RecentFile> recent() const;

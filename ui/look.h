@@ -21,7 +21,7 @@ struct Look {
     QColor hover;
     QColor differs; ///< differing lines, which are always also thicker and counted in words
     QColor warning, warningGround, good;
-    double ghost; ///< opacity of the removed part
+    double ghost; ///< opacity of the removed part, 0 to 1
 };
 
 /// The light or the dark look, whichever matches the palette.

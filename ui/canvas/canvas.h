@@ -90,14 +90,14 @@ public:
 
 signals:
     void frameShown(const ui::FrameTimes& times); ///< the times of the active pane's frame
-    /// In the drawing; nothing: the pointer has left.
+    /// The pointer's position in the drawing; nothing: the pointer has left.
     void pointerMoved(std::optional<app::Point> position);
     void hint(const QString& text); ///< the tool's current hint; empty: its usual one
     void toolChanged();
     /// The effect of undo() and redo(), or the object being drawn, has changed.
     void stepsChanged();
     void viewChanged();
-    void panesChanged(); ///< their number, their variants, or the active one
+    void panesChanged(); ///< the panes' number, variants or active pane have changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;

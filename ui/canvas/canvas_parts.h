@@ -22,7 +22,7 @@ struct Canvas::Parts {
     Ruler top, left;
     app::Panes panes;
     std::vector<std::size_t> shown; ///< the pane of each visible widget
-    /// Those of `shown`, then hidden ones for reuse.
+    /// The widgets of `shown`, then hidden widgets for reuse.
     std::vector<std::unique_ptr<PaneWidget>> widgets;
     bool layingOut = false;
 };

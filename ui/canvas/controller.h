@@ -140,7 +140,8 @@ private:
     };
     Steps steps() const;
     void tellSteps(const Steps& before);
-    void withTool(const std::function<void()>& call); ///< calls, then signals what the tool changed
+    /// Runs `call`, then signals what the tool changed.
+    void withTool(const std::function<void()>& call);
 
     app::Session& session_;
     Navigation navigation_;

@@ -21,7 +21,7 @@ public:
     const app::View& view() const { return view_; }
     void go(const app::View& view); ///< back() returns from it
     void resize(const glm::dvec2& size);
-    /// Fits it, and fits it again when the size changes.
+    /// Fits the rectangle into the view, again whenever the view's size changes.
     void show(const clipping::Window& rectangle);
     void hold(); ///< keeps the visible part in view when the size changes, until the view moves
     void pan(const QPointF& pixels);
