@@ -37,25 +37,26 @@ constexpr bool framed()
 /// The input that an algorithm gets for a segment and a window, and the frame if the input is
 /// transformed.
 template <class T, glm::length_t N>
-struct Given {
+struct ParsedArguments {
     BasicSegment<T, N> segment;
     BasicWindow<T, N> window;
     std::optional<Frame<T, N>> frame;
 };
 template <class Method, Form form, class T, glm::length_t N>
-std::optional<Given<T, N>> givenFor(const BasicSegment<T, N>& s, const BasicWindow<T, N>& w)
+std::optional<ParsedArguments<T, N>> givenFor(const BasicSegment<T, N>& s,
+                                              const BasicWindow<T, N>& w)
 {
     if (form == Form::Corrected && !withinContract(s, w))
         return std::nullopt;
     if constexpr (framed<Method, form, T>())
         if (const Frame<T, N> frame(s); !ordinary(s) || !ordinary(w))
-            return Given<T, N>{frame.into(s), frame.into(w), frame};
-    return Given<T, N>{s, w, std::nullopt};
+            return ParsedArguments<T, N>{frame.into(s), frame.into(w), frame};
+    return ParsedArguments<T, N>{s, w, std::nullopt};
 }
 
 /// Converts the result of an algorithm on `given` to the result for `segment` and `window`.
 template <class Method, Form form, class T, glm::length_t N>
-BasicSegment<T, N> answer(BasicSegment<T, N> found, const Given<T, N>& given,
+BasicSegment<T, N> answer(BasicSegment<T, N> found, const ParsedArguments<T, N>& given,
                           const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
 {
     if constexpr (framed<Method, form, T>()) {

@@ -173,9 +173,9 @@ void openMicroscope(MainWindow& window, const Options& options)
     if (options.algorithm)
         window.drawnLine().choose(*options.algorithm);
     if (const auto line = app::lineFrom(*options.microscope)) {
-        app::Specimen specimen = microscope.specimen();
-        specimen.line = *line;
-        microscope.setSpecimen(specimen);
+        app::TracedLine tracedLine = microscope.tracedLine();
+        tracedLine.line = *line;
+        microscope.setTracedLine(tracedLine);
     }
     microscope.goTo(options.step - 1);
 }

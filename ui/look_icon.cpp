@@ -61,9 +61,10 @@ private:
         return *document_;
     }
 
-    static QColor shown(const app::Colour& ink, const Look& look)
+    static QColor shown(const app::Colour& strokeColour, const Look& look)
     {
-        const bool black = ink.red == 0 && ink.green == 0 && ink.blue == 0;
+        const bool black =
+            strokeColour.red == 0 && strokeColour.green == 0 && strokeColour.blue == 0;
         return black ? look.text : look.accent;
     }
 

@@ -48,7 +48,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
-    for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::specimenChanged,
+    for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
                               &app::Microscope::stepChanged})
         connect(&session.microscope, signal, this, &StatusBar::showStep);
     keepRoom();
@@ -153,13 +153,13 @@ void StatusBar::showStep()
         showTimes();
         return showPosition({});
     }
-    const auto steps = microscope.walk().moments.size();
+    const auto steps = microscope.narration().steps.size();
     const QString now = app::countText(microscope.step() + 1);
     const QString all = microscope.isCovered() ? QStringLiteral("?") : app::countText(steps);
     visible_->setText(microscope.isCovered() && steps == 0 ? tr("steps covered")
                       : steps == 0                         ? tr("no steps")
                                                            : tr("step %1 of %2").arg(now, all));
-    showAlgorithm(microscope.specimen().variant);
+    showAlgorithm(microscope.tracedLine().variant);
 }
 
 void StatusBar::showZoom()

@@ -16,7 +16,7 @@ QString edgeWords(clipping::Edge edge, YAxis y)
         return {};
     if (y == YAxis::Down && at >= 3)
         at = 7 - at;
-    return at == 0 ? QString() : QCoreApplication::translate("walk", up[at]);
+    return at == 0 ? QString() : QCoreApplication::translate("narration", up[at]);
 }
 
 } // namespace app

@@ -11,16 +11,16 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("walk", text); }
+QString tr(const char* text) { return QCoreApplication::translate("narration", text); }
 
 } // namespace
 
-QString refusalOf(const Specimen& specimen)
+QString refusalOf(const TracedLine& tracedLine)
 {
-    if (specimen.variant.exhibit)
-        return tr("This is an exhibit: its steps are not recorded.");
-    const auto& [a, b] = specimen.line;
-    const auto& [min, max] = specimen.window;
+    if (tracedLine.variant.misprint)
+        return tr("This is a known misprint: its steps are not recorded.");
+    const auto& [a, b] = tracedLine.line;
+    const auto& [min, max] = tracedLine.window;
     struct Row {
         const char* name;
         double value;

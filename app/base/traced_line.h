@@ -7,16 +7,16 @@
 namespace app {
 
 /// What the microscope shows: one variant clipping one line.
-struct Specimen {
+struct TracedLine {
     Variant variant{};
     clipping::Segment line{};
     clipping::Window window{};
     YAxis y = YAxis::Down;
     QString origin{}; ///< where the line comes from: "Line 217 of 420"
-    friend bool operator==(const Specimen&, const Specimen&) = default;
+    friend bool operator==(const TracedLine&, const TracedLine&) = default;
 };
 
-/// Why the specimen cannot be traced, and what to do; empty if it can.
-QString refusalOf(const Specimen& specimen);
+/// Why the line cannot be traced, and what to do; empty if it can.
+QString refusalOf(const TracedLine& tracedLine);
 
 } // namespace app

@@ -5,13 +5,13 @@
 
 namespace app {
 
-struct Exhibit;
+struct Misprint;
 
 /// What clips or competes: one form of an algorithm, or a known misprint.
 struct Variant {
     const clipping::Algorithm* algorithm = nullptr;  ///< for a misprint: the algorithm meant
     clipping::Form form = clipping::Form::Corrected; ///< for a misprint: Published
-    const Exhibit* exhibit = nullptr;                ///< null: not a misprint
+    const Misprint* misprint = nullptr;              ///< null: not a misprint
 
     friend bool operator==(const Variant&, const Variant&) = default;
 };

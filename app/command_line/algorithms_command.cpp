@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
 
 namespace app {
 namespace {
 
-void list(const Given& given)
+void list(const ParsedArguments& arguments)
 {
-    const TableOutput output = tableOutput(given);
+    const TableOutput output = tableOutput(arguments);
     // In a terminal the column of ideas needs the room; a name tells no more than its key.
     const bool isText = output.format.key == tableFormats().front().key;
     Table table{isText ? QStringList{"key", "abbr.", "year", "idea"}

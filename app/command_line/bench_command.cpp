@@ -16,12 +16,12 @@ namespace {
 constexpr auto eachRun = "each-run";
 
 /// The measures without --measure: all of them for a report that people read.
-QString usualMeasures(const Given& given, bool forPeople)
+QString usualMeasures(const ParsedArguments& arguments, bool forPeople)
 {
     QStringList keys{QStringLiteral("clip")};
-    if (forPeople || given.has(QStringLiteral("paper")))
+    if (forPeople || arguments.has(QStringLiteral("paper")))
         keys << QStringLiteral("draw") << QStringLiteral("total");
-    if (forPeople && precisionGiven(given) == Precision::Double)
+    if (forPeople && parsedPrecision(arguments) == Precision::Double)
         for (const Analysis& analysis : analyses())
             keys << analysis.key;
     return keys.join(u',');
@@ -64,27 +64,27 @@ std::vector<Table> runsTables(const Study& study)
     return tables;
 }
 
-std::vector<Table> tablesOf(const Given& given, const Study& study)
+std::vector<Table> tablesOf(const ParsedArguments& arguments, const Study& study)
 {
-    const Against against = againstGiven(given);
+    const Against against = parsedAgainst(arguments);
     auto tables =
-        given.has(QLatin1StringView(eachRun)) ? runsTables(study) : tablesOf(study, against);
+        arguments.has(QLatin1StringView(eachRun)) ? runsTables(study) : tablesOf(study, against);
     if (study.explanation)
         std::ranges::move(tablesOf(*study.explanation), std::back_inserter(tables));
     return tables;
 }
 
-void bench(const Given& given)
+void bench(const ParsedArguments& arguments)
 {
-    const auto output = tableOutput(given);
-    const auto files = filesGiven(given);
-    againstGiven(given); // throws before the work
-    const Wanted wanted = wantedGiven(given, usualMeasures(given, !files.empty()));
+    const auto output = tableOutput(arguments);
+    const auto files = parsedFiles(arguments);
+    parsedAgainst(arguments); // throws before the work
+    const Wanted wanted = parsedWanted(arguments, usualMeasures(arguments, !files.empty()));
     if (wanted.measures.empty() && !files.empty())
         throw WrongUsage{Commands::tr("Reports and charts need clip, draw or total in --measure.")};
-    Plan plan = planGiven(given, wanted);
+    Plan plan = parsedPlan(arguments, wanted);
     plan.explained = explanationOf(plan);
-    if (!given.has(QStringLiteral("runs")))
+    if (!arguments.has(QStringLiteral("runs")))
         takeUsualRuns(plan);
     const PlannedTrial explained = *plan.explained;
     if (wanted.measures.empty())
@@ -92,7 +92,7 @@ void bench(const Given& given)
     if (files.empty() || wanted.analyses.empty())
         plan.explained.reset();
     const Study study = measured(plan);
-    auto tables = tablesOf(given, study);
+    auto tables = tablesOf(arguments, study);
     if (!study.explanation)
         for (const Analysis& analysis : wanted.analyses)
             tables.push_back(analysed(analysis, explained));

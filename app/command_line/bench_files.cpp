@@ -43,13 +43,13 @@ std::vector<Option> fileOptions()
     };
 }
 
-std::vector<BenchFile> filesGiven(const Given& given)
+std::vector<BenchFile> parsedFiles(const ParsedArguments& arguments)
 {
     std::vector<BenchFile> files;
     for (const auto& [option, group] :
          {std::pair(QStringLiteral("report"), StudyFile::Group::Report),
           std::pair(QStringLiteral("charts"), StudyFile::Group::Charts)})
-        if (const auto path = given.text(option))
+        if (const auto path = arguments.text(option))
             files.push_back(fileFor(option, *path, group));
     for (const BenchFile& file : files)
         if (const QString folder = QFileInfo(file.path).path(); !QFileInfo(folder).isDir())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/report/study_files.h"
 
 namespace app {
@@ -17,7 +17,7 @@ struct BenchFile {
 
 /// The files that these options name; throws WrongUsage for an unknown ending of a name, and
 /// Failure if a folder is missing.
-std::vector<BenchFile> filesGiven(const Given& given);
+std::vector<BenchFile> parsedFiles(const ParsedArguments& arguments);
 
 /// Writes the files and reports their names on standard error; throws Failure.
 void writeFiles(const std::vector<BenchFile>& files, const Study& study);

@@ -38,15 +38,16 @@ QString allMeasures()
 }
 
 /// A rectangle in the scene's own units.
-std::optional<clipping::Window> plainRectangle(const Given& given, const QString& option)
+std::optional<clipping::Window> plainRectangle(const ParsedArguments& arguments,
+                                               const QString& option)
 {
-    const auto lengths = given.rectangle(option);
+    const auto lengths = arguments.rectangle(option);
     if (!lengths)
         return std::nullopt;
     for (const Length& length : *lengths)
         if (length.unit != Unit::User)
             throw WrongUsage{Commands::tr("--%1 %2: give four numbers without units.")
-                                 .arg(option, *given.text(option))};
+                                 .arg(option, *arguments.text(option))};
     const auto& l = *lengths;
     return clipping::Window{{l[0].value, l[1].value}, {l[2].value, l[3].value}};
 }
@@ -63,7 +64,7 @@ void sayWindow(const Imported& imported, const clipping::Window& window)
 }
 
 /// Takes the visible lines of a drawing, and its window.
-void takeDrawing(const Given& given, const QString& path, ExperimentOptions& options)
+void takeDrawing(const ParsedArguments& arguments, const QString& path, ExperimentOptions& options)
 {
     const auto imported = readFile(path);
     if (!imported)
@@ -74,57 +75,60 @@ void takeDrawing(const Given& given, const QString& path, ExperimentOptions& opt
     if (!subject)
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;
-    if (!given.has(QStringLiteral("window")))
+    if (!arguments.has(QStringLiteral("window")))
         sayWindow(*imported.value, options.field.window);
 }
 
-void takeScene(const Given& given, ExperimentOptions& options)
+void takeScene(const ParsedArguments& arguments, ExperimentOptions& options)
 {
-    const QString scene = given.text(QStringLiteral("scene")).value_or(QString());
+    const QString scene = arguments.text(QStringLiteral("scene")).value_or(QString());
     constexpr QStringView file = u"file:";
     if (scene.startsWith(file) && scene.size() > file.size())
-        return takeDrawing(given, scene.mid(file.size()), options);
+        return takeDrawing(arguments, scene.mid(file.size()), options);
     const auto rows = testScenes();
     // The last key is not a row: its path was handled as a drawing.
-    options.scene = rows[given.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];
+    options.scene = rows[arguments.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];
 }
 
-void takeField(const Given& given, ExperimentOptions& options)
+void takeField(const ParsedArguments& arguments, ExperimentOptions& options)
 {
-    if (const auto space = plainRectangle(given, QStringLiteral("space")))
+    if (const auto space = plainRectangle(arguments, QStringLiteral("space")))
         options.field.space = *space;
-    if (const auto window = plainRectangle(given, QStringLiteral("window")))
+    if (const auto window = plainRectangle(arguments, QStringLiteral("window")))
         options.field.window = *window;
     if (options.scene.lines == 0 && !hasRoom(options.field))
         throw WrongUsage{Commands::tr("The window must have an area, and the space must be larger "
                                       "on all four sides: see --space and --window.")};
 }
 
-QStringList easelWords() { return QStringList(QStringLiteral("auto")) + keysOf(easelKinds()); }
-
-EaselMaker easelGiven(const Given& given, bool draws)
+QStringList drawTargetWords()
 {
-    const auto choice = given.choice(QStringLiteral("draw-with"), easelWords());
+    return QStringList(QStringLiteral("auto")) + keysOf(drawTargetKinds());
+}
+
+DrawTargetMaker parsedDrawTarget(const ParsedArguments& arguments, bool draws)
+{
+    const auto choice = arguments.choice(QStringLiteral("draw-with"), drawTargetWords());
     if (!draws)
         return nullptr;
     if (choice == 0)
-        return bestEasel();
-    const EaselKind kind = easelKinds()[choice - 1];
-    if (EaselMaker maker = kind.maker())
+        return bestDrawTarget();
+    const DrawTargetKind kind = drawTargetKinds()[choice - 1];
+    if (DrawTargetMaker maker = kind.maker())
         return maker;
     throw Failure{Commands::tr("%1 cannot draw here: it needs a display. Leave --draw-with away.")
                       .arg(kind.name)};
 }
 
 /// Only the wall clock measures the work of several threads and cores.
-void takeThreads(const Given& given, ExperimentOptions& options)
+void takeThreads(const ParsedArguments& arguments, ExperimentOptions& options)
 {
-    if (!given.has(QStringLiteral("threads")))
+    if (!arguments.has(QStringLiteral("threads")))
         return;
     if (mostThreads() == 1)
         throw Failure{Commands::tr("--threads: this machine has one core, or Clearcut was built "
                                    "without oneTBB.")};
-    options.threads = *given.count(QStringLiteral("threads"), 1, mostThreads());
+    options.threads = *arguments.count(QStringLiteral("threads"), 1, mostThreads());
     if (options.threads > 1)
         options.clock = wallClock();
 }
@@ -168,7 +172,7 @@ std::vector<Option> experimentOptions()
          "N",
          Commands::tr("Threads for each algorithm, timed by the clock on the wall (1).")},
         {{"draw-with"},
-         easelWords().join(u'|'),
+         drawTargetWords().join(u'|'),
          Commands::tr("What draws; auto: OpenGL off the screen where there is a display (auto).")},
         {{"measure"},
          "LIST",
@@ -178,15 +182,15 @@ std::vector<Option> experimentOptions()
     };
 }
 
-ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
+ExperimentOptions parsedExperiment(const ParsedArguments& arguments, const Wanted& wanted)
 {
     ExperimentOptions options;
-    takeScene(given, options);
-    takeField(given, options);
-    if (given.has(QStringLiteral("quick")))
+    takeScene(arguments, options);
+    takeField(arguments, options);
+    if (arguments.has(QStringLiteral("quick")))
         options.lines = 100'000;
     const auto take = [&](const char* option, quint64 least, quint64 most, auto& to) {
-        if (const auto count = given.count(QLatin1StringView(option), least, most))
+        if (const auto count = arguments.count(QLatin1StringView(option), least, most))
             to = *count;
     };
     take("lines", 1, mostLines, options.lines);
@@ -196,52 +200,54 @@ ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted)
     QStringList orderKeys;
     for (const OrderName& order : orders())
         orderKeys << latin(order.key);
-    options.order = Order(given.choice(QStringLiteral("order"), orderKeys));
-    options.precision = precisionGiven(given);
-    takeThreads(given, options);
-    options.easel = easelGiven(given, std::ranges::any_of(wanted.measures, &Measure::draws));
+    options.order = Order(arguments.choice(QStringLiteral("order"), orderKeys));
+    options.precision = parsedPrecision(arguments);
+    takeThreads(arguments, options);
+    options.target =
+        parsedDrawTarget(arguments, std::ranges::any_of(wanted.measures, &Measure::draws));
     return options;
 }
 
-Precision precisionGiven(const Given& given)
+Precision parsedPrecision(const ParsedArguments& arguments)
 {
-    if (given.choice(QStringLiteral("precision"), precisions) == 0)
+    if (arguments.choice(QStringLiteral("precision"), precisions) == 0)
         return Precision::Double;
     for (const char* option : {"paper", "form"})
-        if (given.has(QLatin1StringView(option)))
+        if (arguments.has(QLatin1StringView(option)))
             throw WrongUsage{Commands::tr("--precision single has the corrected forms alone: leave "
                                           "--%1 away.")
                                  .arg(QLatin1StringView(option))};
     return Precision::Single;
 }
 
-std::vector<clipping::Form> formsGiven(const Given& given)
+std::vector<clipping::Form> parsedForms(const ParsedArguments& arguments)
 {
     constexpr std::array both{clipping::Form::Corrected, clipping::Form::Published};
-    if (precisionGiven(given) == Precision::Single)
+    if (parsedPrecision(arguments) == Precision::Single)
         return {clipping::Form::Corrected};
-    const auto choice = given.choice(QStringLiteral("form"), {"both", "corrected", "published"});
+    const auto choice =
+        arguments.choice(QStringLiteral("form"), {"both", "corrected", "published"});
     if (choice == 0)
         return {both.begin(), both.end()};
     return {both[choice - 1]};
 }
 
-std::vector<Variant> variantsGiven(const Given& given)
+std::vector<Variant> parsedVariants(const ParsedArguments& arguments)
 {
-    auto algorithms = given.algorithms(QStringLiteral("algorithms"));
+    auto algorithms = arguments.algorithms(QStringLiteral("algorithms"));
     if (algorithms.empty())
         for (const auto& algorithm : clipping::algorithms())
             algorithms.push_back(&algorithm);
     std::vector<Variant> all;
-    for (const clipping::Form form : formsGiven(given))
+    for (const clipping::Form form : parsedForms(arguments))
         for (const Variant& variant : variantsOf(algorithms, form))
             all.push_back(variant);
     return withOneByOne(all);
 }
 
-Wanted wantedGiven(const Given& given, const QString& otherwise)
+Wanted parsedWanted(const ParsedArguments& arguments, const QString& otherwise)
 {
-    const auto text = given.text(QStringLiteral("measure"));
+    const auto text = arguments.text(QStringLiteral("measure"));
     const QStringList keys = text.value_or(otherwise).toLower().split(u',');
     const auto times = measures();
     const auto rest = analyses();
@@ -255,7 +261,7 @@ Wanted wantedGiven(const Given& given, const QString& otherwise)
         else
             throw WrongUsage{Commands::tr("--measure %1: give %2.").arg(*text, allMeasures())};
     }
-    if (!wanted.analyses.empty() && precisionGiven(given) == Precision::Single)
+    if (!wanted.analyses.empty() && parsedPrecision(arguments) == Precision::Single)
         throw WrongUsage{Commands::tr("--precision single has times alone: leave “%1” away.")
                              .arg(wanted.analyses[0].key)};
     return wanted;

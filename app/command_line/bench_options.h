@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/experiment/analysis.h"
 
 namespace app {
@@ -14,19 +14,19 @@ struct Wanted {
     std::vector<Measure> measures;
     std::vector<Analysis> analyses;
 };
-Wanted wantedGiven(const Given& given, const QString& otherwise);
+Wanted parsedWanted(const ParsedArguments& arguments, const QString& otherwise);
 
 /// The parsed options; throws WrongUsage, or Failure if a drawing cannot be read or the requested
 /// draw target does not work. The draw target is created only if `wanted` draws.
-ExperimentOptions experimentGiven(const Given& given, const Wanted& wanted);
+ExperimentOptions parsedExperiment(const ParsedArguments& arguments, const Wanted& wanted);
 
 /// The parsed --precision; throws WrongUsage together with options that need double.
-Precision precisionGiven(const Given& given);
+Precision parsedPrecision(const ParsedArguments& arguments);
 
 /// The forms of --form: both, the corrected one first, unless it names one.
-std::vector<clipping::Form> formsGiven(const Given& given);
+std::vector<clipping::Form> parsedForms(const ParsedArguments& arguments);
 
 /// The variants that the options name: both forms unless --form names one.
-std::vector<Variant> variantsGiven(const Given& given);
+std::vector<Variant> parsedVariants(const ParsedArguments& arguments);
 
 } // namespace app

@@ -9,42 +9,47 @@ namespace app {
 namespace {
 
 /// The tables of the paper that --paper names.
-std::vector<PaperTable> papersGiven(const Given& given)
+std::vector<PaperTable> parsedPapers(const ParsedArguments& arguments)
 {
-    if (given.has(QStringLiteral("algorithms")))
+    if (arguments.has(QStringLiteral("algorithms")))
         throw WrongUsage{Commands::tr("--paper has algorithms of its own: leave -a away.")};
     auto tables = paperTables();
     QStringList words;
     for (const PaperTable& table : tables)
         words << table.key;
-    const auto choice = given.choice(QStringLiteral("paper"), words + QStringList("all"));
+    const auto choice = arguments.choice(QStringLiteral("paper"), words + QStringList("all"));
     if (choice < tables.size())
         return {tables[choice]};
     return tables;
 }
 
-std::vector<clipping::Form> paperForms(const Given& given)
+std::vector<clipping::Form> paperForms(const ParsedArguments& arguments)
 {
-    const auto forms = formsGiven(given);
-    return given.has(QStringLiteral("form")) ? forms : std::vector{clipping::Form::Published};
+    const auto forms = parsedForms(arguments);
+    return arguments.has(QStringLiteral("form")) ? forms : std::vector{clipping::Form::Published};
 }
 
-std::vector<PlannedTrial> paperTrials(const Given& given, const ExperimentOptions& options)
+std::vector<PlannedTrial> paperTrials(const ParsedArguments& arguments,
+                                      const ExperimentOptions& options)
 {
-    const bool ownLines = given.has(QStringLiteral("lines")) || given.has(QStringLiteral("quick"));
-    return app::paperTrials(papersGiven(given), paperForms(given), options,
+    const bool ownLines =
+        arguments.has(QStringLiteral("lines")) || arguments.has(QStringLiteral("quick"));
+    return app::paperTrials(parsedPapers(arguments), paperForms(arguments), options,
                             ownLines ? std::optional(options.lines) : std::nullopt);
 }
 
-PlannedTrial sceneTrial(const Given& given, const ExperimentOptions& options)
+PlannedTrial sceneTrial(const ParsedArguments& arguments, const ExperimentOptions& options)
 {
-    auto variants = variantsGiven(given);
+    auto variants = parsedVariants(arguments);
     if (variants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
     return {std::nullopt, options, std::move(variants)};
 }
 
-bool repeatsPaper(const Given& given) { return given.has(QStringLiteral("paper")); }
+bool repeatsPaper(const ParsedArguments& arguments)
+{
+    return arguments.has(QStringLiteral("paper"));
+}
 
 } // namespace
 
@@ -59,19 +64,19 @@ std::vector<Option> paperOptions()
     };
 }
 
-Plan planGiven(const Given& given, const Wanted& wanted)
+Plan parsedPlan(const ParsedArguments& arguments, const Wanted& wanted)
 {
-    const ExperimentOptions options = experimentGiven(given, wanted);
-    if (repeatsPaper(given))
-        return {paperTrials(given, options), wanted.measures};
-    return {{sceneTrial(given, options)}, wanted.measures};
+    const ExperimentOptions options = parsedExperiment(arguments, wanted);
+    if (repeatsPaper(arguments))
+        return {paperTrials(arguments, options), wanted.measures};
+    return {{sceneTrial(arguments, options)}, wanted.measures};
 }
 
-Against againstGiven(const Given& given)
+Against parsedAgainst(const ParsedArguments& arguments)
 {
-    if (!given.has(QStringLiteral("against-paper")))
+    if (!arguments.has(QStringLiteral("against-paper")))
         return Against::Nothing;
-    if (!repeatsPaper(given))
+    if (!repeatsPaper(arguments))
         throw WrongUsage{Commands::tr("--against-paper needs --paper table1, table2 or all.")};
     return Against::Paper;
 }

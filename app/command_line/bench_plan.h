@@ -10,11 +10,11 @@ namespace app {
 std::vector<Option> paperOptions();
 
 /// The plan that the options of `bench` describe: one trial for each table of the paper and form,
-/// or one on a scene; throws like experimentGiven. Analyses are left to the caller.
-Plan planGiven(const Given& given, const Wanted& wanted);
+/// or one on a scene; throws like parsedExperiment. Analyses are left to the caller.
+Plan parsedPlan(const ParsedArguments& arguments, const Wanted& wanted);
 
 /// Whether the paper's own numbers are requested.
-Against againstGiven(const Given& given);
+Against parsedAgainst(const ParsedArguments& arguments);
 
 /// What explains the trials of such a plan, on as many lines as the first trial.
 PlannedTrial explanationOf(const Plan& plan);

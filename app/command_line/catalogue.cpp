@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/file_name.h"
 #include "app/command_line/command.h"
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 
@@ -27,9 +27,8 @@ Command traceCommand();
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(),  convertCommand(), compareCommand(),    infoCommand(),
-            traceCommand(), costmapCommand(), algorithmsCommand(), benchCommand(),
-            judgeCommand()};
+    return {clipCommand(),    convertCommand(),    compareCommand(), infoCommand(), traceCommand(),
+            costmapCommand(), algorithmsCommand(), benchCommand(),   judgeCommand()};
 }
 
 namespace {
@@ -82,11 +81,11 @@ void refuseLostNames(const QStringList& arguments)
 
 void run(const Command& command, const QStringList& arguments)
 {
-    const Given given(command, arguments);
-    if (given.helpWanted())
+    const ParsedArguments parsed(command, arguments);
+    if (parsed.helpWanted())
         print(helpOf(command));
     else
-        command.run(given);
+        command.run(parsed);
 }
 
 } // namespace

@@ -15,13 +15,14 @@
 namespace app {
 namespace {
 
-const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& given)
+const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const ParsedArguments& arguments)
 {
-    const auto named = given.algorithms(QStringLiteral("algorithm"));
+    const auto named = arguments.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
         throw WrongUsage{Commands::tr("A drawing is cut with one algorithm; name one with -a.")};
     const auto& algorithm = named.empty() ? usualAlgorithm() : *named.front();
-    const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
+    const bool published =
+        arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
                                                              : clipping::Form::Corrected);
     if (!uses)
@@ -30,15 +31,16 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const Given& g
     return *uses;
 }
 
-CutOptions cutOptionsOf(const Given& given, const Imported& imported, const Output& output)
+CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& imported,
+                        const Output& output)
 {
-    CutOptions options{.clipAll = usesOf(given).clipAll};
-    options.region = regionOf(windowsOf(given, imported));
-    if (given.has(QStringLiteral("keep")))
-        options.region.keep = given.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
+    CutOptions options{.clipAll = usesOf(arguments).clipAll};
+    options.region = regionOf(windowsOf(arguments, imported));
+    if (arguments.has(QStringLiteral("keep")))
+        options.region.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
                                   ? Keep::Inside
                                   : Keep::Outside;
-    options.tolerance = toleranceOf(given, imported.document.page());
+    options.tolerance = toleranceOf(arguments, imported.document.page());
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
 }
@@ -85,18 +87,18 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
 }
 
 /// Removes hidden objects if requested, or if the file cannot hide them; returns their number.
-std::size_t dropHidden(const Given& given, const Output& output, Document& document)
+std::size_t dropHidden(const ParsedArguments& arguments, const Output& output, Document& document)
 {
-    if (output.format->hides == Hides::Yes && !given.has(QStringLiteral("drop-hidden")))
+    if (output.format->hides == Hides::Yes && !arguments.has(QStringLiteral("drop-hidden")))
         return 0;
     const std::size_t hidden = hiddenObjects(document).size();
     document = withoutHidden(std::move(document));
     return hidden;
 }
 
-void sayDropped(const Given& given, const Output& output, std::size_t dropped)
+void sayDropped(const ParsedArguments& arguments, const Output& output, std::size_t dropped)
 {
-    if (!given.has(QStringLiteral("drop-hidden")))
+    if (!arguments.has(QStringLiteral("drop-hidden")))
         sayHiddenLeftOut(dropped, *output.format);
     else if (dropped > 0)
         say(Commands::tr("Hidden shapes: %1 left out.").arg(dropped));
@@ -132,18 +134,18 @@ std::vector<std::uint32_t> rowsOf(const Imported& imported, const Document& befo
     return rows;
 }
 
-void clip(const Given& given)
+void clip(const ParsedArguments& arguments)
 {
-    const QString input = given.operands().first();
-    Output output = outputOf(given, input);
+    const QString input = arguments.operands().first();
+    Output output = outputOf(arguments, input);
     Stopwatch stopwatch;
-    const Imported imported = readDrawing(given, input);
-    refuseLossInPlace(given, imported, input, output);
+    const Imported imported = readDrawing(arguments, input);
+    refuseLossInPlace(arguments, imported, input, output);
     stopwatch.lap(Commands::tr("read"));
 
-    const CutOptions options = cutOptionsOf(given, imported, output);
+    const CutOptions options = cutOptionsOf(arguments, imported, output);
     Document before = imported.document;
-    const std::size_t dropped = dropHidden(given, output, before);
+    const std::size_t dropped = dropHidden(arguments, output, before);
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);
     Cut result = cut(before, options);
@@ -159,14 +161,14 @@ void clip(const Given& given)
     writeDrawing(after, output);
     stopwatch.lap(Commands::tr("write"));
 
-    if (!given.has(QStringLiteral("quiet"))) {
+    if (!arguments.has(QStringLiteral("quiet"))) {
         report(imported, before, result.counts);
-        sayDropped(given, output, dropped);
-        say(windowText(given, imported, options.region));
+        sayDropped(arguments, output, dropped);
+        say(windowText(arguments, imported, options.region));
         if (hiddenObjects(after).size() == after.objects().size())
             sayNothingIsLeft(imported, before, after, options.region.keep);
     }
-    if (given.has(QStringLiteral("stats")))
+    if (arguments.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")
                 .arg(result.counts.segmentsBefore)
                 .arg(result.counts.segmentsAfter)

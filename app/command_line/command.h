@@ -9,7 +9,7 @@
 
 namespace app {
 
-class Given;
+class ParsedArguments;
 
 /// The exit codes of a command.
 enum class Exit : int { Done = 0, Failed = 1, Usage = 2, CheckFailed = 3, Interrupted = 130 };
@@ -30,9 +30,9 @@ struct Command {
     std::vector<Option> options;
     QStringList examples; ///< whole command lines
     qsizetype operands;   ///< the exact number of arguments that are not options
-    void (*run)(const Given& given); ///< throws WrongUsage or Failure (refusal.h)
-    bool paints = false;             ///< needs fonts or OpenGL, so a QGuiApplication
-    QStringList limits{};            ///< limits of its input, a sentence each
+    void (*run)(const ParsedArguments& arguments); ///< throws WrongUsage or Failure (refusal.h)
+    bool paints = false;                           ///< needs fonts or OpenGL, so a QGuiApplication
+    QStringList limits{};                          ///< limits of its input, a sentence each
 };
 std::vector<Command> commands();
 

@@ -19,13 +19,13 @@ constexpr quint64 mostUlps = 1'000'000'000;
 /// In tables: which variant sees the line.
 constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Difference::Kind
 
-Comparison comparisonOf(const Given& given)
+Comparison comparisonOf(const ParsedArguments& arguments)
 {
-    if (!given.has(QStringLiteral("algorithm")))
+    if (!arguments.has(QStringLiteral("algorithm")))
         throw WrongUsage{Commands::tr("Name what to compare with -a.")};
-    Comparison comparison{*given.variant(QStringLiteral("algorithm")),
-                          given.variant(QStringLiteral("with")).value_or(exactVariant())};
-    if (const auto ulps = given.count(QStringLiteral("ulps"), 0, mostUlps))
+    Comparison comparison{*arguments.variant(QStringLiteral("algorithm")),
+                          arguments.variant(QStringLiteral("with")).value_or(exactVariant())};
+    if (const auto ulps = arguments.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
     if (comparison.a == comparison.b)
         throw WrongUsage{Commands::tr("-a and -b are the same: choose two that are not.")};
@@ -91,27 +91,27 @@ Table summed(Table table)
     return table;
 }
 
-void compare(const Given& given)
+void compare(const ParsedArguments& arguments)
 {
-    const Comparison comparison = comparisonOf(given);
-    const TableOutput output = tableOutput(given);
-    const Imported imported = readDrawing(given, given.operands().first());
+    const Comparison comparison = comparisonOf(arguments);
+    const TableOutput output = tableOutput(arguments);
+    const Imported imported = readDrawing(arguments, arguments.operands().first());
     const EditedDocument document(imported.document);
     const Scene scene(document);
-    const clipping::Window window = windowOf(given, imported);
+    const clipping::Window window = windowOf(arguments, imported);
     const Differences found = extended({window}, comparison, scene.lines(), scene.lines().size());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
     // In text format, a summary or a comparison without differences prints only the sentence.
     const bool forPerson = output.format.key == QStringLiteral("text");
-    const bool whole = !given.has(QStringLiteral("summary"));
+    const bool whole = !arguments.has(QStringLiteral("summary"));
     Table table = tableOf(comparison, scene, found, summary);
     if (!whole)
         table = summed(std::move(table));
     if (!forPerson || (whole && !found.list.empty()))
         writeTables(output, {&table, 1});
-    if (!given.has(QStringLiteral("quiet"))) {
-        say(windowText(given, imported, {{{window, WindowOperation::Add}}}));
+    if (!arguments.has(QStringLiteral("quiet"))) {
+        say(windowText(arguments, imported, {{{window, WindowOperation::Add}}}));
         say(summary);
     }
     if (!found.list.empty())

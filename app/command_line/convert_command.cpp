@@ -7,16 +7,16 @@
 namespace app {
 namespace {
 
-void convert(const Given& given)
+void convert(const ParsedArguments& arguments)
 {
-    const QString input = given.operands().first();
-    Output output = outputOf(given, input);
-    const Imported imported = readDrawing(given, input);
-    refuseLossInPlace(given, imported, input, output);
+    const QString input = arguments.operands().first();
+    Output output = outputOf(arguments, input);
+    const Imported imported = readDrawing(arguments, input);
+    refuseLossInPlace(arguments, imported, input, output);
     output.options.sources = imported.rows;
-    output.options.tolerance = toleranceOf(given, imported.document.page());
+    output.options.tolerance = toleranceOf(arguments, imported.document.page());
     writeDrawing(imported.document, output);
-    if (given.has(QStringLiteral("quiet")))
+    if (arguments.has(QStringLiteral("quiet")))
         return;
     sayLosses(imported);
     if (output.format->hides == Hides::No)

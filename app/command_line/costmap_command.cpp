@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "app/base/number.h"
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/cost_map/files.h"
@@ -31,9 +31,9 @@ std::optional<std::vector<double>> numbersOf(const QString& text, QChar separato
     return numbers;
 }
 
-std::optional<clipping::Window> rectangleOf(const Given& given, const QString& option)
+std::optional<clipping::Window> rectangleOf(const ParsedArguments& arguments, const QString& option)
 {
-    const auto text = given.text(option);
+    const auto text = arguments.text(option);
     if (!text)
         return std::nullopt;
     const auto n = numbersOf(*text, u',', 4);
@@ -44,9 +44,9 @@ std::optional<clipping::Window> rectangleOf(const Given& given, const QString& o
     return clipping::Window{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
 }
 
-std::optional<Point> pointOf(const Given& given, const QString& option)
+std::optional<Point> pointOf(const ParsedArguments& arguments, const QString& option)
 {
-    const auto text = given.text(option);
+    const auto text = arguments.text(option);
     if (!text)
         return std::nullopt;
     const auto n = numbersOf(*text, u',', 2);
@@ -72,14 +72,15 @@ void setSize(CostPlan& plan, const QString& text)
 }
 
 /// Sets the variant that is shown, or all candidates for the cheapest.
-void setAlgorithms(CostPlan& plan, const Given& given)
+void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
 {
-    const bool cheapest = given.has(QStringLiteral("cheapest"));
-    const auto key = given.text(QStringLiteral("algorithm"));
+    const bool cheapest = arguments.has(QStringLiteral("cheapest"));
+    const auto key = arguments.text(QStringLiteral("algorithm"));
     if (cheapest == key.has_value())
         throw WrongUsage{Commands::tr("Give either -a ALGORITHM, whose cost is shown, or "
                                       "--cheapest.")};
-    const bool published = given.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
+    const bool published =
+        arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     plan.variants = costVariants(published ? clipping::Form::Published : clipping::Form::Corrected);
     plan.shown.reset();
     if (!key)
@@ -96,38 +97,38 @@ void setAlgorithms(CostPlan& plan, const Given& given)
                              .arg(*key)};
 }
 
-const CostMeasure& measureOf(const Given& given)
+const CostMeasure& measureOf(const ParsedArguments& arguments)
 {
     QStringList keys;
     for (const CostMeasure& measure : costMeasures())
         keys << latin(measure.key);
-    return costMeasures()[given.choice(QStringLiteral("measure"), keys)];
+    return costMeasures()[arguments.choice(QStringLiteral("measure"), keys)];
 }
 
-CostPlan planOf(const Given& given)
+CostPlan planOf(const ParsedArguments& arguments)
 {
     CostPlan plan =
-        usualCostPlan(rectangleOf(given, QStringLiteral("window")).value_or(paperWindow));
-    plan.measure = &measureOf(given);
-    setAlgorithms(plan, given);
-    const auto from = pointOf(given, QStringLiteral("from")),
-               to = pointOf(given, QStringLiteral("to"));
+        usualCostPlan(rectangleOf(arguments, QStringLiteral("window")).value_or(paperWindow));
+    plan.measure = &measureOf(arguments);
+    setAlgorithms(plan, arguments);
+    const auto from = pointOf(arguments, QStringLiteral("from")),
+               to = pointOf(arguments, QStringLiteral("to"));
     if (from && to)
         throw WrongUsage{Commands::tr("Fix one end: give either --from or --to.")};
     plan.fixed = to ? *to : from.value_or(plan.fixed);
     plan.end = to ? FixedEnd::End2 : FixedEnd::End1;
-    plan.area = rectangleOf(given, QStringLiteral("area")).value_or(plan.area);
+    plan.area = rectangleOf(arguments, QStringLiteral("area")).value_or(plan.area);
     if (plan.area.min.x == plan.area.max.x || plan.area.min.y == plan.area.max.y)
         throw WrongUsage{Commands::tr("The area is empty: its XMIN,YMIN must be less than its "
                                       "XMAX,YMAX.")};
-    if (const auto size = given.text(QStringLiteral("size")))
+    if (const auto size = arguments.text(QStringLiteral("size")))
         setSize(plan, *size);
     return plan;
 }
 
-void printCostMap(const Given& given)
+void printCostMap(const ParsedArguments& arguments)
 {
-    const auto path = given.text(QStringLiteral("output"));
+    const auto path = arguments.text(QStringLiteral("output"));
     if (!path)
         throw WrongUsage{Commands::tr("Say with -o where to write: FILE.png, FILE.csv, or - for a "
                                       "CSV table on standard output.")};
@@ -136,8 +137,8 @@ void printCostMap(const Given& given)
         throw WrongUsage{Commands::tr("-o %1: a cost map is written as .png or .csv; give the file "
                                       "one of these endings.")
                              .arg(*path)};
-    const bool dark = given.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
-    const CostMap map = costMap(planOf(given));
+    const bool dark = arguments.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
+    const CostMap map = costMap(planOf(arguments));
     if (toOutput) {
         const Table table = costTable(map);
         for (const TableFormat& format : tableFormats())

@@ -38,10 +38,10 @@ QString typesWith(Function Format::*can)
 }
 
 template <class Function>
-const Format& formatOf(const Given& given, const QString& option, const QString& path,
+const Format& formatOf(const ParsedArguments& arguments, const QString& option, const QString& path,
                        Function Format::*can, const Format* ofName)
 {
-    const Format* asked = given.format(option);
+    const Format* asked = arguments.format(option);
     const Format* format = asked ? asked : ofName;
     if (format && format->*can)
         return *format;
@@ -51,9 +51,9 @@ const Format& formatOf(const Given& given, const QString& option, const QString&
                          .arg(path == standardStream ? stream : path, option, typesWith(can))};
 }
 
-const Format& readFormatOf(const Given& given, const QString& path)
+const Format& readFormatOf(const ParsedArguments& arguments, const QString& path)
 {
-    return formatOf(given, QStringLiteral("from"), path, &Format::read, formatToRead(path));
+    return formatOf(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
 }
 
 } // namespace
@@ -91,9 +91,9 @@ Option toleranceOption()
             Commands::tr("How far the lines that stand for a curve may be from it (0.05mm).")};
 }
 
-double toleranceOf(const Given& given, const Page& page)
+double toleranceOf(const ParsedArguments& arguments, const Page& page)
 {
-    const auto length = given.length(QStringLiteral("tolerance"));
+    const auto length = arguments.length(QStringLiteral("tolerance"));
     if (!length)
         return usualTolerance(page);
     const double tolerance = toUserUnits(*length, page.millimetresPerUnit());
@@ -135,16 +135,16 @@ QStringList readingAndWritingLimits()
     return limitsOf([](const Format&) { return true; });
 }
 
-Imported readDrawing(const Given& given, const QString& path)
+Imported readDrawing(const ParsedArguments& arguments, const QString& path)
 {
     if (path != standardStream) {
         const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
-        auto imported = readFile(path, there ? &readFormatOf(given, path) : &formats()[0]);
+        auto imported = readFile(path, there ? &readFormatOf(arguments, path) : &formats()[0]);
         if (!imported)
             throw Failure{imported.error};
         return std::move(*imported.value);
     }
-    const Format& format = readFormatOf(given, path);
+    const Format& format = readFormatOf(arguments, path);
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
         throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};
@@ -154,11 +154,11 @@ Imported readDrawing(const Given& given, const QString& path)
     return std::move(*imported.value);
 }
 
-Output outputOf(const Given& given, const QString& input)
+Output outputOf(const ParsedArguments& arguments, const QString& input)
 {
-    const bool inPlace = given.has(QStringLiteral("in-place"));
+    const bool inPlace = arguments.has(QStringLiteral("in-place"));
     Output output{
-        given.text(QStringLiteral("output")).value_or(inPlace ? input : QString()), {}, {}};
+        arguments.text(QStringLiteral("output")).value_or(inPlace ? input : QString()), {}, {}};
     if (output.path.isEmpty())
         throw WrongUsage{Commands::tr("Say where to write: -o FILE, or -o - for standard output.")};
     if (!inPlace && sameFile(output.path, input))
@@ -166,11 +166,11 @@ Output outputOf(const Given& given, const QString& input)
             Commands::tr("%1 is the input as well. Give another name, or --in-place to "
                          "write over it.")
                 .arg(output.path)};
-    output.format = &formatOf(given, QStringLiteral("to"), output.path, &Format::write,
+    output.format = &formatOf(arguments, QStringLiteral("to"), output.path, &Format::write,
                               formatOfFile(output.path));
-    if (const auto decimals = given.count(QStringLiteral("precision"), 0, mostDecimals))
+    if (const auto decimals = arguments.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
-    output.options.dpi = given.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
+    output.options.dpi = arguments.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
     return output;
 }
 
@@ -197,10 +197,11 @@ QStringList losses(const Imported& imported)
     return lines;
 }
 
-void refuseLossInPlace(const Given& given, const Imported& imported, const QString& input,
-                       const Output& output)
+void refuseLossInPlace(const ParsedArguments& arguments, const Imported& imported,
+                       const QString& input, const Output& output)
 {
-    if (imported.lossy() && given.has(QStringLiteral("in-place")) && sameFile(output.path, input))
+    if (imported.lossy() && arguments.has(QStringLiteral("in-place"))
+        && sameFile(output.path, input))
         throw Failure{Commands::tr("Cannot write over %1: it holds what would be lost (%2). Give "
                                    "another name with -o.")
                           .arg(input, losses(imported).join(QStringLiteral(", ")))};

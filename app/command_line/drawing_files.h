@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 
 // Input and output of drawings: a file, or - for standard input and output. The type is given by
 // --from and --to, otherwise by the name's ending.
@@ -15,7 +15,7 @@ std::vector<Option> writingOptions();
 /// --tolerance, for commands that flatten curves.
 Option toleranceOption();
 /// The value of --tolerance in user units, or the default; throws WrongUsage.
-double toleranceOf(const Given& given, const Page& page);
+double toleranceOf(const ParsedArguments& arguments, const Page& page);
 
 /// Reports on standard error how many hidden objects were not written, if any.
 void sayHiddenLeftOut(std::size_t count, const Format& format);
@@ -25,7 +25,7 @@ QStringList readingLimits();
 QStringList readingAndWritingLimits();
 
 /// Reads the drawing in `path`; throws Failure.
-Imported readDrawing(const Given& given, const QString& path);
+Imported readDrawing(const ParsedArguments& arguments, const QString& path);
 
 /// The target of a drawing, known before anything is read, so that a wrong usage is reported first.
 struct Output {
@@ -36,14 +36,14 @@ struct Output {
 
 /// The parsed --output, --to, --in-place, --precision and --dpi; throws WrongUsage, also if the
 /// target is `input` without --in-place.
-Output outputOf(const Given& given, const QString& input);
+Output outputOf(const ParsedArguments& arguments, const QString& input);
 
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
 
 /// Throws Failure if overwriting the input would lose what the import could not keep.
-void refuseLossInPlace(const Given& given, const Imported& imported, const QString& input,
-                       const Output& output);
+void refuseLossInPlace(const ParsedArguments& arguments, const Imported& imported,
+                       const QString& input, const Output& output);
 
 /// Reports the `losses` on standard error.
 void sayLosses(const Imported& imported);

@@ -182,9 +182,9 @@ Rows rowsOf(const Imported& imported)
     return rows;
 }
 
-void inform(const Given& given)
+void inform(const ParsedArguments& arguments)
 {
-    print(inColumns(rowsOf(readDrawing(given, given.operands().first()))));
+    print(inColumns(rowsOf(readDrawing(arguments, arguments.operands().first()))));
 }
 
 } // namespace

@@ -24,17 +24,17 @@ void writeExample(const QString& folder)
         say(Commands::tr("%1 was kept: it differs from the file that would replace it.").arg(path));
 }
 
-plug_in::Case caseOf(const Given& given)
+plug_in::Case caseOf(const ParsedArguments& arguments)
 {
     using Race = plug_in::Case::Race;
-    plug_in::Case which{.library = given.operands().first()};
-    which.seed = given.count(QStringLiteral("seed"), 0, std::numeric_limits<quint64>::max())
+    plug_in::Case which{.library = arguments.operands().first()};
+    which.seed = arguments.count(QStringLiteral("seed"), 0, std::numeric_limits<quint64>::max())
                      .value_or(which.seed);
-    if (given.has(QStringLiteral("strict")))
+    if (arguments.has(QStringLiteral("strict")))
         which.contract.strictness = plug_in::Strictness::Clearcuts;
-    which.seconds = double(given.count(QStringLiteral("seconds"), 1, mostSeconds)
+    which.seconds = double(arguments.count(QStringLiteral("seconds"), 1, mostSeconds)
                                .value_or(std::uint64_t(which.seconds)));
-    which.race = given.has(QStringLiteral("no-race")) ? Race::No : Race::Yes;
+    which.race = arguments.has(QStringLiteral("no-race")) ? Race::No : Race::Yes;
     return which;
 }
 
@@ -44,12 +44,12 @@ plug_in::Verdict judged(const plug_in::Case& which)
     return *plug_in::judge(which, {{}, [&](const Progress& progress) { line.show(progress); }});
 }
 
-void judge(const Given& given)
+void judge(const ParsedArguments& arguments)
 {
-    if (given.has(QStringLiteral("save-example")))
-        return writeExample(given.operands().first());
-    const plug_in::Case which = caseOf(given);
-    const TableOutput output = tableOutput(given);
+    if (arguments.has(QStringLiteral("save-example")))
+        return writeExample(arguments.operands().first());
+    const plug_in::Case which = caseOf(arguments);
+    const TableOutput output = tableOutput(arguments);
     const plug_in::Verdict verdict = judged(which);
     if (verdict.unusable)
         throw Failure{

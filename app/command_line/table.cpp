@@ -33,14 +33,14 @@ std::vector<Option> tableOptions()
     };
 }
 
-TableOutput tableOutput(const Given& given)
+TableOutput tableOutput(const ParsedArguments& arguments)
 {
     const auto formats = tableFormats();
-    TableOutput output{formats[given.choice(QStringLiteral("format"), keys())],
-                       given.text(QStringLiteral("output")).value_or(QString())};
+    TableOutput output{formats[arguments.choice(QStringLiteral("format"), keys())],
+                       arguments.text(QStringLiteral("output")).value_or(QString())};
     const auto byEnding =
         std::ranges::find(formats, QFileInfo(output.path).suffix().toLower(), &TableFormat::ending);
-    if (!given.has(QStringLiteral("format")) && byEnding != formats.end())
+    if (!arguments.has(QStringLiteral("format")) && byEnding != formats.end())
         output.format = *byEnding;
     return output;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/tables/table.h"
 
 namespace app {
@@ -16,7 +16,7 @@ struct TableOutput {
 };
 
 /// The parsed --output and --format; without --format the name's ending decides. Throws WrongUsage.
-TableOutput tableOutput(const Given& given);
+TableOutput tableOutput(const ParsedArguments& arguments);
 
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeTables(const TableOutput& output, std::span<const Table> tables);

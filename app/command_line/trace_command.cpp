@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "app/base/usual_algorithm.h"
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/teaching/trace_file.h"
@@ -25,49 +25,51 @@ QStringList formatKeys()
     return keys;
 }
 
-Specimen specimenOf(const Given& given)
+TracedLine tracedLineOf(const ParsedArguments& arguments)
 {
-    const auto line = given.numbers(QStringLiteral("line"), QStringLiteral("X1,Y1,X2,Y2"));
+    const auto line = arguments.numbers(QStringLiteral("line"), QStringLiteral("X1,Y1,X2,Y2"));
     if (!line)
         throw WrongUsage{Commands::tr("Give the line with --line X1,Y1,X2,Y2.")};
     const auto& [x1, y1, x2, y2] = *line;
-    Specimen specimen{
-        .variant = given.variant(QStringLiteral("algorithm")).value_or(Variant{&usualAlgorithm()}),
+    TracedLine tracedLine{
+        .variant =
+            arguments.variant(QStringLiteral("algorithm")).value_or(Variant{&usualAlgorithm()}),
         .line = {{x1, y1}, {x2, y2}},
         .window = usualWindow,
-        .y = given.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up : YAxis::Down,
+        .y = arguments.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up
+                                                                             : YAxis::Down,
         .origin = {}};
     const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
-    if (const auto window = given.numbers(QStringLiteral("window"), edges)) {
+    if (const auto window = arguments.numbers(QStringLiteral("window"), edges)) {
         const auto& [xmin, ymin, xmax, ymax] = *window;
-        specimen.window = {{xmin, ymin}, {xmax, ymax}};
+        tracedLine.window = {{xmin, ymin}, {xmax, ymax}};
     }
-    return specimen;
+    return tracedLine;
 }
 
-TraceExport exportOf(const Given& given)
+TraceExport exportOf(const ParsedArguments& arguments)
 {
-    TraceExport trace{.specimen = specimenOf(given), .walk = {}};
-    trace.walk = walkOf(trace.specimen);
-    if (!trace.walk.refusal.isEmpty())
-        throw WrongUsage{trace.walk.refusal};
-    if (const auto step = given.count(QStringLiteral("step"), 1, trace.walk.moments.size()))
+    TraceExport trace{.tracedLine = tracedLineOf(arguments), .narration = {}};
+    trace.narration = narrationOf(trace.tracedLine);
+    if (!trace.narration.refusal.isEmpty())
+        throw WrongUsage{trace.narration.refusal};
+    if (const auto step = arguments.count(QStringLiteral("step"), 1, trace.narration.steps.size()))
         trace.only = *step - 1;
-    if (given.choice(QStringLiteral("theme"), {"light", "dark"}) == 1)
+    if (arguments.choice(QStringLiteral("theme"), {"light", "dark"}) == 1)
         trace.ground = Ground::Dark;
-    if (given.has(QStringLiteral("picture-only")))
+    if (arguments.has(QStringLiteral("picture-only")))
         trace.parts = SlideParts::Picture;
-    if (const auto width = given.count(QStringLiteral("width"), leastWidth, mostWidth))
+    if (const auto width = arguments.count(QStringLiteral("width"), leastWidth, mostWidth))
         trace.scale = double(*width) / slideWidth;
     return trace;
 }
 
 /// The format of --format, or of the name's ending; text by default.
-const TraceFormat& formatOf(const Given& given, const QString& output)
+const TraceFormat& formatOf(const ParsedArguments& arguments, const QString& output)
 {
-    if (given.has(QStringLiteral("format")))
+    if (arguments.has(QStringLiteral("format")))
         return *findTraceFormat(
-            formatKeys()[qsizetype(given.choice(QStringLiteral("format"), formatKeys()))]);
+            formatKeys()[qsizetype(arguments.choice(QStringLiteral("format"), formatKeys()))]);
     const QString ending = QFileInfo(output).suffix();
     if (const TraceFormat* format = findTraceFormat(ending))
         return *format;
@@ -87,10 +89,10 @@ std::vector<QByteArray> bytesOf(const TraceExport& trace, const TraceFormat& for
 }
 
 /// Throws if one of several files exists already, unless replacing is requested.
-void refuseOverwriting(const Given& given, const QStringList& paths)
+void refuseOverwriting(const ParsedArguments& arguments, const QStringList& paths)
 {
     const QStringList existing = existingOf(paths);
-    if (paths.size() < 2 || existing.isEmpty() || given.has(QStringLiteral("overwrite")))
+    if (paths.size() < 2 || existing.isEmpty() || arguments.has(QStringLiteral("overwrite")))
         return;
     throw Failure{existing.size() == 1
                       ? Commands::tr("%1 exists already. Give another name, or --overwrite.")
@@ -101,7 +103,7 @@ void refuseOverwriting(const Given& given, const QStringList& paths)
                             .arg(existing.size() - 1)};
 }
 
-void write(const Given& given, const TraceExport& trace, const TraceFormat& format,
+void write(const ParsedArguments& arguments, const TraceExport& trace, const TraceFormat& format,
            const QString& output)
 {
     if (output.endsWith(u'/') && !QDir().mkpath(output))
@@ -112,28 +114,28 @@ void write(const Given& given, const TraceExport& trace, const TraceFormat& form
         throw Failure{Commands::tr("Cannot write %1: there is no folder %2; a name that ends with "
                                    "/ makes one.")
                           .arg(paths.front(), folder)};
-    refuseOverwriting(given, paths);
+    refuseOverwriting(arguments, paths);
     if (const auto error = writeTrace(paths, bytesOf(trace, format)))
         throw Failure{*error};
-    if (!given.has(QStringLiteral("quiet")))
+    if (!arguments.has(QStringLiteral("quiet")))
         say(paths.size() == 1 ? Commands::tr("Wrote %1").arg(paths.front())
                               : Commands::tr("Wrote %1 to %2, %3 files")
                                     .arg(paths.front(), paths.back())
                                     .arg(paths.size()));
 }
 
-void trace(const Given& given)
+void trace(const ParsedArguments& arguments)
 {
-    const QString output = given.text(QStringLiteral("output")).value_or(QString());
-    const TraceFormat& format = formatOf(given, output);
+    const QString output = arguments.text(QStringLiteral("output")).value_or(QString());
+    const TraceFormat& format = formatOf(arguments, output);
     const bool toTerminal = output.isEmpty() || output == QStringLiteral("-");
     if (toTerminal && format.forPeople)
         throw WrongUsage{Commands::tr("Name a file or a folder for the pictures with -o.")};
-    const TraceExport trace = exportOf(given);
+    const TraceExport trace = exportOf(arguments);
     if (toTerminal)
         print(QString::fromUtf8(bytesOf(trace, format).front()));
     else
-        write(given, trace, format, output);
+        write(arguments, trace, format, output);
 }
 
 } // namespace

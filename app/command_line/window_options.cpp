@@ -20,31 +20,31 @@ Point cornerOf(const Imported& imported)
 }
 
 // Whether an option gives the window.
-bool isChosen(const Given& given)
+bool isChosen(const ParsedArguments& arguments)
 {
-    return given.has(QStringLiteral("window")) || given.has(QStringLiteral("page"));
+    return arguments.has(QStringLiteral("window")) || arguments.has(QStringLiteral("page"));
 }
 
 bool isBare(const Length& length) { return length.unit == Unit::User; }
 
 // Plain numbers and lengths have different origins, so a rectangle of both would be misplaced.
-void refuseMixture(const Given& given, const std::array<Length, 4>& lengths)
+void refuseMixture(const ParsedArguments& arguments, const std::array<Length, 4>& lengths)
 {
     if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
         throw WrongUsage{
             Commands::tr(
                 "--window %1: give all four with a unit, counted from the paper's top left "
                 "corner, or all four without, in the drawing's own coordinates.")
-                .arg(*given.text(QStringLiteral("window")))};
+                .arg(*arguments.text(QStringLiteral("window")))};
 }
 
 // A window without area is valid: it is closed, and keeps what lies on it.
-void refuseInverted(const Given& given, const clipping::Window& window)
+void refuseInverted(const ParsedArguments& arguments, const clipping::Window& window)
 {
     const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;
     if (!beyond && !below)
         return;
-    if (const auto margin = given.text(QStringLiteral("margin")))
+    if (const auto margin = arguments.text(QStringLiteral("margin")))
         throw WrongUsage{
             Commands::tr("--margin %1 is too large: nothing of the page is left.").arg(*margin)};
     throw WrongUsage{
@@ -84,24 +84,24 @@ clipping::Window windowOf(const Imported& imported)
     return saved.isPage ? imported.drawn.value_or(page.rectangle()) : saved.window;
 }
 
-clipping::Window windowOf(const Given& given, const Imported& imported)
+clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported)
 {
     const Page& page = imported.document.page();
     const double unit = page.millimetresPerUnit();
-    const auto margin = given.length(QStringLiteral("margin"));
-    if (margin && !given.has(QStringLiteral("page")))
+    const auto margin = arguments.length(QStringLiteral("margin"));
+    if (margin && !arguments.has(QStringLiteral("page")))
         throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
     clipping::Window window = windowOf(imported);
-    if (const auto r = given.rectangle(QStringLiteral("window"))) {
-        if (given.has(QStringLiteral("page")))
+    if (const auto r = arguments.rectangle(QStringLiteral("window"))) {
+        if (arguments.has(QStringLiteral("page")))
             throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
-        refuseMixture(given, *r);
+        refuseMixture(arguments, *r);
         const Point corner = cornerOf(imported);
         const auto place = [&](std::size_t i) {
             return placeOf((*r)[i], i % 2 == 0 ? corner.x : corner.y, unit);
         };
         window = {{place(0), place(1)}, {place(2), place(3)}};
-    } else if (given.has(QStringLiteral("page"))) {
+    } else if (arguments.has(QStringLiteral("page"))) {
         const double less = margin ? toUserUnits(*margin, unit) : 0;
         window = {page.min + less, page.min + page.size - less};
     }
@@ -109,15 +109,15 @@ clipping::Window windowOf(const Given& given, const Imported& imported)
         if (!std::isfinite(number))
             throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
                                           "smaller lengths.")};
-    refuseInverted(given, window);
+    refuseInverted(arguments, window);
     return window;
 }
 
-ClipWindows windowsOf(const Given& given, const Imported& imported)
+ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported)
 {
     const ClipWindows& saved = imported.document.windows();
-    const clipping::Window window = windowOf(given, imported); // throws for invalid options
-    if (!isChosen(given) && !regionOf(saved).everything())
+    const clipping::Window window = windowOf(arguments, imported); // throws for invalid options
+    if (!isChosen(arguments) && !regionOf(saved).everything())
         return saved;
     return {{{.shape = RectangleShape{window}}}};
 }
@@ -131,14 +131,14 @@ QString operationText(WindowOperation operation)
                                                   : Commands::tr("intersect %1");
 }
 
-QString sourceText(const Given& given, const Imported& imported)
+QString sourceText(const ParsedArguments& arguments, const Imported& imported)
 {
-    const auto margin = given.text(QStringLiteral("margin"));
-    if (given.has(QStringLiteral("window")))
+    const auto margin = arguments.text(QStringLiteral("margin"));
+    if (arguments.has(QStringLiteral("window")))
         return Commands::tr("given");
     if (margin)
         return Commands::tr("the page, margin %1").arg(*margin);
-    if (given.has(QStringLiteral("page")))
+    if (arguments.has(QStringLiteral("page")))
         return Commands::tr("the page");
     if (!regionOf(imported.document.windows()).everything())
         return Commands::tr("saved in the drawing");
@@ -150,9 +150,10 @@ QString sourceText(const Given& given, const Imported& imported)
 
 } // namespace
 
-QString windowText(const Given& given, const Imported& imported, const ClipRegion& region)
+QString windowText(const ParsedArguments& arguments, const Imported& imported,
+                   const ClipRegion& region)
 {
-    const QString source = sourceText(given, imported);
+    const QString source = sourceText(arguments, imported);
     const QString keeps = region.keep == Keep::Outside
                               ? QStringLiteral("; ") + Commands::tr("keeps what is outside")
                               : QString();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/given.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/scene/region.h"
 
 namespace app {
@@ -17,16 +17,17 @@ clipping::Window windowOf(const Imported& imported);
 /// are relative to the user origin, lengths with a unit to the paper's top left corner (in a file
 /// without a page: to the user origin). Throws WrongUsage for a window that mixes the two, and for
 /// an inverted one.
-clipping::Window windowOf(const Given& given, const Imported& imported);
+clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported);
 
 /// All clip windows given by the options; otherwise the drawing's visible ones, with the side that
 /// it keeps, or else the result of `windowOf`. Always contains a window that clips.
-ClipWindows windowsOf(const Given& given, const Imported& imported);
+ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported);
 
 /// "Window (the page): -40,-40,40,40 in …": the source of `windowsOf`, and each window as
 /// `placeText`. If the windows are not simply added: "Windows (saved in the drawing): add …; cut
 /// out …". Mentions if the outside is kept.
-QString windowText(const Given& given, const Imported& imported, const ClipRegion& region);
+QString windowText(const ParsedArguments& arguments, const Imported& imported,
+                   const ClipRegion& region);
 
 /// "10mm,10mm,90mm,90mm from the paper's top left corner", rounded to micrometres.
 QString millimetreText(const clipping::Window& rectangle, const Imported& imported);

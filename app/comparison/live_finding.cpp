@@ -18,9 +18,9 @@ constexpr int idleMilliseconds = 150; // many lines wait until a series of chang
 
 } // namespace
 
-LiveFinding::LiveFinding(const EditedDocument& document, const Scene& scene, Pace pace,
+LiveFinding::LiveFinding(const EditedDocument& document, const Scene& scene, BatchSizes sizes,
                          QObject* parent)
-    : QObject(parent), scene_(scene), pace_(pace),
+    : QObject(parent), scene_(scene), sizes_(sizes),
       window_(comparedWindow(document.now().windows(), document.now().page()).window)
 {
     connect(&document, &EditedDocument::changed, this, &LiveFinding::follow);
@@ -118,7 +118,7 @@ void LiveFinding::work()
     clock.start();
     const SceneLines& lines = scene_.lines();
     do {
-        const std::size_t more = std::min(pace_.slice, lines.size() - *seen_);
+        const std::size_t more = std::min(sizes_.slice, lines.size() - *seen_);
         look(lines, more);
         *seen_ += more;
     } while (*seen_ < lines.size() && clock.elapsed() < sliceMilliseconds);

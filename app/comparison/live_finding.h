@@ -31,11 +31,12 @@ signals:
     void progressed(); ///< more lines were examined
 
 protected:
-    struct Pace {
+    struct BatchSizes {
         std::size_t atOnce; ///< up to this many lines are examined at once
         std::size_t slice;  ///< lines between two readings of the clock
     };
-    LiveFinding(const EditedDocument& document, const Scene& scene, Pace pace, QObject* parent);
+    LiveFinding(const EditedDocument& document, const Scene& scene, BatchSizes sizes,
+                QObject* parent);
 
     /// A new question (or none, if false): forgets the last result.
     void askAnew(bool something);
@@ -55,7 +56,7 @@ private:
         friend bool operator==(const Matter&, const Matter&) = default;
     };
     Matter now() const { return {scene_.lines().revision(), window_}; }
-    bool many() const { return scene_.lines().size() > pace_.atOnce; }
+    bool many() const { return scene_.lines().size() > sizes_.atOnce; }
     void follow(const DocumentChange& change);
     void restart();
     void stop();
@@ -65,7 +66,7 @@ private:
     void keepFound();
 
     const Scene& scene_;
-    const Pace pace_;
+    const BatchSizes sizes_;
     clipping::Window window_;
     std::optional<Matter> foundOf_{};   ///< what the present result is for
     std::optional<std::size_t> seen_{}; ///< number of lines examined since the last start

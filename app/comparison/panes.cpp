@@ -17,19 +17,19 @@ Variant rowOf(std::string_view key, clipping::Form form = clipping::Form::Correc
 }
 
 /// The variant whose published form loses visible lines of usual drawings: near-vertical ones.
-Variant exhibit() { return rowOf("kwc", published); }
+Variant publishedKwc() { return rowOf("kwc", published); }
 
 /// Like findVariant, but without known misprints.
 std::optional<Variant> choiceOf(const QString& key)
 {
     const auto found = findVariant(key);
-    return found && !found->exhibit ? found : std::nullopt;
+    return found && !found->misprint ? found : std::nullopt;
 }
 
 } // namespace
 
 Panes::Panes(const Variant& only)
-    : choices_{only}, remembered_{rowOf("exact"), rowOf("cs"), exhibit(), rowOf("md")}
+    : choices_{only}, remembered_{rowOf("exact"), rowOf("cs"), publishedKwc(), rowOf("md")}
 {
 }
 
@@ -82,8 +82,8 @@ void Panes::showAll()
     for (const clipping::Algorithm& row : clipping::algorithms()) {
         if (&row != choices_.front().algorithm)
             choices_.push_back({&row});
-        if (&row == exhibit().algorithm)
-            choices_.push_back(exhibit());
+        if (&row == publishedKwc().algorithm)
+            choices_.push_back(publishedKwc());
     }
     choose(chosen);
 }

@@ -19,8 +19,8 @@ std::vector<Variant> variants()
         for (const Form form : {Form::Corrected, Form::Published})
             if (clipping::usesOf(algorithm, form))
                 all.push_back({&algorithm, form});
-    for (const Exhibit& exhibit : exhibits())
-        all.push_back({exhibit.meant, Form::Published, &exhibit});
+    for (const Misprint& misprint : misprints())
+        all.push_back({misprint.meant, Form::Published, &misprint});
     return all;
 }
 
@@ -28,8 +28,8 @@ Variant exactVariant() { return {&clipping::exactAlgorithm(), Form::Corrected}; 
 
 QString nameOf(const Variant& variant)
 {
-    if (variant.exhibit)
-        return variant.exhibit->name;
+    if (variant.misprint)
+        return variant.misprint->name;
     const clipping::Algorithm& row = *variant.algorithm;
     const QString name = latin(variant == exactVariant() ? row.key : row.abbreviation);
     return variant.form == Form::Corrected
@@ -39,8 +39,8 @@ QString nameOf(const Variant& variant)
 
 QString titleOf(const Variant& variant)
 {
-    if (variant.exhibit)
-        return variant.exhibit->name;
+    if (variant.misprint)
+        return variant.misprint->name;
     const QString both = latin(variant.algorithm->abbreviation) + QStringLiteral("  ")
                          + latin(variant.algorithm->name);
     return variant.form == Form::Corrected
@@ -52,17 +52,17 @@ static const QString publishedSuffix = QStringLiteral(":published");
 
 QString keyOf(const Variant& variant)
 {
-    if (variant.exhibit)
-        return variant.exhibit->key;
+    if (variant.misprint)
+        return variant.misprint->key;
     const QString key = latin(variant.algorithm->key);
     return variant.form == Form::Corrected ? key : key + publishedSuffix;
 }
 
 std::optional<Variant> findVariant(const QString& key)
 {
-    for (const Exhibit& exhibit : exhibits())
-        if (exhibit.key == key)
-            return Variant{exhibit.meant, Form::Published, &exhibit};
+    for (const Misprint& misprint : misprints())
+        if (misprint.key == key)
+            return Variant{misprint.meant, Form::Published, &misprint};
     const bool published = key.endsWith(publishedSuffix);
     const QString name = published ? key.chopped(publishedSuffix.size()) : key;
     const auto* algorithm = clipping::findAlgorithm(name.toStdString());
@@ -75,8 +75,8 @@ std::optional<Variant> findVariant(const QString& key)
 std::size_t clipAll(const Variant& variant, std::span<const Segment> in, const Window& window,
                     std::span<Clipped> out)
 {
-    return variant.exhibit
-               ? variant.exhibit->clipAll(in, window, out)
+    return variant.misprint
+               ? variant.misprint->clipAll(in, window, out)
                : clipping::usesOf(*variant.algorithm, variant.form)->clipAll(in, window, out);
 }
 

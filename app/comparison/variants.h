@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/variant.h"
-#include "app/comparison/exhibits/exhibit.h"
+#include "app/comparison/misprints/misprint.h"
 #include "app/comparison/ulps.h"
 
 namespace app {

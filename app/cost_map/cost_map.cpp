@@ -66,7 +66,7 @@ std::vector<Variant> costVariants(clipping::Form form)
 
 bool canMeasure(const Variant& variant, const CostMeasure& measure)
 {
-    return measure.isTime() || !variant.exhibit;
+    return measure.isTime() || !variant.misprint;
 }
 
 Window areaAround(const Window& window)

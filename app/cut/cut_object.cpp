@@ -2,7 +2,7 @@
 #include "app/cut/cut_object.h"
 
 #include "app/cut/runs.h"
-#include "app/document/line_ink.h"
+#include "app/document/line_colour.h"
 
 #include <algorithm>
 #include <iterator>
@@ -49,7 +49,7 @@ CutObject cutObject(const Object& object, double tolerance, std::span<const Chor
     if (result.whole)
         return result;
     Object outline = object;
-    outline.style.stroke = lineInk(object);
+    outline.style.stroke = lineColour(object);
     outline.style.fill.reset();
     result.left = objectsOfRuns(std::move(outline), std::move(runs));
     return result;

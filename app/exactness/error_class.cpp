@@ -30,7 +30,7 @@ QString number(double ulps)
                                     : ulpsText(ulps);
 }
 
-QString rightText(const Variant& variant, const TruthCounts& counts)
+QString rightText(const Variant& variant, const ErrorCounts& counts)
 {
     const std::size_t wrong = counts.classes.back(), all = counts.all();
     if (wrong == 0)
@@ -40,7 +40,7 @@ QString rightText(const Variant& variant, const TruthCounts& counts)
         .arg(nameOf(variant), countText(wrong), countText(all));
 }
 
-QStringList wrongTexts(const TruthCounts& counts)
+QStringList wrongTexts(const ErrorCounts& counts)
 {
     QStringList texts;
     const auto add = [&](std::size_t count, const QString& text) {
@@ -67,7 +67,7 @@ std::span<const ErrorClass> errorClasses()
     return all;
 }
 
-std::size_t errorClassOf(const LineTruth& line, Yardstick yardstick)
+std::size_t errorClassOf(const LineExactness& line, Yardstick yardstick)
 {
     const auto all = errorClasses();
     if (line.isWrong())
@@ -88,16 +88,16 @@ QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong)
     return sequentialColour(palest + (1 - palest) * double(errorClass) / double(last - 1), ground);
 }
 
-std::size_t TruthCounts::all() const
+std::size_t ErrorCounts::all() const
 {
     return std::accumulate(classes.begin(), classes.end(), std::size_t(0));
 }
 
-TruthCounts counted(const Truths& truths, Yardstick yardstick)
+ErrorCounts counted(const ExactnessResults& results, Yardstick yardstick)
 {
-    TruthCounts counts;
+    ErrorCounts counts;
     counts.classes.resize(errorClasses().size());
-    for (const LineTruth& line : truths.list) {
+    for (const LineExactness& line : results.list) {
         ++counts.classes[errorClassOf(line, yardstick)];
         counts.lost += line.fault == Fault::Lost;
         counts.invented += line.fault == Fault::Invented;
@@ -115,7 +115,7 @@ QString errorText(double ulps)
     return ulps == 1 ? Exactness::tr("1 ulp") : Exactness::tr("%1 ulps").arg(number(ulps));
 }
 
-QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick yardstick)
+QString sentence(const Variant& variant, const ErrorCounts& counts, Yardstick yardstick)
 {
     if (counts.all() == 0)
         return Exactness::tr("Nothing is visible here.");
@@ -132,7 +132,7 @@ QString sentence(const Variant& variant, const TruthCounts& counts, Yardstick ya
     return text;
 }
 
-QString verdictText(const LineTruth& line)
+QString verdictText(const LineExactness& line)
 {
     QStringList texts;
     switch (line.fault) {

@@ -22,9 +22,10 @@ bool isFinite(const dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y);
 double largest(const dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
 /// The true end that corresponds to an end of a piece.
-const TrueEnd& trueEnd(const TruePart& part, const Segment& piece, int end, const Variant& variant)
+const ExactEnd& exactEnd(const ExactPart& part, const Segment& piece, int end,
+                         const Variant& variant)
 {
-    const auto worse = [&](const TrueEnd& a, const TrueEnd& b) {
+    const auto worse = [&](const ExactEnd& a, const ExactEnd& b) {
         return std::max(largest(a.offOf(piece.a)), largest(b.offOf(piece.b)));
     };
     const bool turned =
@@ -74,18 +75,18 @@ std::optional<Magnified> magnified(const Variant& variant, const Segment& line,
                                    const Window& window, int end)
 {
     const auto piece = clipped(variant, line, window);
-    const auto part = truePart(line, window);
+    const auto part = exactPart(line, window);
     if ((!piece && !part) || (piece && !(isFinite(piece->a) && isFinite(piece->b))))
         return std::nullopt;
     Magnified seen{};
-    const TrueEnd* truth = nullptr;
+    const ExactEnd* exactness = nullptr;
     if (part)
-        truth = piece ? &trueEnd(*part, *piece, end, variant) : end == 0 ? &part->a : &part->b;
+        exactness = piece ? &exactEnd(*part, *piece, end, variant) : end == 0 ? &part->a : &part->b;
     seen.returned = piece.has_value();
-    seen.centre = piece ? (end == 0 ? piece->a : piece->b) : truth->nearest;
-    if (truth) {
-        seen.truth = -truth->offOf(seen.centre);
-        seen.nearest = truth->nearest - seen.centre;
+    seen.centre = piece ? (end == 0 ? piece->a : piece->b) : exactness->nearest;
+    if (exactness) {
+        seen.exactness = -exactness->offOf(seen.centre);
+        seen.nearest = exactness->nearest - seen.centre;
     }
     seen.direction = unit(line);
     if (seen.direction != dvec2{})

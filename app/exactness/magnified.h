@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/exactness/truth.h"
+#include "app/exactness/exactness.h"
 
 #include <vector>
 
@@ -12,13 +12,13 @@ namespace app {
 struct Magnified {
     glm::dvec2 centre;     ///< the algorithm's end, or the double nearest to the true end
     bool returned = false; ///< whether the algorithm returned it
-    std::optional<glm::dvec2> truth; ///< the true end; empty: nothing is truly visible
-    glm::dvec2 nearest{};            ///< the double nearest to the true end
-    glm::dvec2 direction;            ///< of the line, of length 1; a point has none
-    glm::dvec2 onLine;               ///< the point of the line nearest to the centre
-    clipping::Window window;         ///< the edges of the clip window
-    glm::dvec2 ulp;                  ///< of each coordinate at the centre
-    double largestUlp;               ///< of the largest |coordinate| of line and window
+    std::optional<glm::dvec2> exactness; ///< the true end; empty: nothing is truly visible
+    glm::dvec2 nearest{};                ///< the double nearest to the true end
+    glm::dvec2 direction;                ///< of the line, of length 1; a point has none
+    glm::dvec2 onLine;                   ///< the point of the line nearest to the centre
+    clipping::Window window;             ///< the edges of the clip window
+    glm::dvec2 ulp;                      ///< of each coordinate at the centre
+    double largestUlp;                   ///< of the largest |coordinate| of line and window
 };
 
 /// The first end (0) or the second (1) of what an algorithm returned; for a lost line, of the true

@@ -130,13 +130,13 @@ public:
     void paintEnds(const QString& name)
     {
         painter_.setBrush(Qt::NoBrush);
-        if (seen_.truth) {
+        if (seen_.exactness) {
             painter_.setPen(QPen(look_.chart.text, 1.5));
-            const QPointF truth = at(*seen_.truth);
-            painter_.drawEllipse(truth, 6, 6);
-            painter_.drawLine(truth - QPointF(10, 0), truth + QPointF(10, 0));
-            painter_.drawLine(truth - QPointF(0, 10), truth + QPointF(0, 10));
-            label(truth + QPointF(labelGap, labelGap + 12), Magnifier::tr("true end"),
+            const QPointF exactness = at(*seen_.exactness);
+            painter_.drawEllipse(exactness, 6, 6);
+            painter_.drawLine(exactness - QPointF(10, 0), exactness + QPointF(10, 0));
+            painter_.drawLine(exactness - QPointF(0, 10), exactness + QPointF(0, 10));
+            label(exactness + QPointF(labelGap, labelGap + 12), Magnifier::tr("true end"),
                   look_.chart.text);
             if (seen_.nearest != glm::dvec2{} || !seen_.returned) {
                 const QPointF nearest = at(seen_.nearest);
@@ -188,7 +188,7 @@ private:
     {
         const glm::dvec2 least = seen_.window.min, most = seen_.window.max;
         const bool outside = least.x > 0 || least.y > 0 || most.x < 0 || most.y < 0;
-        const QColor colour = outside || !seen_.truth ? look_.differs : look_.chosen;
+        const QColor colour = outside || !seen_.exactness ? look_.differs : look_.chosen;
         const QPointF end = at({0, 0});
         painter_.setPen(QPen(look_.chart.paper, 1.5));
         painter_.setBrush(colour);
@@ -239,9 +239,9 @@ MagnifierView usualView(const Magnified& seen, const QSizeF& size)
     const double side = std::max(80., std::min(size.width(), size.height()));
     double pixels = roomy / std::max(std::max(seen.ulp.x, seen.ulp.y), 1e-290);
     QPointF middle;
-    if (seen.truth && *seen.truth != glm::dvec2{}) {
-        pixels = std::min(pixels, 0.4 * side / largest(*seen.truth));
-        const glm::dvec2 half = *seen.truth / 2.0 * pixels;
+    if (seen.exactness && *seen.exactness != glm::dvec2{}) {
+        pixels = std::min(pixels, 0.4 * side / largest(*seen.exactness));
+        const glm::dvec2 half = *seen.exactness / 2.0 * pixels;
         middle = {-half.x, -half.y};
     }
     return {bounded(pixels, seen), middle};
@@ -277,13 +277,13 @@ QString magnifiedText(const Magnified& seen, const QString& name)
     const auto point = [](const glm::dvec2& p) {
         return Magnifier::tr("%1; %2", "coordinates").arg(inFull(p.x), inFull(p.y));
     };
-    if (!seen.truth)
+    if (!seen.exactness)
         return Magnifier::tr("%1 ends at %2, where truly nothing is visible.")
             .arg(name, point(seen.centre));
     if (!seen.returned)
         return Magnifier::tr("%1 shows nothing; the true end is nearest to %2.")
             .arg(name, point(seen.centre));
-    const glm::dvec2 off = glm::abs(*seen.truth);
+    const glm::dvec2 off = glm::abs(*seen.exactness);
     return Magnifier::tr("%1 ends at %2: off by %3 of x and %4 of y; the nearest doubles are %5.")
         .arg(name, point(seen.centre), errorText(off.x / seen.ulp.x), errorText(off.y / seen.ulp.y),
              point(seen.centre + seen.nearest));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
-#include "app/base/pace.h"
+#include "app/base/turn_progress.h"
 #include "app/comparison/variants.h"
 
 #include <QCoreApplication>
@@ -34,17 +34,17 @@ bool isInside(const Segment& s, const Window& w)
 /// Adds one block and returns the number of lines whose errors were measured. `meanUlps` holds
 /// their sum meanwhile.
 std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const Clipped> found,
-                  std::span<const Clipped> truth, const Window& window)
+                  std::span<const Clipped> exactPieces, const Window& window)
 {
     const Variant& who = to.variant;
     const Ends ends = endsOf(exactVariant(), {.algorithm = who.algorithm, .form = who.form});
     std::uint64_t agreed = 0, measured = 0;
-    auto next = truth.begin();
+    auto next = exactPieces.begin();
     for (const Clipped& line : found) {
         to.outside += !isInside(line.segment, window);
-        while (next != truth.end() && next->source < line.source)
+        while (next != exactPieces.end() && next->source < line.source)
             ++next;
-        if (next == truth.end() || next->source != line.source)
+        if (next == exactPieces.end() || next->source != line.source)
             continue;
         ++agreed;
         const double ulps =
@@ -55,8 +55,8 @@ std::uint64_t add(Accuracy& to, std::span<const Segment> lines, std::span<const 
         to.meanUlps += ulps;
         to.mostUlps = std::max(to.mostUlps, ulps);
     }
-    to.visible += truth.size();
-    to.lost += truth.size() - agreed;
+    to.visible += exactPieces.size();
+    to.lost += exactPieces.size() - agreed;
     to.shown += found.size() - agreed;
     return measured;
 }
@@ -93,23 +93,23 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
     const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
-    Pace pace(follower, double(blocks));
+    TurnProgress turns(follower, double(blocks));
     std::vector<std::uint64_t> measured(all.size());
     std::vector<Segment> lines;
-    std::vector<Clipped> truth, found;
+    std::vector<Clipped> exactPieces, found;
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
-        if (pace.stopped())
+        if (turns.stopped())
             return std::nullopt;
         lines.resize(std::min(blockSize, options.lines - done));
         source(lines);
-        clipInto(truth, exact, lines, window);
+        clipInto(exactPieces, exact, lines, window);
         for (Accuracy& row : all) {
-            if (pace.stopped())
+            if (turns.stopped())
                 return std::nullopt;
             clipInto(found, row.variant, lines, window);
-            measured[std::size_t(&row - all.data())] += add(row, lines, found, truth, window);
+            measured[std::size_t(&row - all.data())] += add(row, lines, found, exactPieces, window);
         }
-        pace.turnDone();
+        turns.turnDone();
     }
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].meanUlps /= double(std::max<std::uint64_t>(measured[i], 1));

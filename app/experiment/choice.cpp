@@ -28,7 +28,7 @@ ExperimentOptions optionsOf(const Choice& choice)
     options.runs = choice.runs.value_or(options.runs);
     options.seed = choice.seed;
     options.order = choice.order;
-    options.easel = choice.easel;
+    options.target = choice.target;
     return options;
 }
 
@@ -54,7 +54,7 @@ std::vector<PlannedTrial> trialsOf(const Choice& choice)
 std::vector<Measure> measuresOf(const Choice& choice)
 {
     std::vector<Measure> all = measures();
-    if (!choice.easel)
+    if (!choice.target)
         std::erase_if(all, [](const Measure& measure) { return measure.draws; });
     return all;
 }
@@ -155,20 +155,20 @@ Choice quick(Choice choice)
     return choice;
 }
 
-QString effortText(const Plan& plan, double pace)
+QString effortText(const Plan& plan, double durationRatio)
 {
     std::uint64_t lines = 0;
     for (const PlannedTrial& trial : plan.trials)
         lines += trial.options.lines * trial.options.runs * trial.variants.size();
     return Experiments::tr("Run: %1 lines to clip, about %2.")
-        .arg(countText(lines), durationText(pace * roughSeconds(plan)));
+        .arg(countText(lines), durationText(durationRatio * roughSeconds(plan)));
 }
 
-QString quickEffortText(const Choice& choice, double pace)
+QString quickEffortText(const Choice& choice, double durationRatio)
 {
     const auto plan = planOf(quick(choice));
     return plan ? Experiments::tr("Quick run: about %1.")
-                      .arg(durationText(pace * roughSeconds(*plan.value)))
+                      .arg(durationText(durationRatio * roughSeconds(*plan.value)))
                 : QString();
 }
 

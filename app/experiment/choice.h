@@ -33,7 +33,7 @@ struct Choice {
     Order order = Order::AsTheyCome;
     std::vector<clipping::Form> forms{clipping::Form::Published};
     std::vector<const clipping::Algorithm*> algorithms{}; ///< for a scene, not for the paper
-    EaselMaker easel = nullptr;                           ///< null: nothing is drawn
+    DrawTargetMaker target = nullptr;                     ///< null: nothing is drawn
     bool explained = true; ///< also explained by class, operations and accuracy
 };
 
@@ -48,11 +48,11 @@ QString leftOutText(const Choice& choice);
 /// The choice with 30,000 lines and as many runs as the tests for differences need: some seconds.
 Choice quick(Choice choice);
 
-/// "Run: 23,100,000 lines to clip, about 2 minutes." `pace`: measured ÷ estimated time of earlier
-/// runs on this machine.
-QString effortText(const Plan& plan, double pace = 1);
+/// "Run: 23,100,000 lines to clip, about 2 minutes." `durationRatio`: measured ÷ estimated time of
+/// earlier runs on this machine.
+QString effortText(const Plan& plan, double durationRatio = 1);
 
 /// "Quick run: about 6 s."
-QString quickEffortText(const Choice& choice, double pace);
+QString quickEffortText(const Choice& choice, double durationRatio);
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_lines.h"
 
-#include "app/base/pace.h"
+#include "app/base/turn_progress.h"
 
 #include <algorithm>
 
@@ -31,11 +31,11 @@ std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std
     const LineSource source = scene.begin(field, seed);
     const std::uint64_t last = scene.lines == 0 ? linesLookedThrough(most) : scene.lines;
     const std::uint64_t blocks = (last + block - 1) / block;
-    Pace pace(follower, double(blocks));
+    TurnProgress turns(follower, double(blocks));
     std::vector<clipping::Segment> some;
     std::uint64_t looked = 0;
     while (looked < last && !isEnough(all, most)) {
-        if (pace.stopped())
+        if (turns.stopped())
             return std::nullopt;
         some.resize(std::min(block, last - looked));
         source(some);
@@ -46,7 +46,7 @@ std::optional<All> lookedThrough(const TestScene& scene, const Field& field, std
             if (one.lines.size() < most)
                 one.lines.push_back(line);
         }
-        pace.turnDone();
+        turns.turnDone();
     }
     for (ClassLines& one : all)
         one.share /= double(looked);

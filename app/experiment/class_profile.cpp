@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_profile.h"
 
-#include "app/base/legs.h"
+#include "app/base/phased_progress.h"
 #include "app/experiment/one_by_one.h"
 
 #include <QCoreApplication>
@@ -20,7 +20,7 @@ std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipp
 {
     ExperimentOptions options = scene;
     options.lines = lines.size();
-    options.easel = nullptr;
+    options.target = nullptr;
     if (lines.empty())
         return Record{options, {}, {}, {}};
     options.scene = repeatedScene(scene.scene.name, std::move(lines));
@@ -95,14 +95,14 @@ std::optional<ClassProfile> classProfile(const ExperimentOptions& options,
     std::vector weights(1 + lineClasses.size(),
                         double((options.runs + options.warmUps) * variants.size()));
     weights.front() = 80;
-    Legs legs(follower, weights);
+    PhasedProgress phases(follower, weights);
     auto all = linesByClass(options.scene, options.field, options.seed, mostOfAClass(options),
-                            legs.next());
+                            phases.next());
     if (!all)
         return std::nullopt;
     for (ClassLines& one : *all) {
         auto lines = std::exchange(one.lines, {});
-        auto record = recordOf(options, std::move(lines), variants, legs.next());
+        auto record = recordOf(options, std::move(lines), variants, phases.next());
         if (!record)
             return std::nullopt;
         profile.classes.push_back({std::move(one), std::move(*record)});

@@ -2,8 +2,8 @@
 #include "app/experiment/experiment.h"
 
 #include "app/base/checksum.h"
-#include "app/base/dice.h"
-#include "app/base/pace.h"
+#include "app/base/random.h"
+#include "app/base/turn_progress.h"
 #include "app/base/vector_registers.h"
 #include "app/comparison/line_class.h"
 
@@ -42,18 +42,18 @@ private:
     void make(const LineSource& source, std::span<Segment> lines);
     void shuffle(std::span<Segment> lines) const;
     void sort(std::span<Segment> lines) const;
-    void tellTruth();
+    void findErrors();
     void turn(Timing& timing);
     double drawn(std::span<const Clipped> lines);
     void find(Timing& timing, std::span<const Clipped> pieces);
     void divide(std::size_t r);
 
     const ExperimentOptions& options_;
-    Pace pace_;
+    TurnProgress turns_;
     Block block_;
-    std::uint64_t first_ = 0;    ///< the number of the block's first line in the scene
-    std::vector<Clipped> truth_; ///< the exact pieces of the block, while findings are made
-    std::unique_ptr<Easel> easel_;
+    std::uint64_t first_ = 0;          ///< the number of the block's first line in the scene
+    std::vector<Clipped> exactPieces_; ///< the exact pieces of the block, while findings are made
+    std::unique_ptr<DrawTarget> target_;
     Clock drawClock_;
     std::vector<Timing> timings_;
     bool finding_ = false;
@@ -64,11 +64,11 @@ std::uint64_t blocksOf(std::uint64_t lines) { return (lines + blockSize - 1) / b
 Bench::Bench(const ExperimentOptions& options, std::span<const Variant> variants,
              const Follower& follower)
     : options_(options),
-      pace_(follower,
-            double((options.warmUps + options.runs) * blocksOf(options.lines) * variants.size())),
+      turns_(follower,
+             double((options.warmUps + options.runs) * blocksOf(options.lines) * variants.size())),
       block_({options.field.window, options.precision, options.threads}),
-      easel_(options.easel ? options.easel(options.field) : nullptr),
-      drawClock_(easel_ ? drawClock(options, *easel_) : options.clock)
+      target_(options.target ? options.target(options.field) : nullptr),
+      drawClock_(target_ ? drawClock(options, *target_) : options.clock)
 {
     for (const Variant& variant : variants)
         timings_.push_back({.variant = variant, .generate = {}, .clip = {}, .draw = {}});
@@ -82,13 +82,13 @@ bool Bench::run(std::size_t r)
     for (first_ = 0; first_ < options_.lines; first_ += blockSize) {
         fill(source);
         for (std::size_t i = 0; i < timings_.size(); ++i) {
-            if (pace_.stopped())
+            if (turns_.stopped())
                 return false;
             turn(timings_[(r + first_ / blockSize + i) % timings_.size()]);
-            pace_.turnDone();
+            turns_.turnDone();
         }
     }
-    if (pace_.stopped()) // during the last turn
+    if (turns_.stopped()) // during the last turn
         return false;
     divide(r);
     return true;
@@ -105,14 +105,14 @@ void Bench::fill(const LineSource& source)
 {
     block_.refill(std::min(blockSize, options_.lines - first_),
                   [&](std::span<Segment> lines) { make(source, lines); });
-    if (finding_ && !pace_.stopped())
-        tellTruth();
+    if (finding_ && !turns_.stopped())
+        findErrors();
 }
 
 void Bench::make(const LineSource& source, std::span<Segment> lines)
 {
     const double start = options_.clock.nanoseconds();
-    for (std::size_t at = 0; at < lines.size() && !pace_.stopped(); at += bit)
+    for (std::size_t at = 0; at < lines.size() && !turns_.stopped(); at += bit)
         source(lines.subspan(at, std::min(bit, lines.size() - at)));
     const double took = options_.clock.nanoseconds() - start;
     for (Timing& timing : timings_)
@@ -126,16 +126,16 @@ void Bench::make(const LineSource& source, std::span<Segment> lines)
 /// The same order on every machine and in every run.
 void Bench::shuffle(std::span<Segment> lines) const
 {
-    Dice dice(options_.seed);
-    for (std::size_t left = lines.size(); left > 1 && !pace_.stopped(); --left)
-        std::swap(lines[left - 1], lines[std::size_t(dice.between(0, double(left)))]);
+    Random random(options_.seed);
+    for (std::size_t left = lines.size(); left > 1 && !turns_.stopped(); --left)
+        std::swap(lines[left - 1], lines[std::size_t(random.between(0, double(left)))]);
 }
 
 /// Class by class, within a class in the generated order.
 void Bench::sort(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;
-    for (std::size_t at = 0; at < lines.size() && !pace_.stopped(); at += bit)
+    for (std::size_t at = 0; at < lines.size() && !turns_.stopped(); at += bit)
         for (const Segment& line : lines.subspan(at, std::min(bit, lines.size() - at)))
             classes[std::size_t(lineClassOf(line, options_.field.window))].push_back(line);
     auto to = lines.begin();
@@ -143,11 +143,11 @@ void Bench::sort(std::span<Segment> lines) const
         to = std::ranges::copy(some, to).out;
 }
 
-void Bench::tellTruth()
+void Bench::findErrors()
 {
-    truth_.resize(block_.lines().size());
-    truth_.resize(
-        clipping::exactAlgorithm().corrected.clipAll(block_.lines(), block_.window(), truth_));
+    exactPieces_.resize(block_.lines().size());
+    exactPieces_.resize(clipping::exactAlgorithm().corrected.clipAll(
+        block_.lines(), block_.window(), exactPieces_));
 }
 
 void Bench::turn(Timing& timing)
@@ -157,8 +157,8 @@ void Bench::turn(Timing& timing)
     const std::size_t visible = block_.clip(timing.variant);
     timing.clip.back() += options_.clock.nanoseconds() - start;
     const auto pieces = block_.pieces(visible);
-    if (easel_) {
-        easel_->wipe();
+    if (target_) {
+        target_->wipe();
         timing.draw.back() += drawn(pieces);
     }
     if (finding_)
@@ -169,16 +169,16 @@ void Bench::turn(Timing& timing)
 double Bench::drawn(std::span<const Clipped> lines)
 {
     const double start = drawClock_.nanoseconds();
-    for (; !lines.empty() && !pace_.stopped(); lines = lines.subspan(std::min(bit, lines.size())))
-        easel_->draw(lines.first(std::min(bit, lines.size())));
+    for (; !lines.empty() && !turns_.stopped(); lines = lines.subspan(std::min(bit, lines.size())))
+        target_->draw(lines.first(std::min(bit, lines.size())));
     return drawClock_.nanoseconds() - start;
 }
 
 void Bench::find(Timing& timing, std::span<const Clipped> pieces)
 {
-    timing.found = added(timing.found, pieces, truth_, block_.window(), first_);
-    if (easel_)
-        timing.pixels = mixed(timing.pixels ^ easel_->checksum());
+    timing.found = added(timing.found, pieces, exactPieces_, block_.window(), first_);
+    if (target_)
+        timing.pixels = mixed(timing.pixels ^ target_->checksum());
 }
 
 void Bench::divide(std::size_t r)
@@ -189,14 +189,14 @@ void Bench::divide(std::size_t r)
             if (r < options_.warmUps)
                 times->pop_back();
         }
-    truth_ = {};
+    exactPieces_ = {};
 }
 
 } // namespace
 
-Clock drawClock(const ExperimentOptions& options, const Easel& easel)
+Clock drawClock(const ExperimentOptions& options, const DrawTarget& target)
 {
-    return easel.drawsElsewhere() ? wallClock() : options.clock;
+    return target.drawsElsewhere() ? wallClock() : options.clock;
 }
 
 std::vector<Measure> measures()

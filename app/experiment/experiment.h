@@ -5,7 +5,7 @@
 #include "app/base/progress.h"
 #include "app/base/statistics.h"
 #include "app/experiment/block.h"
-#include "app/experiment/easel.h"
+#include "app/experiment/draw_target.h"
 #include "app/experiment/findings.h"
 #include "app/experiment/order.h"
 
@@ -19,7 +19,7 @@ struct ExperimentOptions {
     std::size_t warmUps = 1;         ///< whole runs that are not counted, at least one
     std::uint64_t seed = 1;
     Order order = Order::AsTheyCome;
-    EaselMaker easel = nullptr;              ///< makes the draw target; null: nothing is drawn
+    DrawTargetMaker target = nullptr;        ///< makes the draw target; null: nothing is drawn
     Precision precision = Precision::Double; ///< single: corrected forms only
     std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
     Clock clock = processorClock();          ///< the wall clock if there are several threads
@@ -27,7 +27,7 @@ struct ExperimentOptions {
 
 /// The clock for drawing: that of the options, or the wall clock if the draw target draws
 /// elsewhere.
-Clock drawClock(const ExperimentOptions& options, const Easel& easel);
+Clock drawClock(const ExperimentOptions& options, const DrawTarget& target);
 
 /// What one variant needed and found. Times are nanoseconds per line, one number per run.
 struct Timing {

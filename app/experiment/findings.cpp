@@ -28,21 +28,21 @@ std::uint64_t checksumOf(const clipping::Clipped& line, double step, std::uint64
 } // namespace
 
 Findings added(Findings so, std::span<const clipping::Clipped> found,
-               std::span<const clipping::Clipped> truth, const clipping::Window& window,
+               std::span<const clipping::Clipped> exactPieces, const clipping::Window& window,
                std::uint64_t first)
 {
     const double step = stepFor(window);
     std::uint64_t agreed = 0;
-    auto next = truth.begin();
+    auto next = exactPieces.begin();
     for (const clipping::Clipped& line : found) {
         so.checksum += checksumOf(line, step, first);
-        while (next != truth.end() && next->source < line.source)
+        while (next != exactPieces.end() && next->source < line.source)
             ++next;
-        agreed += next != truth.end() && next->source == line.source;
+        agreed += next != exactPieces.end() && next->source == line.source;
     }
     so.visible += found.size();
     so.shown += found.size() - agreed;
-    so.lost += truth.size() - agreed;
+    so.lost += exactPieces.size() - agreed;
     return so;
 }
 

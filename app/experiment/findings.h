@@ -21,10 +21,10 @@ struct Findings {
     friend bool operator==(const Findings&, const Findings&) = default;
 };
 
-/// Adds the findings of one block, whose first line is number `first` of the scene. `truth` is what
-/// is truly visible; both are in the order of the lines.
+/// Adds the findings of one block, whose first line is number `first` of the scene. `exactPieces`
+/// is what is truly visible; both are in the order of the lines.
 Findings added(Findings so, std::span<const clipping::Clipped> found,
-               std::span<const clipping::Clipped> truth, const clipping::Window& window,
+               std::span<const clipping::Clipped> exactPieces, const clipping::Window& window,
                std::uint64_t first);
 
 } // namespace app

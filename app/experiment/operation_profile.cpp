@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/operation_profile.h"
 
-#include "app/base/pace.h"
+#include "app/base/turn_progress.h"
 
 #include <QCoreApplication>
 
@@ -35,12 +35,12 @@ LinesByClass divided(std::span<const clipping::Segment> lines, const clipping::W
     return classes;
 }
 
-void count(OperationProfile& profile, const LinesByClass& classes, const Pace& pace)
+void count(OperationProfile& profile, const LinesByClass& classes, const TurnProgress& turns)
 {
     for (std::size_t c = 0; c < classes.size(); ++c) {
         profile.mix[c] += classes[c].size();
         for (auto& [variant, byClass] : profile.rows) {
-            if (pace.stopped())
+            if (turns.stopped())
                 return;
             const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
             byClass[c] = sum(byClass[c], uses.count(classes[c], profile.options.field.window));
@@ -81,17 +81,17 @@ std::optional<OperationProfile> operationProfile(const ExperimentOptions& option
         profile.rows.push_back({variant, {}});
     const LineSource source = options.scene.begin(options.field, options.seed);
     const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
-    Pace pace(follower, double(blocks));
+    TurnProgress turns(follower, double(blocks));
     std::vector<clipping::Segment> lines;
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
-        if (pace.stopped())
+        if (turns.stopped())
             return std::nullopt;
         lines.resize(std::min(blockSize, options.lines - done));
         source(lines);
-        count(profile, divided(lines, options.field.window), pace);
-        pace.turnDone();
+        count(profile, divided(lines, options.field.window), turns);
+        turns.turnDone();
     }
-    if (pace.stopped())
+    if (turns.stopped())
         return std::nullopt;
     return profile;
 }

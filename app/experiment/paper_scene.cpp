@@ -6,8 +6,8 @@ namespace app {
 void PaperScene::fill(std::span<clipping::Segment> lines)
 {
     for (clipping::Segment& line : lines) {
-        line.a = dice_.in(space_);
-        line.b = dice_.in(space_);
+        line.a = random_.in(space_);
+        line.b = random_.in(space_);
     }
 }
 

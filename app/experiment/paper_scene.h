@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/dice.h"
+#include "app/base/random.h"
 
 #include <span>
 
@@ -16,7 +16,7 @@ constexpr clipping::Window paperWindow{{-100, -75}, {100, 75}};
 class PaperScene {
 public:
     explicit PaperScene(std::uint64_t seed, const clipping::Window& space = paperSpace)
-        : dice_(seed), space_(space)
+        : random_(seed), space_(space)
     {
     }
 
@@ -24,7 +24,7 @@ public:
     void fill(std::span<clipping::Segment> lines);
 
 private:
-    Dice dice_;
+    Random random_;
     clipping::Window space_;
 };
 

@@ -24,12 +24,12 @@ QString hexadecimal(std::uint64_t checksum)
 }
 
 /// "OpenGL 4.5, llvmpipe; wall clock"
-QString easelText(const ExperimentOptions& options, const Easel& easel)
+QString drawTargetText(const ExperimentOptions& options, const DrawTarget& target)
 {
-    const Clock clock = drawClock(options, easel);
+    const Clock clock = drawClock(options, target);
     return clock.name == options.clock.name
-               ? easel.name()
-               : easel.name() + QStringLiteral("; clock: ") + clock.name;
+               ? target.name()
+               : target.name() + QStringLiteral("; clock: ") + clock.name;
 }
 
 QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ranking,
@@ -59,16 +59,16 @@ std::optional<Record> recorded(const ExperimentOptions& options, std::span<const
 {
     ExperimentOptions asked = options;
     QString drew; // the draw target used, which may not be the requested one
-    if (options.easel)
-        asked.easel = [&](const Field& field) {
-            auto easel = options.easel(field);
-            drew = easelText(options, *easel);
-            return easel;
+    if (options.target)
+        asked.target = [&](const Field& field) {
+            auto target = options.target(field);
+            drew = drawTargetText(options, *target);
+            return target;
         };
     auto timings = experiment(asked, variants, follower);
     if (!timings)
         return std::nullopt;
-    asked.easel = nullptr; // a record does not draw any more
+    asked.target = nullptr; // a record does not draw any more
     return Record{std::move(asked), drew, circumstances(), std::move(*timings)};
 }
 
@@ -122,8 +122,8 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
     facts.emplace_back("runs", QString::number(options.runs));
     facts.emplace_back("warmup", QString::number(options.warmUps));
     facts.emplace_back("clock", options.clock.name);
-    if (!record.easel.isEmpty())
-        facts.emplace_back("drawn", record.easel);
+    if (!record.target.isEmpty())
+        facts.emplace_back("drawn", record.target);
     facts.insert(facts.end(), record.circumstances.begin(), record.circumstances.end());
     return facts;
 }

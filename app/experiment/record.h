@@ -10,7 +10,7 @@ namespace app {
 /// What was measured, how, and on which machine: everything that tables, charts and reports show.
 struct Record {
     ExperimentOptions options;
-    QString easel; ///< the draw target, and its clock if another; empty: nothing was drawn
+    QString target; ///< the draw target, and its clock if another; empty: nothing was drawn
     std::vector<std::pair<QString, QString>> circumstances;
     std::vector<Timing> timings;
 };

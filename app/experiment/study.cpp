@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/study.h"
 
-#include "app/base/legs.h"
+#include "app/base/phased_progress.h"
 #include "app/experiment/class_lines.h"
 #include "app/experiment/one_by_one.h"
 
@@ -53,7 +53,7 @@ double pixelsOf(const PlannedTrial& trial)
 double weightOf(const PlannedTrial& trial)
 {
     const double each = double(trial.variants.size());
-    const double make = 40, find = 20, draw = trial.options.easel ? 20 + 50 * pixelsOf(trial) : 0;
+    const double make = 40, find = 20, draw = trial.options.target ? 20 + 50 * pixelsOf(trial) : 0;
     return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
            * (make + operationsOf(trial) + each * (find + draw));
 }
@@ -85,16 +85,16 @@ std::vector<double> weightsOf(const Plan& plan)
     return weights;
 }
 
-std::optional<Explanation> explanationOf(const PlannedTrial& trial, Legs& legs)
+std::optional<Explanation> explanationOf(const PlannedTrial& trial, PhasedProgress& phases)
 {
-    auto classes = classProfile(trial.options, trial.variants, legs.next());
+    auto classes = classProfile(trial.options, trial.variants, phases.next());
     if (!classes)
         return std::nullopt;
     const auto once = withoutOneByOne(trial.variants);
-    auto operations = operationProfile(trial.options, once, legs.next());
+    auto operations = operationProfile(trial.options, once, phases.next());
     if (!operations)
         return std::nullopt;
-    auto right = accuracies(trial.options, once, legs.next());
+    auto right = accuracies(trial.options, once, phases.next());
     if (!right)
         return std::nullopt;
     return Explanation{std::move(*classes), std::move(*operations), std::move(*right)};
@@ -160,10 +160,10 @@ double roughSeconds(const Plan& plan)
 
 std::optional<Study> study(const Plan& plan, const Follower& follower)
 {
-    Legs legs(follower, weightsOf(plan));
+    PhasedProgress phases(follower, weightsOf(plan));
     Study study{.measures = plan.measures, .trials = {}};
     for (const PlannedTrial& trial : plan.trials) {
-        auto record = recorded(trial.options, trial.variants, legs.next());
+        auto record = recorded(trial.options, trial.variants, phases.next());
         if (!record)
             return std::nullopt;
         study.trials.push_back({trial.paper, std::move(*record)});
@@ -171,7 +171,7 @@ std::optional<Study> study(const Plan& plan, const Follower& follower)
     if (drewNothing(study) && study.measures.size() > 1)
         std::erase_if(study.measures, tellsOfDrawingAlone);
     if (plan.explained) {
-        study.explanation = explanationOf(*plan.explained, legs);
+        study.explanation = explanationOf(*plan.explained, phases);
         if (!study.explanation)
             return std::nullopt;
     }

@@ -23,59 +23,59 @@ struct Scenes {
     Q_DECLARE_TR_FUNCTIONS(Scenes)
 };
 
-glm::dvec2 direction(Dice& dice)
+glm::dvec2 direction(Random& random)
 {
-    const double angle = dice.between(0, 2 * std::numbers::pi);
+    const double angle = random.between(0, 2 * std::numbers::pi);
     return {std::cos(angle), std::sin(angle)};
 }
 
 glm::dvec2 sizeOf(const Window& window) { return window.max - window.min; }
 
-Segment inside(Dice& dice, const Field& field)
+Segment inside(Random& random, const Field& field)
 {
-    const glm::dvec2 a = dice.in(field.window);
-    return {a, dice.in(field.window)};
+    const glm::dvec2 a = random.in(field.window);
+    return {a, random.in(field.window)};
 }
 
 /// Both ends beyond the same edge.
-Segment rejected(Dice& dice, const Field& field)
+Segment rejected(Random& random, const Field& field)
 {
     Window beyond = field.space;
-    const bool low = dice.heads(), vertical = dice.heads();
+    const bool low = random.heads(), vertical = random.heads();
     auto& near = low ? beyond.max : beyond.min;
     const auto& edge = low ? field.window.min : field.window.max;
     (vertical ? near.x : near.y) = vertical ? edge.x : edge.y;
-    const glm::dvec2 a = dice.in(beyond);
-    return {a, dice.in(beyond)};
+    const glm::dvec2 a = random.in(beyond);
+    return {a, random.in(beyond)};
 }
 
 /// From one end in the space through a point of the window, continued by a random length.
-Segment crossing(Dice& dice, const Field& field)
+Segment crossing(Random& random, const Field& field)
 {
-    const glm::dvec2 a = dice.in(field.space);
-    const glm::dvec2 b = a + (dice.in(field.window) - a) * dice.between(1, 3);
+    const glm::dvec2 a = random.in(field.space);
+    const glm::dvec2 b = a + (random.in(field.window) - a) * random.between(1, 3);
     return {a, glm::clamp(b, field.space.min, field.space.max)};
 }
 
 /// Past a corner, at a distance between a tenth and a billionth of the window.
-Segment nearMiss(Dice& dice, const Field& field)
+Segment nearMiss(Random& random, const Field& field)
 {
-    const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
+    const double side = random.heads() ? 1 : -1, up = random.heads() ? 1 : -1;
     const glm::dvec2 outward{side, up}, size = sizeOf(field.window);
     const glm::dvec2 corner = glm::mix(field.window.min, field.window.max, 0.5 * (outward + 1.0));
-    const glm::dvec2 off = corner + outward * size * std::pow(10, dice.between(-9, -1));
-    glm::dvec2 a = dice.in(field.space);
+    const glm::dvec2 off = corner + outward * size * std::pow(10, random.between(-9, -1));
+    glm::dvec2 a = random.in(field.space);
     a.y = off.y + up * std::abs(a.y - off.y);
-    return {a, off + (off - a) * dice.between(0, 3)};
+    return {a, off + (off - a) * random.between(0, 3)};
 }
 
 /// A thousand times as long as the space is wide, near the window.
-Segment longLine(Dice& dice, const Field& field)
+Segment longLine(Random& random, const Field& field)
 {
-    const glm::dvec2 size = sizeOf(field.window), around = dice.in({-size, size});
+    const glm::dvec2 size = sizeOf(field.window), around = random.in({-size, size});
     const glm::dvec2 middle = 0.5 * (field.window.min + field.window.max) + around;
-    const glm::dvec2 whole = 1000 * sizeOf(field.space).x * direction(dice);
-    const double at = dice.between(0, 1);
+    const glm::dvec2 whole = 1000 * sizeOf(field.space).x * direction(random);
+    const double at = random.between(0, 1);
     return {middle - whole * at, middle + whole * (1 - at)};
 }
 
@@ -108,14 +108,14 @@ bool isAnything(const Segment&, const Field&) { return true; }
 
 /// For windows with so little room around them that a near miss is rare: around a corner, from
 /// beyond one edge to beyond the next.
-Segment roundCorner(Dice& dice, const Field& field)
+Segment roundCorner(Random& random, const Field& field)
 {
-    const double side = dice.heads() ? 1 : -1, up = dice.heads() ? 1 : -1;
+    const double side = random.heads() ? 1 : -1, up = random.heads() ? 1 : -1;
     const glm::dvec2 share = 0.5 * (glm::dvec2{side, up} + 1.0);
     const glm::dvec2 corner = glm::mix(field.window.min, field.window.max, share);
     const glm::dvec2 room = glm::mix(field.space.min, field.space.max, share) - corner;
-    const double far = dice.between(0.1, 1),
-                 back = far * dice.between(0, 0.9); // back < far: past the corner
+    const double far = random.between(0.1, 1),
+                 back = far * random.between(0, 0.9); // back < far: past the corner
     const glm::dvec2 out = corner + far * room;
     const glm::dvec2 in =
         corner - back * glm::sign(room) * glm::min(glm::abs(room), sizeOf(field.window));
@@ -123,14 +123,14 @@ Segment roundCorner(Dice& dice, const Field& field)
 }
 
 /// For such windows, too: from beyond one edge to beyond the opposite one.
-Segment across(Dice& dice, const Field& field)
+Segment across(Random& random, const Field& field)
 {
     const auto& [space, window] = field;
-    if (dice.heads())
-        return {dice.in({{space.min.x, window.min.y}, {window.min.x, window.max.y}}),
-                dice.in({{window.max.x, window.min.y}, {space.max.x, window.max.y}})};
-    return {dice.in({{window.min.x, space.min.y}, {window.max.x, window.min.y}}),
-            dice.in({{window.min.x, window.max.y}, {window.max.x, space.max.y}})};
+    if (random.heads())
+        return {random.in({{space.min.x, window.min.y}, {window.min.x, window.max.y}}),
+                random.in({{window.max.x, window.min.y}, {space.max.x, window.max.y}})};
+    return {random.in({{window.min.x, space.min.y}, {window.max.x, window.min.y}}),
+            random.in({{window.min.x, window.max.y}, {window.max.x, space.max.y}})};
 }
 
 /// Lines from `line` that satisfy `wanted` (rounding alone can violate it). After a thousand tries
@@ -139,7 +139,7 @@ Segment across(Dice& dice, const Field& field)
 template <auto line, auto wanted, auto tight>
 class Made {
 public:
-    Made(const Field& field, std::uint64_t seed) : field_(field), dice_(seed) {}
+    Made(const Field& field, std::uint64_t seed) : field_(field), random_(seed) {}
     void operator()(std::span<Segment> lines)
     {
         for (Segment& one : lines)
@@ -153,13 +153,13 @@ private:
         static constexpr std::array ways{line, tight};
         for (; way_ < ways.size(); ++way_)
             for (int tries = 0; tries < most; ++tries)
-                if (const Segment one = ways[way_](dice_, field_); wanted(one, field_))
+                if (const Segment one = ways[way_](random_, field_); wanted(one, field_))
                     return one;
-        return tight(dice_, field_);
+        return tight(random_, field_);
     }
 
     Field field_;
-    Dice dice_;
+    Random random_;
     std::size_t way_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 constexpr std::array kinds{std::pair{Ruling::Endless, "An algorithm never ends"},
                            std::pair{Ruling::Lost, "Something visible is lost"},

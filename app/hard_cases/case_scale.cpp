@@ -94,11 +94,11 @@ void CaseScale::spread(const HardCase& hard)
     const Real span =
         std::max(x_.levels.back() - x_.levels.front(), y_.levels.back() - y_.levels.front());
     const Real window = std::max(std::abs(Real(max.x) - min.x), std::abs(Real(max.y) - min.y));
-    isTrue_ = std::isfinite(span) && !(span > mostSpan * window && window > 0);
+    isToScale_ = std::isfinite(span) && !(span > mostSpan * window && window > 0);
     for (const Axis* axis : {&x_, &y_})
         for (std::size_t i = 1; i < axis->levels.size(); ++i)
-            isTrue_ = isTrue_ && axis->levels[i] - axis->levels[i - 1] >= leastGap * span;
-    if (!isTrue_) {
+            isToScale_ = isToScale_ && axis->levels[i] - axis->levels[i - 1] >= leastGap * span;
+    if (!isToScale_) {
         rank(x_, min.x, max.x);
         rank(y_, min.y, max.y);
         return;

@@ -16,7 +16,7 @@ public:
     /// The scale for the case and, if given, an answer (NaNs and infinities are left out).
     explicit CaseScale(const HardCase& hard, const CaseAnswer* answer = nullptr);
 
-    bool isTrue() const { return isTrue_; }
+    bool isToScale() const { return isToScale_; }
     /// The used part of the picture: all of it, unless the scale is true.
     QRectF extent() const;
     /// The position of one of the case's or the answer's numbers; interpolated between them.
@@ -36,7 +36,7 @@ private:
 
     Axis x_, y_;
     std::vector<QPointF> way_;
-    bool isTrue_ = true;
+    bool isToScale_ = true;
 };
 
 } // namespace app

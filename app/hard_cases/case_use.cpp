@@ -14,14 +14,14 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 // The extents of drawings that a canvas can show and zoom to, in user units.
 constexpr double leastExtent = 1e-6, mostExtent = 1e12;
 
 } // namespace
 
-Specimen specimenOf(const HardCase& hard, const Variant& variant)
+TracedLine tracedLineOf(const HardCase& hard, const Variant& variant)
 {
     return {.variant = variant,
             .line = hard.line,
@@ -65,7 +65,7 @@ Variant firstToLookAt(const HardCase& hard)
     const auto interest = [](const CaseAnswer& answer) {
         if (answer.good())
             return -1.0;
-        if (answer.variant.exhibit)
+        if (answer.variant.misprint)
             return -0.5;
         return answer.ruling == Ruling::Endless
                    ? mostExtent

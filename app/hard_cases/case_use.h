@@ -4,14 +4,14 @@
 #include "app/base/result.h"
 #include "app/document/document.h"
 #include "app/hard_cases/hard_case.h"
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 // How other parts of the program use a hard case.
 
 namespace app {
 
-/// The specimen for the microscope, y up.
-Specimen specimenOf(const HardCase& hard, const Variant& variant);
+/// The traced line for the microscope, y up.
+TracedLine tracedLineOf(const HardCase& hard, const Variant& variant);
 
 /// A drawing of the line with its window, with exactly the same numbers, so that y points down. Or
 /// a sentence that says why this is impossible.

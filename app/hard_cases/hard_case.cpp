@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::array<double, 4>;
 
-QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 QString translated(const QJsonObject& entry, QLatin1StringView field)
 {
@@ -47,9 +47,9 @@ QString fill(HardCase& hard, const QJsonObject& entry)
 {
     const auto line = numbers(entry[QLatin1StringView("line")]);
     const auto window = numbers(entry[QLatin1StringView("window")]);
-    const QJsonValue truth = entry[QLatin1StringView("visible")];
-    const auto visible = numbers(truth);
-    if (!line || !window || (!truth.isNull() && !visible))
+    const QJsonValue visibleJson = entry[QLatin1StringView("visible")];
+    const auto visible = numbers(visibleJson);
+    if (!line || !window || (!visibleJson.isNull() && !visible))
         return QStringLiteral("line, window, visible");
     hard.line = {{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}};
     hard.window = {{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}};
@@ -67,7 +67,7 @@ QString fill(HardCase& hard, const QJsonObject& entry)
 
 std::vector<HardCase> ownCases()
 {
-    QFile file(QStringLiteral(":/zoo/zoo.json"));
+    QFile file(QStringLiteral(":/hard_cases/hard_cases.json"));
     if (!file.open(QIODevice::ReadOnly))
         return {};
     return readHardCases(file.readAll()).value.value_or(std::vector<HardCase>{});

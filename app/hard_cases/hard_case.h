@@ -8,7 +8,8 @@
 
 namespace app {
 
-/// One entry of resources/zoo/zoo.json: a line and a window at which algorithms fail or failed.
+/// One entry of resources/hard_cases/hard_cases.json: a line and a window at which algorithms fail
+/// or failed.
 struct HardCase {
     QString key;    ///< "plotink-40"
     QString title;  ///< "A plotter that never starts"

@@ -24,7 +24,7 @@ public:
     {
         const double around = std::max(16 * unit_, margin * std::min(area.width(), area.height()));
         picture_ = area.adjusted(around, around, -around, -around);
-        if (!scale_.isTrue())
+        if (!scale_.isToScale())
             return;
         const QRectF used = scale_.extent();
         const double side = std::min(picture_.width() / std::max(used.width(), 1e-3),
@@ -157,7 +157,7 @@ void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
 
 bool isToScale(const HardCase& hard, const CaseAnswer* answer)
 {
-    return CaseScale(hard, answer).isTrue();
+    return CaseScale(hard, answer).isToScale();
 }
 
 } // namespace app

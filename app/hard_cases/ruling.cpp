@@ -3,7 +3,7 @@
 
 #include "app/hard_cases/hard_case.h"
 #include "app/teaching/line_text.h"
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -19,7 +19,7 @@ using clipping::Window;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("zoo", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 constexpr std::array<const char*, 8> keys{"right",   "allowed", "lost",         "shown",
                                           "outside", "moved",   "not-a-number", "endless"};
@@ -41,7 +41,7 @@ double beyond(const Segment& piece, const Window& w)
 
 bool isEndless(const Variant& variant, const HardCase& hard)
 {
-    return !variant.exhibit
+    return !variant.misprint
            && clipping::usesOf(*variant.algorithm, variant.form)
                       ->trace(hard.line, hard.window)
                       .outcome

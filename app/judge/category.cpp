@@ -110,29 +110,29 @@ Questions smallWindows(const Scope&)
 // ---- Any numbers ----
 
 /// The part of the axis in region 0, 1 or 2: before, in and after the window.
-double inRegion(Dice& dice, int region, double low, double high)
+double inRegion(Random& random, int region, double low, double high)
 {
     const double size = high - low;
-    return region == 1 ? dice.between(low, high)
-                       : dice.between(region == 0 ? low - 1.5 * size : high,
-                                      region == 0 ? low : high + 1.5 * size);
+    return region == 1 ? random.between(low, high)
+                       : random.between(region == 0 ? low - 1.5 * size : high,
+                                        region == 0 ? low : high + 1.5 * size);
 }
 
-glm::dvec2 inRegion(Dice& dice, int region, const Window& w)
+glm::dvec2 inRegion(Random& random, int region, const Window& w)
 {
-    const double x = inRegion(dice, region % 3, w.min.x, w.max.x);
-    return {x, inRegion(dice, region / 3, w.min.y, w.max.y)};
+    const double x = inRegion(random, region % 3, w.min.x, w.max.x);
+    return {x, inRegion(random, region / 3, w.min.y, w.max.y)};
 }
 
 Questions regionPairs(const Scope& scope)
 {
     Questions all;
-    Dice dice(scope.seed);
+    Random random(scope.seed);
     for (const Window& w : {paperWindow, awayWindow})
         for (int pair = 0; pair < 81; ++pair)
             for (std::size_t i = 0; i < linesOfAPair; ++i) {
-                const auto a = inRegion(dice, pair % 9, w);
-                all.push_back({{a, inRegion(dice, pair / 9, w)}, w});
+                const auto a = inRegion(random, pair % 9, w);
+                all.push_back({{a, inRegion(random, pair / 9, w)}, w});
             }
     return all;
 }
@@ -142,12 +142,12 @@ Questions regionPairs(const Scope& scope)
 Questions directions(const Scope& scope)
 {
     Questions all;
-    Dice dice(scope.seed + 1);
+    Random random(scope.seed + 1);
     for (const Window& w : {paperWindow, awayWindow})
         for (std::size_t i = 0; i < someLines; ++i) {
             const auto middle = (w.min + w.max) / 2.0, reach = w.max - w.min;
-            Segment line{dice.in({middle - reach, middle + reach}),
-                         dice.in({middle - reach, middle + reach})};
+            Segment line{random.in({middle - reach, middle + reach}),
+                         random.in({middle - reach, middle + reach})};
             if (i % 4 < 2)
                 line.b[int(i % 4)] = line.a[int(i % 4)];
             all.push_back({line, w});
@@ -174,39 +174,39 @@ void addTenths(Questions& to)
 Questions nearCorners(const Scope& scope)
 {
     Questions all;
-    Dice dice(scope.seed + 2);
+    Random random(scope.seed + 2);
     const Window& w = paperWindow;
     for (std::size_t i = 0; i < 4 * someLines; ++i) {
-        const double right = dice.heads() ? 1 : -1, top = dice.heads() ? 1 : -1;
+        const double right = random.heads() ? 1 : -1, top = random.heads() ? 1 : -1;
         const glm::dvec2 corner{right * w.max.x, top * w.max.y};
-        const double off = std::exp2(dice.between(-36, -4)) * (dice.heads() ? 1 : -1);
+        const double off = std::exp2(random.between(-36, -4)) * (random.heads() ? 1 : -1);
         const glm::dvec2 past = corner + off * glm::dvec2(right, top);
-        const glm::dvec2 way{dice.between(1, 90) * right, -dice.between(1, 90) * top};
-        all.push_back({{past - way, past + dice.between(0.5, 2) * way}, w});
+        const glm::dvec2 way{random.between(1, 90) * right, -random.between(1, 90) * top};
+        all.push_back({{past - way, past + random.between(0.5, 2) * way}, w});
     }
     addTenths(all);
     return all;
 }
 
-void addScaled(Questions& to, Dice& dice, double scale)
+void addScaled(Questions& to, Random& random, double scale)
 {
     for (std::size_t i = 0; i < someLines; ++i)
-        to.push_back({{scale * dice.in(paperSpace), scale * dice.in(paperSpace)},
+        to.push_back({{scale * random.in(paperSpace), scale * random.in(paperSpace)},
                       {scale * paperWindow.min, scale * paperWindow.max}});
 }
 
 Questions sizes(const Scope& scope)
 {
     Questions all;
-    Dice dice(scope.seed + 3);
+    Random random(scope.seed + 3);
     for (const int power : {100, 30, -30, -100})
-        addScaled(all, dice, std::exp2(power));
+        addScaled(all, random, std::exp2(power));
     if (scope.strictness == Strictness::Clearcuts)
         for (const int power : {1010, 520, -520, -1060})
-            addScaled(all, dice, std::exp2(power));
+            addScaled(all, random, std::exp2(power));
     for (std::size_t i = 0; i < someLines; ++i) { // lines to ends far from the window
         const Window far{1e9 * paperSpace.min, 1e9 * paperSpace.max};
-        all.push_back({{dice.in(paperWindow), dice.in(far)}, paperWindow});
+        all.push_back({{random.in(paperWindow), random.in(far)}, paperWindow});
     }
     return all;
 }
@@ -233,7 +233,7 @@ Questions nonsense(const Scope&)
     return all;
 }
 
-Questions random(const Scope& scope)
+Questions randomLines(const Scope& scope)
 {
     std::vector<Segment> lines(scope.randomLines);
     PaperScene(scope.seed).fill(lines);
@@ -256,9 +256,9 @@ Questions again(const Scope& scope)
         for (std::size_t i = 0; i < first.size(); i += step)
             all.push_back(first[i]);
     }
-    Dice dice(scope.seed + 4);
+    Random random(scope.seed + 4);
     for (std::size_t left = all.size(); left > 1; --left)
-        std::swap(all[left - 1], all[std::size_t(dice.between(0, double(left)))]);
+        std::swap(all[left - 1], all[std::size_t(random.between(0, double(left)))]);
     return all;
 }
 
@@ -292,14 +292,15 @@ std::span<const Category> categories()
         {"nonsense", PlugIn::tr("Nonsense"),
          PlugIn::tr("Infinities, NaNs and inverted windows: nothing is visible."), usual, nonsense},
         {"random", PlugIn::tr("Random lines"),
-         PlugIn::tr("The paper's scene: both ends anywhere around the window."), usual, random},
+         PlugIn::tr("The paper's scene: both ends anywhere around the window."), usual,
+         randomLines},
         {"again", PlugIn::tr("Asked again"),
          PlugIn::tr("Some of these lines a second time, in another order: the answers must not "
                     "change."),
          usual, again, Asked::Again},
         {"race", PlugIn::tr("In the race"),
          PlugIn::tr("What it finds while it is timed; no answer may change from run to run."),
-         usual, random, Asked::InTheRace},
+         usual, randomLines, Asked::InTheRace},
     };
     return all;
 }

@@ -2,7 +2,7 @@
 #include "app/judge/child_race.h"
 
 #include "app/base/latin.h"
-#include "app/base/legs.h"
+#include "app/base/phased_progress.h"
 #include "app/experiment/class_profile.h"
 #include "app/judge/race_check.h"
 #include "app/judge/times.h"
@@ -116,9 +116,9 @@ void race(int out, const Library& library, const QStringList& arguments)
     RaceCheck checking({.strictness = strictnessOf(arguments.value(3))});
     check = &checking;
     options.clock = checking.clock();
-    Legs legs(follower, {1, 2});
-    const auto record = recorded(options, variants, legs.next());
-    const auto profile = classProfile(options, variants, legs.next());
+    PhasedProgress phases(follower, {1, 2});
+    const auto record = recorded(options, variants, phases.next());
+    const auto profile = classProfile(options, variants, phases.next());
     if (!record || !profile)
         return;
     tell(out, jsonOf(checking.found()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/judge.h"
 
-#include "app/base/legs.h"
+#include "app/base/phased_progress.h"
 #include "app/experiment/ranking.h"
 #include "app/judge/child.h"
 #include "app/judge/examination.h"
@@ -161,8 +161,8 @@ bool isAlive(const Verdict& verdict)
 std::optional<Verdict> judge(const Case& which, const Follower& follower)
 {
     const bool wanted = which.race == Case::Race::Yes;
-    Legs legs(follower, wanted ? std::vector{1.0, 1.0} : std::vector{1.0});
-    const Follower first = legs.next();
+    PhasedProgress phases(follower, wanted ? std::vector{1.0, 1.0} : std::vector{1.0});
+    const Follower first = phases.next();
     Examination examination(which, first);
     if (!examination.run())
         return std::nullopt;
@@ -174,7 +174,7 @@ std::optional<Verdict> judge(const Case& which, const Follower& follower)
             verdict.noTimes = PlugIn::tr("It was not timed, because it crashed or did not end.");
         return verdict;
     }
-    const Follower second = legs.next();
+    const Follower second = phases.next();
     return addTimes(verdict, which, second) ? std::optional(std::move(verdict)) : std::nullopt;
 }
 

@@ -68,15 +68,15 @@ bool movedInside(const Question& q, const Segment& piece)
 }
 
 /// The fault of a piece where the exact result has a piece, too.
-std::optional<Fault> misplaced(const Question& q, const Segment& piece, const Segment& truth,
+std::optional<Fault> misplaced(const Question& q, const Segment& piece, const Segment& exact,
                                const Contract& contract, double ulp)
 {
     const double allowed = contract.ulps * ulp;
-    if (endsApart(piece, truth, Ends::InOrder) <= allowed)
+    if (endsApart(piece, exact, Ends::InOrder) <= allowed)
         return contract.strictness == Strictness::Clearcuts && movedInside(q, piece)
                    ? std::optional(Fault::Off)
                    : std::nullopt;
-    return endsApart(piece, truth, Ends::EitherWay) <= allowed ? Fault::Turned : Fault::Off;
+    return endsApart(piece, exact, Ends::EitherWay) <= allowed ? Fault::Turned : Fault::Off;
 }
 
 } // namespace
@@ -138,23 +138,23 @@ Judgement judged(const Question& q, const Answer& answer, const Contract& contra
         return {Fault::WroteBeyond};
     if (!makesSense(q))
         return {piece ? std::optional(Fault::Nonsense) : std::nullopt};
-    const auto truth = expected(q);
+    const auto exact = expected(q);
     const double ulp = ulpFor(q.line, q.window), margin = visibilityUlps * ulp;
     if (!piece)
-        return {truth && clipped(q.line, moved(q.window, -margin)) ? std::optional(Fault::Lost)
+        return {exact && clipped(q.line, moved(q.window, -margin)) ? std::optional(Fault::Lost)
                                                                    : std::nullopt};
     if (!isFinite(piece->a) || !isFinite(piece->b))
         return {Fault::NotANumber};
-    if (!truth && !clipped(q.line, moved(q.window, margin)))
+    if (!exact && !clipped(q.line, moved(q.window, margin)))
         return {Fault::Invented};
     Judgement result{};
     result.outside = std::max(beyond(piece->a, q.window), beyond(piece->b, q.window)) / ulp;
-    if (truth)
-        result.off = endsApart(*piece, *truth, Ends::InOrder) / ulp;
+    if (exact)
+        result.off = endsApart(*piece, *exact, Ends::InOrder) / ulp;
     if (result.outside > (contract.strictness == Strictness::Clearcuts ? 0 : contract.ulps))
         result.fault = Fault::Outside;
-    else if (truth)
-        result.fault = misplaced(q, *piece, *truth, contract, ulp);
+    else if (exact)
+        result.fault = misplaced(q, *piece, *exact, contract, ulp);
     return result;
 }
 

@@ -3,7 +3,7 @@
 #include "app/comparison/ulps.h"
 #include "app/judge/points.h"
 #include "app/teaching/line_text.h"
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -17,8 +17,8 @@
 namespace app::plug_in {
 namespace {
 
-constexpr timespec moment{0, 5'000'000}; ///< until a killed process has ended
-constexpr int mostMoments = 1000;        ///< some processes wait for a disk and end late
+constexpr timespec shortWait{0, 5'000'000}; ///< until a killed process has ended
+constexpr int mostWaits = 1000;             ///< some processes wait for a disk and end late
 
 sigset_t setOf(std::initializer_list<int> some)
 {
@@ -48,7 +48,7 @@ pid_t reap(int& status)
 void killAll(pid_t library, int& statusOfLibrary)
 {
     const sigset_t ended = setOf({SIGCHLD});
-    for (int moments = 0; moments < mostMoments; ++moments) {
+    for (int waits = 0; waits < mostWaits; ++waits) {
         killChildren();
         int status = 0;
         pid_t one = reap(status);
@@ -57,7 +57,7 @@ void killAll(pid_t library, int& statusOfLibrary)
                 statusOfLibrary = status;
         if (one < 0)
             return; // there are no more children
-        ::sigtimedwait(&ended, nullptr, &moment);
+        ::sigtimedwait(&ended, nullptr, &shortWait);
     }
 }
 

@@ -26,7 +26,7 @@ void Course::begin(std::size_t lesson)
 void Course::end()
 {
     if (lesson() && microscope_.isOpen() && microscope_.isCovered())
-        microscope_.open(microscope_.specimen(), microscope_.step());
+        microscope_.open(microscope_.tracedLine(), microscope_.step());
     lesson_.reset();
     question_.reset();
     answers_.clear();
@@ -64,13 +64,13 @@ void Course::showAgain()
 void Course::show()
 {
     const LessonPage& page = lesson()->pages[page_];
-    const Walk walk = walkOf(page.specimen);
-    const std::size_t step = wantedStep(page, walk);
-    question_ = questionOf(page, walk, step);
+    const Narration narration = narrationOf(page.tracedLine);
+    const std::size_t step = wantedStep(page, narration);
+    question_ = questionOf(page, narration, step);
     if (isOpen())
-        microscope_.openCovered(page.specimen, stepsShown(page, step));
+        microscope_.openCovered(page.tracedLine, stepsShown(page, step));
     else
-        microscope_.open(page.specimen, step);
+        microscope_.open(page.tracedLine, step);
     emit changed();
 }
 

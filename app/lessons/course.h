@@ -20,7 +20,7 @@ struct Answer {
     bool shown = false;       ///< the reader asked for the answer
 };
 
-/// The lesson in progress: its page, its question, and the specimen in the microscope. While the
+/// The lesson in progress: its page, its question, and the traced line in the microscope. While the
 /// question is open the microscope shows no step that would reveal the answer (stepsShown), and the
 /// next page is not available.
 class Course : public QObject {
@@ -43,7 +43,7 @@ public:
     bool atLastPage() const { return page_ + 1 >= pages(); }
     void next();     ///< the next page; no effect on the last page or while a question is open
     void previous(); ///< the previous page, with the answer that was given there
-    /// Shows the page's specimen again after the reader looked at something else.
+    /// Shows the page's traced line again after the reader looked at something else.
     void showAgain();
 
     const std::optional<Question>& question() const { return question_; }

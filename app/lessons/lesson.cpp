@@ -25,7 +25,7 @@ std::optional<Point> pointOf(const QString& word)
 }
 
 /// "look KEY line X,Y X,Y window X,Y X,Y"
-std::optional<Specimen> specimenOf(const QStringList& words)
+std::optional<TracedLine> tracedLineOf(const QStringList& words)
 {
     if (words.size() != 8 || words[2] != QStringLiteral("line")
         || words[5] != QStringLiteral("window"))
@@ -35,7 +35,7 @@ std::optional<Specimen> specimenOf(const QStringList& words)
     const auto min = pointOf(words[6]), max = pointOf(words[7]);
     if (!variant || !a || !b || !min || !max)
         return std::nullopt;
-    return Specimen{*variant, {*a, *b}, {*min, *max}, YAxis::Up, {}};
+    return TracedLine{*variant, {*a, *b}, {*min, *max}, YAxis::Up, {}};
 }
 
 /// The step that a page shows: the index among all steps, or among those with a mark, from 1.
@@ -83,7 +83,7 @@ std::optional<WantedStep> stepOf(const QString& word)
 struct Reading {
     Lesson lesson;
     LessonPage page;
-    bool looked = false; ///< some page has defined a specimen
+    bool looked = false; ///< some page has defined a traced line
 
     /// Parses one line; returns false if it is wrong.
     bool take(const QString& line)
@@ -104,11 +104,11 @@ struct Reading {
     {
         const QString what = words.value(0);
         if (what == QStringLiteral("look")) {
-            const auto specimen = specimenOf(words);
-            if (specimen)
-                page.specimen = *specimen;
-            looked = looked || specimen;
-            return specimen.has_value();
+            const auto tracedLine = tracedLineOf(words);
+            if (tracedLine)
+                page.tracedLine = *tracedLine;
+            looked = looked || tracedLine;
+            return tracedLine.has_value();
         }
         if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
@@ -126,9 +126,9 @@ struct Reading {
         page.told = page.told.trimmed();
         if (page.text.isEmpty() || !looked)
             return false;
-        page.specimen.origin = lesson.title;
+        page.tracedLine.origin = lesson.title;
         lesson.pages.push_back(page);
-        page = {.text = {}, .specimen = page.specimen}; // the next page keeps the specimen
+        page = {.text = {}, .tracedLine = page.tracedLine}; // the next page keeps the traced line
         return true;
     }
 };
@@ -171,15 +171,15 @@ const std::vector<Lesson>& lessons()
     return all;
 }
 
-std::size_t wantedStep(const LessonPage& page, const Walk& walk)
+std::size_t wantedStep(const LessonPage& page, const Narration& narration)
 {
     const auto wanted = stepOf(page.step);
-    const std::size_t count = walk.moments.size();
+    const std::size_t count = narration.steps.size();
     if (!wanted || count == 0)
         return 0;
     std::size_t left = wanted->which;
     for (std::size_t i = 0; i < count; ++i)
-        if ((!wanted->mark || walk.moments[i].mark == *wanted->mark) && --left == 0)
+        if ((!wanted->mark || narration.steps[i].mark == *wanted->mark) && --left == 0)
             return i;
     return count - 1;
 }

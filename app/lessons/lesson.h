@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/result.h"
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QStringList>
 
@@ -14,12 +14,12 @@ struct Asking {
     QStringList words;
 };
 
-/// One page of a lesson: the text, and the specimen in the microscope. y points up.
+/// One page of a lesson: the text, and the traced line in the microscope. y points up.
 struct LessonPage {
     QString text;   ///< markdown; it asks before it explains
     QString told{}; ///< markdown, shown after the question is settled
     QString hint{}; ///< of the question; replaces the hint of its kind
-    Specimen specimen{};
+    TracedLine tracedLine{};
     QString step{}; ///< "first", "last", a number from 1, or the mark of a step: "cut"
     std::optional<Asking> question{};
 };
@@ -38,7 +38,7 @@ const std::vector<Lesson>& lessons();
 /// Parses a lesson; or returns what is wrong and where: "line 12: …".
 Result<Lesson> readLesson(const QString& key, const QString& text);
 
-/// The step that a page shows: an index into the walk's moments.
-std::size_t wantedStep(const LessonPage& page, const Walk& walk);
+/// The step that a page shows: an index into the narration's steps.
+std::size_t wantedStep(const LessonPage& page, const Narration& narration);
 
 } // namespace app

@@ -22,11 +22,12 @@ const QuestionKind* kindOf(const LessonPage& page)
 
 } // namespace
 
-std::optional<Question> questionOf(const LessonPage& page, const Walk& walk, std::size_t step)
+std::optional<Question> questionOf(const LessonPage& page, const Narration& narration,
+                                   std::size_t step)
 {
     const QuestionKind* kind = kindOf(page);
     auto question =
-        kind ? kind->ask(page.specimen, walk, step, page.question->words) : std::nullopt;
+        kind ? kind->ask(page.tracedLine, narration, step, page.question->words) : std::nullopt;
     if (question && !page.hint.isEmpty())
         question->hint = page.hint;
     return question;

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A question of a lesson. The library computes every answer from the page's specimen, so that none
-/// can be wrong.
+/// A question of a lesson. The library computes every answer from the page's traced line, so that
+/// none can be wrong.
 struct Question {
     QString prompt;
     QStringList choices; ///< three to five, all different, so that two tries are no guarantee
@@ -24,13 +24,14 @@ enum class Covered : std::uint8_t { AllSteps, LaterSteps };
 struct QuestionKind {
     std::string_view key; ///< as written in lessons: "region"
     /// Empty if this page does not allow such a question, or if the words are wrong.
-    std::optional<Question> (*ask)(const Specimen& specimen, const Walk& walk, std::size_t step,
-                                   const QStringList& words);
+    std::optional<Question> (*ask)(const TracedLine& tracedLine, const Narration& narration,
+                                   std::size_t step, const QStringList& words);
     Covered covered; ///< LaterSteps: the steps after the current one
 };
 std::span<const QuestionKind> questionKinds();
 
-std::optional<Question> questionOf(const LessonPage& page, const Walk& walk, std::size_t step);
+std::optional<Question> questionOf(const LessonPage& page, const Narration& narration,
+                                   std::size_t step);
 /// The number of steps that are visible while the page's question is open.
 std::size_t stepsShown(const LessonPage& page, std::size_t step);
 

@@ -26,7 +26,7 @@ QString itemOf(const HardCase& hard, const Variant& variant)
 {
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
                        .arg(hard.title, hard.key, words(answerOf(hard, variant)));
-    if (const auto watch = traceLink(specimenOf(hard, variant)))
+    if (const auto watch = traceLink(tracedLineOf(hard, variant)))
         text += QStringLiteral(" ([%1](%2))").arg(tr("watch it through the microscope"), *watch);
     return text + u'\n';
 }

@@ -69,9 +69,9 @@ QString caption(const Seeing& seeing, std::span<const unsigned> cells)
     QStringList names;
     for (const unsigned cell : cells)
         names << QString::number(cell);
-    const QString walk =
+    const QString narration =
         tr("From the left end through cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
-    return walk + QStringLiteral(" ")
+    return narration + QStringLiteral(" ")
            + (seeing.trace.outcome == clipping::Outcome::Visible
                   ? tr("What lies in cell 4 is visible.")
                   : tr("It does not come to cell 4: nothing is visible."));
@@ -89,7 +89,7 @@ Overlay cellOverlay(const Seeing& seeing)
         OverlayArea area = cellArea(cell, seeing);
         area.pointed = seeing.pointer && cellOf(*seeing.pointer, seeing.window) == cell;
         if (std::ranges::find(cells, cell) != cells.end())
-            area.emphasis = Emphasis::Lit;
+            area.emphasis = Emphasis::Highlighted;
         overlay.areas.push_back(std::move(area));
     }
     overlay.areas.push_back(

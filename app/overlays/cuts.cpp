@@ -14,7 +14,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-/// The infinite lines of the four edges; those that cut the line are lit.
+/// The infinite lines of the four edges; those that cut the line are highlighted.
 std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> moves)
 {
     std::vector<OverlayLine> lines;
@@ -22,7 +22,7 @@ std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> mo
         if (auto line = border(edge, seeing)) {
             line->label = edgeName(edge, seeing.y);
             if (std::ranges::find(moves, edge, &EndMove::edge) != moves.end())
-                line->emphasis = Emphasis::Lit;
+                line->emphasis = Emphasis::Highlighted;
             lines.push_back(*line);
         }
     return lines;

@@ -79,7 +79,7 @@ Overlay midpointOverlay(const Seeing& seeing)
             {.at = a + halving.t * (b - a),
              .symbol = forB ? OverlayMark::Symbol::Filled : OverlayMark::Symbol::Hollow,
              .label = QString::number(number),
-             .emphasis = Emphasis::Lit});
+             .emphasis = Emphasis::Highlighted});
     }
     const auto [codeA, codeB] = codesOf(seeing);
     for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(codeA), outcodeText(codeB)))

@@ -41,8 +41,9 @@ std::vector<OverlayLine> moveLines(const Seeing& seeing, std::span<const EndMove
     std::vector<OverlayLine> lines;
     for (const EndMove& move : moves)
         if (const auto part = seenPart(move.from, move.to, seeing.seen))
-            lines.push_back(
-                {.segment = *part, .kind = OverlayLine::Kind::Move, .emphasis = Emphasis::Lit});
+            lines.push_back({.segment = *part,
+                             .kind = OverlayLine::Kind::Move,
+                             .emphasis = Emphasis::Highlighted});
     return lines;
 }
 
@@ -55,7 +56,7 @@ std::vector<OverlayMark> moveMarks(const Seeing& seeing, std::span<const EndMove
              .symbol = OverlayMark::Symbol::Diamond,
              .label =
                  QStringLiteral("%1  %2").arg(marks.size() + 1).arg(edgeName(move.edge, seeing.y)),
-             .emphasis = Emphasis::Lit});
+             .emphasis = Emphasis::Highlighted});
     return marks;
 }
 

@@ -15,7 +15,7 @@
 namespace app {
 
 /// Lit: relevant to the line under the pointer.
-enum class Emphasis : std::uint8_t { Quiet, Lit };
+enum class Emphasis : std::uint8_t { Quiet, Highlighted };
 
 /// A convex piece of the plane, clipped to the visible part.
 struct OverlayArea {
@@ -69,7 +69,7 @@ QString parameterText(double t);
 struct OverlayTable {
     QStringList heading{};
     std::vector<QStringList> rows{}; ///< as many cells as the heading
-    std::optional<std::size_t> lit{};
+    std::optional<std::size_t> highlightedRow{};
 };
 
 /// The content of an overlay, painted in this order.

@@ -108,7 +108,7 @@ void addHalfPlanes(Overlay& overlay, const Seeing& seeing, const Bounds& bounds)
         if (auto line = border(edge, seeing)) {
             line->label = edgeName(edge, seeing.y);
             line->outwards = beyond(edge, seeing.window).normal;
-            line->emphasis = bounds.has(edge) ? Emphasis::Lit : Emphasis::Quiet;
+            line->emphasis = bounds.has(edge) ? Emphasis::Highlighted : Emphasis::Quiet;
             overlay.lines.push_back(*line);
         }
 }
@@ -132,7 +132,7 @@ Overlay parameterOverlay(const Seeing& seeing)
     if (shutOut(seeing) != Edge::None)
         axis.from = 1, axis.to = 0;
     for (const Crossing& c : crossings) {
-        const auto emphasis = bounds.has(c.edge) ? Emphasis::Lit : Emphasis::Quiet;
+        const auto emphasis = bounds.has(c.edge) ? Emphasis::Highlighted : Emphasis::Quiet;
         using Symbol = OverlayMark::Symbol;
         overlay.marks.push_back(
             {.at = c.at,

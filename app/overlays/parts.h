@@ -31,7 +31,7 @@ struct CodePair {
     unsigned a, b;
 };
 CodePair codesOf(const Seeing& seeing);
-/// Both ends' codes, AND and OR; the row that decides, if any, is lit.
+/// Both ends' codes, AND and OR; the row that decides, if any, is highlighted.
 OverlayTable codeTable(const Seeing& seeing);
 /// The decision that the codes of both ends allow, in words.
 QString codeWords(const Seeing& seeing);

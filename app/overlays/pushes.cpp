@@ -44,7 +44,7 @@ OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
     row(tr("top or bottom"), 1);
     const bool missed = seeing.trace.outcome != clipping::Outcome::Visible;
     table.rows.push_back({missed ? tr("rejected") : tr("visible"), {}, {}});
-    table.lit = table.rows.size() - 1;
+    table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 

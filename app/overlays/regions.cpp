@@ -110,9 +110,9 @@ OverlayTable codeTable(const Seeing& seeing)
                         {QStringLiteral("AND"), outcodeText(a & b)},
                         {QStringLiteral("OR"), outcodeText(a | b)}}};
     if ((a & b) != 0)
-        table.lit = 2;
+        table.highlightedRow = 2;
     else if ((a | b) == 0)
-        table.lit = 3;
+        table.highlightedRow = 3;
     return table;
 }
 

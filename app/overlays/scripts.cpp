@@ -32,7 +32,7 @@ OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
              tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, seeing.y))});
     const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
     table.rows.push_back({{}, visible ? tr("visible") : tr("rejected")});
-    table.lit = table.rows.size() - 1;
+    table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 
@@ -64,7 +64,7 @@ Overlay scriptOverlay(const Seeing& seeing)
     const auto [a, b] = codesOf(seeing);
     for (OverlayArea& area : overlay.areas)
         if (area.label == regionName(a) || area.label == regionName(b))
-            area.emphasis = Emphasis::Lit;
+            area.emphasis = Emphasis::Highlighted;
     const auto moves = movesOf(seeing.trace, *seeing.line);
     for (OverlayLine& line : moveLines(seeing, moves))
         overlay.lines.push_back(std::move(line));

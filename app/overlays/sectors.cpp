@@ -188,7 +188,7 @@ Overlay sectorOverlay(const Seeing& seeing)
     if (seeing.line) {
         sector = sectorOf(seeing.trace, *seeing.line);
         if (OverlayArea* area = areaOf(overlay.areas, sector, seeing.y))
-            area->emphasis = Emphasis::Lit;
+            area->emphasis = Emphasis::Highlighted;
         overlay.marks = endMarks(*seeing.line, {}, sector ? labelOf(*sector, seeing.y) : QString());
     } else
         overlay.marks.push_back({.at = eye, .label = endName(false)});

@@ -62,7 +62,7 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
             {.at = corners[k],
              .symbol = left ? Symbol::Plus : Symbol::Minus,
              .label = QStringLiteral("x%1  %2").arg(k).arg(QChar(left ? u'+' : u'\u2212')),
-             .emphasis = Emphasis::Lit});
+             .emphasis = Emphasis::Highlighted});
     }
 }
 

@@ -113,7 +113,7 @@ std::vector<OverlayMark> corners(const Seeing& seeing, std::span<const EndMove> 
                          .label = missed             ? tr("passed outside: missed")
                                   : question.decides ? tr("passed inside: met")
                                                      : choiceWords(question, moves, seeing.y),
-                         .emphasis = Emphasis::Lit});
+                         .emphasis = Emphasis::Highlighted});
         if (missed)
             break;
     }

@@ -126,11 +126,11 @@ void Race::clip(std::size_t variant, std::size_t block)
 // each visible line would gain little.
 void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found)
 {
-    truth_.resize(blockSize);
+    exactPieces_.resize(blockSize);
     const std::size_t visible =
-        clipping::exactAlgorithm().corrected.clipAll(blocks_[block], frame_.window, truth_);
+        clipping::exactAlgorithm().corrected.clipAll(blocks_[block], frame_.window, exactPieces_);
     const DifferenceCounts here = counted(differences(
-        blocks_[block], frame_.window, found, std::span(truth_).first(visible),
+        blocks_[block], frame_.window, found, std::span(exactPieces_).first(visible),
         {contractUlps(row.variant, exactVariant()), endsOf(row.variant, exactVariant())}));
     row.differences.onlyA += here.onlyA;
     row.differences.onlyB += here.onlyB;

@@ -89,7 +89,7 @@ private:
     bool racing_ = false;
     std::vector<clipping::Segment> sample_;
     std::vector<clipping::Clipped> found_; ///< in all lines; sources are relative to their block
-    std::vector<clipping::Clipped> truth_; ///< in the current block
+    std::vector<clipping::Clipped> exactPieces_; ///< in the current block
 };
 
 } // namespace app

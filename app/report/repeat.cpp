@@ -111,8 +111,8 @@ void addHow(Words& words, const Trial& trial)
     if (options.precision != Precision::Double)
         words.add("precision", wordOf(options.precision));
     words.add("threads", options.threads, 1);
-    if (!trial.record.easel.isEmpty())
-        words.add("draw-with", trial.record.easel.startsWith(QStringLiteral("OpenGL"))
+    if (!trial.record.target.isEmpty())
+        words.add("draw-with", trial.record.target.startsWith(QStringLiteral("OpenGL"))
                                    ? QStringLiteral("opengl")
                                    : QStringLiteral("raster"));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/drawn_line.h"
 
+#include "app/session/first_traced_line.h"
 #include "app/session/inspection.h"
-#include "app/session/specimen.h"
 
 #include <QScopedValueRollback>
 
@@ -11,7 +11,7 @@ namespace app {
 namespace {
 
 /// Only the line may differ: everything else is as this class set it.
-bool sameButLine(Specimen one, const Specimen& other)
+bool sameButLine(TracedLine one, const TracedLine& other)
 {
     one.line = other.line;
     return one == other;
@@ -21,7 +21,7 @@ bool sameButLine(Specimen one, const Specimen& other)
 
 DrawnLine::DrawnLine(Session& session, QObject* parent) : QObject(parent), session_(session)
 {
-    connect(&session.microscope, &Microscope::specimenChanged, this, &DrawnLine::notice);
+    connect(&session.microscope, &Microscope::tracedLineChanged, this, &DrawnLine::notice);
     connect(&session.microscope, &Microscope::openChanged, this, &DrawnLine::adopt);
     connect(&session, &Session::displayChanged, this, &DrawnLine::followDisplay);
     connect(&session, &Session::previewChanged, this, &DrawnLine::followDrawing);
@@ -41,7 +41,7 @@ void DrawnLine::look()
     line_.reset();
     own_ = false;
     display_ = session_.variant();
-    show(firstSpecimen(session_));
+    show(firstTracedLine(session_));
 }
 
 void DrawnLine::look(std::size_t segment) { show(segment, explaining(session_, segment)); }
@@ -52,9 +52,9 @@ void DrawnLine::show(std::size_t segment, const Variant& variant)
     line_ = segment;
     own_ = false;
     display_ = session_.variant();
-    Specimen specimen = specimenOf(session_, segment);
-    specimen.variant = variant;
-    show(specimen);
+    TracedLine tracedLine = tracedLineOf(session_, segment);
+    tracedLine.variant = variant;
+    show(tracedLine);
     session_.inspect(segment);
 }
 
@@ -65,16 +65,16 @@ void DrawnLine::go(std::ptrdiff_t lines)
         return;
     const auto now = line_ ? std::ptrdiff_t(*line_) : lines > 0 ? -1 : count;
     show(std::size_t(((now + lines) % count + count) % count),
-         session_.microscope.specimen().variant);
+         session_.microscope.tracedLine().variant);
 }
 
 void DrawnLine::choose(const Variant& variant)
 {
-    Specimen specimen = session_.microscope.specimen();
-    specimen.variant = variant;
-    if (!attached_ || variant.exhibit)
-        return session_.microscope.setSpecimen(specimen);
-    show(specimen);
+    TracedLine tracedLine = session_.microscope.tracedLine();
+    tracedLine.variant = variant;
+    if (!attached_ || variant.misprint)
+        return session_.microscope.setTracedLine(tracedLine);
+    show(tracedLine);
     Display display = session_.display();
     display.variant = {variant.algorithm, variant.form};
     session_.setDisplay(display);
@@ -86,9 +86,9 @@ void DrawnLine::back()
     if (!line)
         return;
     own_ = false;
-    Specimen specimen = specimenOf(session_, *line_);
-    specimen.variant = session_.microscope.specimen().variant;
-    show(specimen);
+    TracedLine tracedLine = tracedLineOf(session_, *line_);
+    tracedLine.variant = session_.microscope.tracedLine().variant;
+    show(tracedLine);
 }
 
 bool DrawnLine::changed() const { return attached_ && own_ && line_; }
@@ -99,15 +99,15 @@ std::optional<clipping::Segment> DrawnLine::drawn() const
     return line_ && *line_ < lines.size() ? std::optional(lines[*line_]) : std::nullopt;
 }
 
-void DrawnLine::show(const Specimen& specimen)
+void DrawnLine::show(const TracedLine& tracedLine)
 {
     const QScopedValueRollback quiet(showing_, true);
-    ours_ = specimen;
+    ours_ = tracedLine;
     attached_ = true;
     if (session_.microscope.isOpen())
-        session_.microscope.setSpecimen(specimen);
+        session_.microscope.setTracedLine(tracedLine);
     else
-        session_.microscope.open(specimen);
+        session_.microscope.open(tracedLine);
     emit refreshed();
 }
 
@@ -119,19 +119,19 @@ void DrawnLine::adopt()
     const auto inspected = session_.inspected();
     if (showing_ || !session_.microscope.isOpen() || !inspected)
         return;
-    const Specimen& now = session_.microscope.specimen();
-    Specimen inspectedOne = specimenOf(session_, *inspected);
+    const TracedLine& now = session_.microscope.tracedLine();
+    TracedLine inspectedOne = tracedLineOf(session_, *inspected);
     inspectedOne.variant = now.variant;
     if (now == inspectedOne)
         show(*inspected, now.variant);
 }
 
-/// The microscope got another specimen: the person chose one, or a lesson shows its own.
+/// The microscope got another traced line: the person chose one, or a lesson shows its own.
 void DrawnLine::notice()
 {
     if (showing_)
         return;
-    const Specimen& now = session_.microscope.specimen();
+    const TracedLine& now = session_.microscope.tracedLine();
     attached_ = attached_ && sameButLine(now, ours_);
     own_ = attached_ && now.line != drawn();
     emit refreshed();
@@ -142,25 +142,25 @@ void DrawnLine::followDisplay()
     const Variant now = session_.variant();
     if (now == std::exchange(display_, now) || !attached_ || !session_.microscope.isOpen())
         return;
-    Specimen specimen = session_.microscope.specimen();
-    specimen.variant = now;
-    show(specimen);
+    TracedLine tracedLine = session_.microscope.tracedLine();
+    tracedLine.variant = now;
+    show(tracedLine);
 }
 
 void DrawnLine::followDrawing()
 {
     if (!attached_ || !session_.microscope.isOpen())
         return;
-    Specimen specimen = session_.microscope.specimen();
-    specimen.window = session_.window();
+    TracedLine tracedLine = session_.microscope.tracedLine();
+    tracedLine.window = session_.window();
     if (const auto line = drawn()) {
-        specimen.origin = specimenOf(session_, *line_).origin;
+        tracedLine.origin = tracedLineOf(session_, *line_).origin;
         if (!own_)
-            specimen.line = *line;
+            tracedLine.line = *line;
     } else {
         line_.reset();
     }
-    show(specimen);
+    show(tracedLine);
 }
 
 void DrawnLine::followInspected()
@@ -168,7 +168,7 @@ void DrawnLine::followInspected()
     const auto inspected = session_.inspected();
     if (showing_ || !attached_ || !session_.microscope.isOpen() || !inspected || inspected == line_)
         return;
-    show(*inspected, session_.microscope.specimen().variant);
+    show(*inspected, session_.microscope.tracedLine().variant);
 }
 
 } // namespace app

@@ -8,8 +8,8 @@ namespace app {
 /// The line of the drawing that the session's microscope shows. While it is shown, the microscope
 /// follows the drawing: its window, its algorithm, the line itself and which line is inspected;
 /// also if another part of the program opened the microscope at the inspected line. A change by the
-/// person in the microscope (a moved end, another line typed in) stays until `back()`. A specimen
-/// from elsewhere, such as a lesson's, is never changed.
+/// person in the microscope (a moved end, another line typed in) stays until `back()`. A traced
+/// line from elsewhere, such as a lesson's, is never changed.
 class DrawnLine : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ signals:
 private:
     std::optional<clipping::Segment> drawn() const;
     void show(std::size_t segment, const Variant& variant);
-    void show(const Specimen& specimen);
+    void show(const TracedLine& tracedLine);
     void adopt();
     void notice();
     void followDisplay();
@@ -51,10 +51,10 @@ private:
     Session& session_;
     std::optional<std::size_t> line_; ///< empty: the drawing is empty
     std::optional<std::size_t> lent_; ///< inspected only for the microscope: reset when that closes
-    Specimen ours_;                   ///< as this class showed it last
-    Variant display_;       ///< of the drawing, as last seen
-    bool attached_ = false; ///< this class controls the microscope's specimen
-    bool own_ = false;      ///< the person changed the line
+    TracedLine ours_;                 ///< as this class showed it last
+    Variant display_;                 ///< of the drawing, as last seen
+    bool attached_ = false;           ///< this class controls the microscope's traced line
+    bool own_ = false;                ///< the person changed the line
     bool showing_ = false;
 };
 

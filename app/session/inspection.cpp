@@ -198,7 +198,7 @@ Inspection inspect(const Session& session, std::size_t segment)
     line.to = regionOf(line.segment.b, window);
     line.visible = clipped(line.variant, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
-    if (!line.variant.exhibit) {
+    if (!line.variant.misprint) {
         const auto& uses = *clipping::usesOf(*line.variant.algorithm, line.variant.form);
         line.cost = uses.count({&line.segment, 1}, window);
         line.trace = uses.trace(line.segment, window);
@@ -234,8 +234,8 @@ QString costText(const clipping::OperationCounts& cost)
 
 QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
-    if (const Exhibit* exhibit = line.variant.exhibit)
-        return {tr("An exhibit: its steps are not recorded."), exhibit->whatIsWrong};
+    if (const Misprint* misprint = line.variant.misprint)
+        return {tr("A known misprint: its steps are not recorded."), misprint->whatIsWrong};
     const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)

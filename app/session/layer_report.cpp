@@ -24,7 +24,7 @@ std::size_t linesOf(const Session& session, ContainerId container)
     return range.empty() ? 0 : lines.firstLineOf(range.end) - lines.firstLineOf(range.first);
 }
 
-std::optional<Colour> inkOf(const Document& document, ContainerId container)
+std::optional<Colour> strokeColourOf(const Document& document, ContainerId container)
 {
     const Objects& objects = document.objects();
     const ObjectRange range = document.containers().rangeOf(container);

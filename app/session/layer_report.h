@@ -11,6 +11,6 @@ std::size_t linesOf(const Session& session, ContainerId container);
 /// The colour that represents a container: that of its first object with a stroke or fill. It is
 /// computed after every edit, so only some thousand styles are examined: objects of one style that
 /// share a block count once.
-std::optional<Colour> inkOf(const Document& document, ContainerId container);
+std::optional<Colour> strokeColourOf(const Document& document, ContainerId container);
 
 } // namespace app

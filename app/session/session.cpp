@@ -22,7 +22,7 @@ Session::Session(QObject* parent) : QObject(parent)
     });
     connect(this, &Session::previewChanged, this, [this] {
         differences.setWindow(window());
-        truth.setWindow(window());
+        exactness.setWindow(window());
     });
 }
 

@@ -4,7 +4,7 @@
 #include "app/commands/history.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/object_ranges.h"
-#include "app/exactness/live_truth.h"
+#include "app/exactness/live_exactness.h"
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
 #include "app/scene/compared_window.h"
@@ -53,9 +53,9 @@ public:
     History history;
     Scene scene{document};
     LiveDifferences differences{document, scene}; ///< of two variants, while shown
-    LiveTruth truth{document, scene};             ///< how exact an algorithm is, while shown
-    Microscope microscope;            ///< one line, step by step
-    Course course{microscope};        ///< the lesson in progress, if any
+    LiveExactness exactness{document, scene};     ///< how exact an algorithm is, while shown
+    Microscope microscope;                        ///< one line, step by step
+    Course course{microscope};                    ///< the lesson in progress, if any
     Pen pen;
 
     const Document& now() const { return document.now(); }

@@ -19,7 +19,7 @@ using clipping::Edge;
 /// The data for painting every part of a figure.
 struct Picture {
     QPainter& painter;
-    const Specimen& specimen;
+    const TracedLine& tracedLine;
     const StepScene& scene;
     const FigureFrame& frame;
     const FigureColours& colours;
@@ -50,7 +50,7 @@ void strike(const Picture& s, const clipping::Segment& line, const QPen& with)
 QRectF beyond(const Picture& s, Edge edge)
 {
     const QRectF all = s.frame.picture();
-    const double level = clipping::levelOf(edge, s.specimen.window);
+    const double level = clipping::levelOf(edge, s.tracedLine.window);
     const QPointF place = s.frame.at({level, level});
     const bool lower = edge == clipping::lowerEdge(clipping::axisOf(edge));
     QRectF part = all;
@@ -79,9 +79,9 @@ void paintWindow(const Picture& s)
 {
     QPen dashes = pen(s.colours.border, s.u);
     dashes.setDashPattern({5, 4});
-    const auto& [min, max] = s.specimen.window;
+    const auto& [min, max] = s.tracedLine.window;
     for (const Edge edge : {Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
-        if (const auto line = edgeLine(edge, s.specimen, s.frame)) {
+        if (const auto line = edgeLine(edge, s.tracedLine, s.frame)) {
             s.painter.setPen(dashes);
             s.painter.drawLine(*line);
         }
@@ -98,12 +98,12 @@ void paintWindow(const Picture& s)
     }
 }
 
-void paintLitEdge(const Picture& s)
+void paintHighlightedEdge(const Picture& s)
 {
     if (s.scene.edge == Edge::None || s.scene.edge > Edge::Top)
         return;
-    if (const auto line = edgeLine(s.scene.edge, s.specimen, s.frame)) {
-        s.painter.setPen(pen(s.colours.lit, 2.5 * s.u));
+    if (const auto line = edgeLine(s.scene.edge, s.tracedLine, s.frame)) {
+        s.painter.setPen(pen(s.colours.highlight, 2.5 * s.u));
         s.painter.drawLine(*line);
     }
 }
@@ -111,7 +111,7 @@ void paintLitEdge(const Picture& s)
 /// Two short strokes across the middle of a rejected line.
 void crossOut(const Picture& s)
 {
-    const auto part = s.frame.part(s.specimen.line);
+    const auto part = s.frame.part(s.tracedLine.line);
     if (!part)
         return;
     const QPointF middle = part->center();
@@ -125,14 +125,14 @@ void paintLine(const Picture& s)
 {
     const QPen gone = dashed(s.colours.muted, 1.75 * s.u);
     if (s.scene.state == StepScene::State::Rejected) {
-        strike(s, s.specimen.line, gone);
+        strike(s, s.tracedLine.line, gone);
         crossOut(s);
         return;
     }
     for (const auto& piece : s.scene.discarded)
         strike(s, piece, gone);
     for (const auto& piece : s.scene.discardedNow)
-        strike(s, piece, dashed(s.colours.lit, 2 * s.u));
+        strike(s, piece, dashed(s.colours.highlight, 2 * s.u));
     const bool accepted = s.scene.state == StepScene::State::Accepted;
     const auto& left = s.scene.left;
     strike(s, left, pen(s.colours.text, (accepted ? 4.5 : 3.5) * s.u));
@@ -145,9 +145,9 @@ void paintLine(const Picture& s)
 
 QColor colourOf(FigureMark::Tone tone, const FigureColours& colours)
 {
-    return tone == FigureMark::Tone::Lit     ? colours.lit
-           : tone == FigureMark::Tone::Muted ? colours.muted
-                                             : colours.text;
+    return tone == FigureMark::Tone::Highlighted ? colours.highlight
+           : tone == FigureMark::Tone::Muted     ? colours.muted
+                                                 : colours.text;
 }
 
 QPolygonF diamond(const QPointF& at, double r)
@@ -182,7 +182,8 @@ void paintMark(const Picture& s, const FigureMark& mark)
 
 QColor headColour(FigureLabel::Tone tone, const FigureColours& colours)
 {
-    const std::array row{colours.text, colours.onLit, colours.window, colours.muted, colours.lit};
+    const std::array row{colours.text, colours.onHighlight, colours.window, colours.muted,
+                         colours.highlight};
     return row[std::size_t(tone)];
 }
 
@@ -199,9 +200,9 @@ void paintLeader(const Picture& s, const FigureLabel& label)
 
 void paintLabel(const Picture& s, const FigureLabel& label)
 {
-    const bool lit = label.tone == FigureLabel::Tone::Lit;
-    QColor ground = lit ? s.colours.lit : s.colours.paper;
-    if (!lit)
+    const bool highlight = label.tone == FigureLabel::Tone::Highlighted;
+    QColor ground = highlight ? s.colours.highlight : s.colours.paper;
+    if (!highlight)
         ground.setAlphaF(0.82F);
     s.painter.setPen(Qt::NoPen);
     s.painter.setBrush(ground);
@@ -214,31 +215,31 @@ void paintLabel(const Picture& s, const FigureLabel& label)
     if (label.detail.isEmpty())
         return;
     s.painter.setFont(detail);
-    s.painter.setPen(lit ? s.colours.onLit : s.colours.muted);
+    s.painter.setPen(highlight ? s.colours.onHighlight : s.colours.muted);
     const double down = QFontMetricsF(head).height() + QFontMetricsF(detail).ascent();
     s.painter.drawText(text.topLeft() + QPointF(0, down), label.detail);
 }
 
 } // namespace
 
-void paintStep(QPainter& painter, const WalkStep& at, const FigureFrame& frame,
+void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
                const FigureColours& colours)
 {
-    const auto& [specimen, walk, step] = at;
-    const StepScene scene = stepScene(specimen, walk, step);
-    const Picture picture{painter, specimen, scene, frame, colours, frame.unit()};
+    const auto& [tracedLine, narration, step] = at;
+    const StepScene scene = stepScene(tracedLine, narration, step);
+    const Picture picture{painter, tracedLine, scene, frame, colours, frame.unit()};
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(frame.picture(), colours.paper);
     if (scene.edge != Edge::None && scene.edge <= Edge::Top)
         hatch(picture, beyond(picture, scene.edge));
     paintWindow(picture);
-    paintLitEdge(picture);
+    paintHighlightedEdge(picture);
     paintLine(picture);
-    const auto labels = figureLabels(specimen, walk, scene, frame);
+    const auto labels = figureLabels(tracedLine, narration, scene, frame);
     for (const FigureLabel& label : labels)
         paintLeader(picture, label);
-    for (const FigureMark& mark : figureMarks(specimen, scene, frame))
+    for (const FigureMark& mark : figureMarks(tracedLine, scene, frame))
         paintMark(picture, mark);
     for (const FigureLabel& label : labels)
         paintLabel(picture, label);

@@ -3,7 +3,7 @@
 
 #include "app/teaching/figure_colours.h"
 #include "app/teaching/figure_frame.h"
-#include "app/teaching/walk_step.h"
+#include "app/teaching/trace_step.h"
 
 class QPainter;
 
@@ -16,7 +16,7 @@ namespace app {
 /// strong, discarded parts dashed, ends as circles, cuts as diamonds with their coordinates,
 /// candidate cuts hollow. For a step that the trace does not have: only window and line. Nothing is
 /// painted outside the picture by more than half a stroke, whatever the numbers are.
-void paintStep(QPainter& painter, const WalkStep& at, const FigureFrame& frame,
+void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
                const FigureColours& colours);
 
 } // namespace app

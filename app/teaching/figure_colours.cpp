@@ -11,8 +11,8 @@ FigureColours figureColours(Ground ground)
                                                    .rule = 0xD0D4DA,
                                                    .border = 0xAEB5BF,
                                                    .window = 0xC2410C,
-                                                   .lit = 0x1D63C9,
-                                                   .onLit = 0xFFFFFF,
+                                                   .highlight = 0x1D63C9,
+                                                   .onHighlight = 0xFFFFFF,
                                                    .tint = 0xDCE8FA}
                                    : FigureColours{.paper = 0x1E2023,
                                                    .text = 0xE7E9EC,
@@ -20,8 +20,8 @@ FigureColours figureColours(Ground ground)
                                                    .rule = 0x3A3D44,
                                                    .border = 0x5C626C,
                                                    .window = 0xFF8F52,
-                                                   .lit = 0x5B9BFF,
-                                                   .onLit = 0x10131A,
+                                                   .highlight = 0x5B9BFF,
+                                                   .onHighlight = 0x10131A,
                                                    .tint = 0x2C3F60};
 }
 

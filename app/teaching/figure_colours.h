@@ -13,7 +13,8 @@ struct FigureColours {
     QColor text, muted, rule; ///< text: the remaining part of the line; muted: discarded parts
     QColor border;            ///< the infinite lines of the edges
     QColor window;            ///< only the clip window
-    QColor lit, onLit, tint;  ///< the subject of this step; text on it; its background in lists
+    QColor highlight, onHighlight,
+        tint; ///< the subject of this step; text on it; its background in lists
 };
 FigureColours figureColours(Ground ground);
 

@@ -28,12 +28,12 @@ struct Span {
 };
 
 /// The window, and the line's ends unless they are very far from it.
-Span spanOf(const Specimen& specimen, glm::length_t axis, double reach)
+Span spanOf(const TracedLine& tracedLine, glm::length_t axis, double reach)
 {
-    const auto& [min, max] = specimen.window;
+    const auto& [min, max] = tracedLine.window;
     Span span{min[axis], max[axis]};
     const double least = span.low - reach, most = span.high + reach;
-    for (const Point& end : {specimen.line.a, specimen.line.b})
+    for (const Point& end : {tracedLine.line.a, tracedLine.line.b})
         if (std::isfinite(end[axis]))
             span.include(std::clamp(end[axis], std::isfinite(least) ? least : span.low,
                                     std::isfinite(most) ? most : span.high));
@@ -108,10 +108,10 @@ bool FigureFrame::shows(const Point& point) const
            && point.y >= seen.min.y && point.y <= seen.max.y;
 }
 
-FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFont& font)
+FigureFrame figureFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font)
 {
-    const double reach = reachOf(specimen.window);
-    Span x = spanOf(specimen, 0, reach), y = spanOf(specimen, 1, reach);
+    const double reach = reachOf(tracedLine.window);
+    Span x = spanOf(tracedLine, 0, reach), y = spanOf(tracedLine, 1, reach);
     const double em = font.pixelSize();
     const auto inner = [](double length, double margin) {
         return length - 2 * std::min(margin, length * 0.22);
@@ -122,14 +122,14 @@ FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFon
     x = around(x.middle(), perPixel * size.width());
     y = around(y.middle(), perPixel * size.height());
     return {
-        .size = size, .seen = {{x.low, y.low}, {x.high, y.high}}, .y = specimen.y, .font = font};
+        .size = size, .seen = {{x.low, y.low}, {x.high, y.high}}, .y = tracedLine.y, .font = font};
 }
 
-FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font)
+FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font)
 {
     constexpr double shortLine = 56, fillsWell = 0.4;
-    FigureFrame frame = figureFrame(specimen, size, font);
-    const auto& [a, b] = specimen.line;
+    FigureFrame frame = figureFrame(tracedLine, size, font);
+    const auto& [a, b] = tracedLine.line;
     const double length = QLineF(frame.at(a), frame.at(b)).length();
     if (!(length > 0) || length > shortLine || !frame.shows(a) || !frame.shows(b))
         return frame;
@@ -139,7 +139,7 @@ FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont&
     FigureFrame near = frame;
     near.seen = {middle - half, middle + half};
     const bool precise = half.x > 1e-12 * std::max(std::abs(middle.x), std::abs(middle.y));
-    return precise && showsEdge(near, specimen.window) ? near : frame;
+    return precise && showsEdge(near, tracedLine.window) ? near : frame;
 }
 
 } // namespace app

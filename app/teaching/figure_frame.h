@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QFont>
 #include <QLineF>
@@ -34,10 +34,10 @@ struct FigureFrame {
 
 /// Shows window and line with room for labels, the same at every step. For a line that is much
 /// longer than the window, only the part near the window is shown.
-FigureFrame figureFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
+FigureFrame figureFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
 
 /// The same, but a line that is tiny compared with its window fills a good part of the picture,
 /// with the edges that it crosses, unless nothing of the window would be visible then.
-FigureFrame nearFrame(const Specimen& specimen, const QSizeF& size, const QFont& font);
+FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
 
 } // namespace app

@@ -39,27 +39,27 @@ QRectF boxOf(const FigureMark& mark, const FigureFrame& frame)
 
 /// The obstacles before any label is placed: marks, including those of later steps, so that labels
 /// keep their places; the line; the infinite lines of the edges.
-LabelObstacles obstaclesOf(const Specimen& specimen, const Walk& walk, const StepScene& scene,
-                           const FigureFrame& frame)
+LabelObstacles obstaclesOf(const TracedLine& tracedLine, const Narration& narration,
+                           const StepScene& scene, const FigureFrame& frame)
 {
     const double m = 6 * frame.unit();
     LabelObstacles obstacles{frame.picture().adjusted(m, m, -m, -m), {}, {}, {}};
     if (!frame.reserved.isEmpty())
         obstacles.boxes.push_back(frame.reserved);
-    for (const FigureMark& mark : figureMarks(specimen, scene, frame))
+    for (const FigureMark& mark : figureMarks(tracedLine, scene, frame))
         obstacles.boxes.push_back(boxOf(mark, frame));
-    if (!walk.moments.empty())
-        for (const FigureMark& mark :
-             figureMarks(specimen, stepScene(specimen, walk, walk.moments.size() - 1), frame))
+    if (!narration.steps.empty())
+        for (const FigureMark& mark : figureMarks(
+                 tracedLine, stepScene(tracedLine, narration, narration.steps.size() - 1), frame))
             obstacles.boxes.push_back(boxOf(mark, frame));
-    std::vector<clipping::Segment> lines{specimen.line, scene.left};
+    std::vector<clipping::Segment> lines{tracedLine.line, scene.left};
     lines.insert(lines.end(), scene.discarded.begin(), scene.discarded.end());
     lines.insert(lines.end(), scene.discardedNow.begin(), scene.discardedNow.end());
     for (const auto& line : lines)
         if (const auto part = frame.part(line))
             obstacles.lines.push_back(*part);
     for (const Edge edge : edges)
-        if (const auto line = edgeLine(edge, specimen, frame))
+        if (const auto line = edgeLine(edge, tracedLine, frame))
             obstacles.avoided.push_back(*line);
     return obstacles;
 }
@@ -80,8 +80,9 @@ bool place(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const 
 void labelMark(std::vector<FigureLabel>& labels, const FigureMark& mark, LabelObstacles& obstacles,
                const FigureFrame& frame)
 {
-    const bool boxed = mark.shape == FigureMark::Shape::Cut && mark.tone == FigureMark::Tone::Lit;
-    FigureLabel label{boxed ? Tone::Lit : Tone::Plain, mark.head, mark.detail, {}, {}};
+    const bool boxed =
+        mark.shape == FigureMark::Shape::Cut && mark.tone == FigureMark::Tone::Highlighted;
+    FigureLabel label{boxed ? Tone::Highlighted : Tone::Plain, mark.head, mark.detail, {}, {}};
     const QSizeF size = sizeOf(label, frame);
     const double radius = radiusOf(mark, frame);
     if (!place(labels, label, placesAround(mark.place, radius, size), obstacles)
@@ -118,15 +119,15 @@ const char* nameOf(Edge edge)
     return names[std::size_t(edge)];
 }
 
-void labelEdges(std::vector<FigureLabel>& labels, const Specimen& specimen, const StepScene& scene,
-                LabelObstacles& obstacles, const FigureFrame& frame)
+void labelEdges(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
+                const StepScene& scene, LabelObstacles& obstacles, const FigureFrame& frame)
 {
     for (const Edge edge : edges) {
-        const auto line = edgeLine(edge, specimen, frame);
+        const auto line = edgeLine(edge, tracedLine, frame);
         if (!line)
             continue;
-        const double level = clipping::levelOf(edge, specimen.window);
-        const Tone tone = scene.edge == edge ? Tone::LitEdge : Tone::Edge;
+        const double level = clipping::levelOf(edge, tracedLine.window);
+        const Tone tone = scene.edge == edge ? Tone::HighlightedEdge : Tone::Edge;
         FigureLabel label{
             tone,
             QStringLiteral("%1 = %2").arg(QLatin1StringView(nameOf(edge)), shortText(level)),
@@ -141,10 +142,10 @@ void labelEdges(std::vector<FigureLabel>& labels, const Specimen& specimen, cons
 }
 
 /// Labels the window in one of its corners, otherwise outside at a corner.
-void labelWindow(std::vector<FigureLabel>& labels, const Specimen& specimen,
+void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
                  LabelObstacles& obstacles, const FigureFrame& frame)
 {
-    const QRectF box = windowBox(specimen, frame);
+    const QRectF box = windowBox(tracedLine, frame);
     const double gap = 3 * frame.unit();
     FigureLabel label{
         Tone::Window, frame.windowIsPage ? tr("Page") : tr("Clip window"), {}, {}, {}};
@@ -170,7 +171,7 @@ QFont headFont(const FigureFrame& frame, Tone tone)
     if (tone == Tone::Edge)
         return detailFont(frame);
     font.setWeight(QFont::DemiBold);
-    if (tone != Tone::Plain && tone != Tone::Lit)
+    if (tone != Tone::Plain && tone != Tone::Highlighted)
         font.setPixelSize(detailFont(frame).pixelSize());
     return font;
 }
@@ -185,33 +186,33 @@ QFont detailFont(const FigureFrame& frame)
 QMarginsF paddingOf(const FigureFrame& frame, Tone tone)
 {
     const double u = frame.unit();
-    return tone == Tone::Lit ? QMarginsF(9, 5, 9, 5) * u : QMarginsF(3, 1, 3, 1) * u;
+    return tone == Tone::Highlighted ? QMarginsF(9, 5, 9, 5) * u : QMarginsF(3, 1, 3, 1) * u;
 }
 
-std::optional<QLineF> edgeLine(Edge edge, const Specimen& specimen, const FigureFrame& frame)
+std::optional<QLineF> edgeLine(Edge edge, const TracedLine& tracedLine, const FigureFrame& frame)
 {
     const glm::length_t across = clipping::axisOf(edge);
-    const double level = clipping::levelOf(edge, specimen.window);
+    const double level = clipping::levelOf(edge, tracedLine.window);
     clipping::Segment line{frame.seen.min, frame.seen.max};
     line.a[across] = line.b[across] = level;
     return frame.part(line);
 }
 
-QRectF windowBox(const Specimen& specimen, const FigureFrame& frame)
+QRectF windowBox(const TracedLine& tracedLine, const FigureFrame& frame)
 {
-    return QRectF(frame.at(specimen.window.min), frame.at(specimen.window.max)).normalized();
+    return QRectF(frame.at(tracedLine.window.min), frame.at(tracedLine.window.max)).normalized();
 }
 
-std::vector<FigureLabel> figureLabels(const Specimen& specimen, const Walk& walk,
+std::vector<FigureLabel> figureLabels(const TracedLine& tracedLine, const Narration& narration,
                                       const StepScene& scene, const FigureFrame& frame)
 {
-    LabelObstacles obstacles = obstaclesOf(specimen, walk, scene, frame);
+    LabelObstacles obstacles = obstaclesOf(tracedLine, narration, scene, frame);
     std::vector<FigureLabel> labels;
-    for (const FigureMark& mark : figureMarks(specimen, scene, frame))
+    for (const FigureMark& mark : figureMarks(tracedLine, scene, frame))
         if (!mark.head.isEmpty())
             labelMark(labels, mark, obstacles, frame);
-    labelEdges(labels, specimen, scene, obstacles, frame);
-    labelWindow(labels, specimen, obstacles, frame);
+    labelEdges(labels, tracedLine, scene, obstacles, frame);
+    labelWindow(labels, tracedLine, obstacles, frame);
     return labels;
 }
 

@@ -7,7 +7,7 @@ namespace app {
 
 /// A label of a figure and its place.
 struct FigureLabel {
-    enum class Tone : std::uint8_t { Plain, Lit, Window, Edge, LitEdge };
+    enum class Tone : std::uint8_t { Plain, Highlighted, Window, Edge, HighlightedEdge };
     Tone tone;
     QString head, detail;            ///< detail: a second line; may be empty
     QRectF box;                      ///< with its padding
@@ -16,7 +16,7 @@ struct FigureLabel {
 
 /// The labels of a step: inside the picture, without overlap with each other, a mark or the line.
 /// Labels without room are left out, the least important ones first.
-std::vector<FigureLabel> figureLabels(const Specimen& specimen, const Walk& walk,
+std::vector<FigureLabel> figureLabels(const TracedLine& tracedLine, const Narration& narration,
                                       const StepScene& scene, const FigureFrame& frame);
 
 /// The fonts of a label's two lines.
@@ -26,9 +26,9 @@ QFont detailFont(const FigureFrame& frame);
 QMarginsF paddingOf(const FigureFrame& frame, FigureLabel::Tone tone);
 
 /// The part of an edge's infinite line inside the picture; empty if it is not visible.
-std::optional<QLineF> edgeLine(clipping::Edge edge, const Specimen& specimen,
+std::optional<QLineF> edgeLine(clipping::Edge edge, const TracedLine& tracedLine,
                                const FigureFrame& frame);
 /// The window in the picture; a line or a point if it has no size.
-QRectF windowBox(const Specimen& specimen, const FigureFrame& frame);
+QRectF windowBox(const TracedLine& tracedLine, const FigureFrame& frame);
 
 } // namespace app

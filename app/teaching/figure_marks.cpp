@@ -61,14 +61,14 @@ Tone toneOfEnd(const StepScene& scene, int end)
     Tone tone = scene.state == StepScene::State::Rejected ? Tone::Muted : Tone::Strong;
     for (const CutPoint& cut : scene.cuts)
         if (cut.end == end)
-            tone = scene.isNow(cut) ? Tone::Lit : Tone::Muted;
+            tone = scene.isNow(cut) ? Tone::Highlighted : Tone::Muted;
     return tone;
 }
 
-void addEnds(std::vector<FigureMark>& marks, const Specimen& specimen, const StepScene& scene,
+void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const StepScene& scene,
              const FigureFrame& frame)
 {
-    const auto& [a, b] = specimen.line;
+    const auto& [a, b] = tracedLine.line;
     for (const auto& [point, other, end] : {std::tuple(a, b, 1), std::tuple(b, a, 2)}) {
         if (!std::isfinite(point.x) || !std::isfinite(point.y))
             continue;
@@ -108,7 +108,7 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
         const bool told = cut.stands || scene.cuts.size() <= mostTold;
         const bool strong = cut.stands && scene.state != StepScene::State::Rejected;
         marks.push_back({.shape = Form::Cut,
-                         .tone = scene.isNow(cut) ? Tone::Lit
+                         .tone = scene.isNow(cut) ? Tone::Highlighted
                                  : strong         ? Tone::Strong
                                                   : Tone::Muted,
                          .point = cut.at,
@@ -124,18 +124,18 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
 double radiusOf(const FigureMark& mark, const FigureFrame& frame)
 {
     const bool round = mark.shape == Form::End;
-    return frame.unit() * (round ? 5.5 : mark.tone == Tone::Lit ? 9.5 : 7.5);
+    return frame.unit() * (round ? 5.5 : mark.tone == Tone::Highlighted ? 9.5 : 7.5);
 }
 
-std::vector<FigureMark> figureMarks(const Specimen& specimen, const StepScene& scene,
+std::vector<FigureMark> figureMarks(const TracedLine& tracedLine, const StepScene& scene,
                                     const FigureFrame& frame)
 {
     std::vector<FigureMark> marks;
-    addEnds(marks, specimen, scene, frame);
+    addEnds(marks, tracedLine, scene, frame);
     addCuts(marks, scene, frame);
     if (scene.candidate && frame.shows(*scene.candidate))
         marks.push_back({.shape = Form::Candidate,
-                         .tone = Tone::Lit,
+                         .tone = Tone::Highlighted,
                          .point = *scene.candidate,
                          .place = frame.at(*scene.candidate),
                          .angle = 0,

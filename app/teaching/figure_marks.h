@@ -11,7 +11,7 @@ namespace app {
 /// A point worth a mark and a label.
 struct FigureMark {
     enum class Shape : std::uint8_t { End, FarEnd, Cut, Candidate };
-    enum class Tone : std::uint8_t { Strong, Muted, Lit };
+    enum class Tone : std::uint8_t { Strong, Muted, Highlighted };
     Shape shape;
     Tone tone;
     Point point;          ///< of the drawing
@@ -24,7 +24,7 @@ struct FigureMark {
 double radiusOf(const FigureMark& mark, const FigureFrame& frame);
 
 /// All marks of a step: first the ends, then the cuts in order, then candidate cuts.
-std::vector<FigureMark> figureMarks(const Specimen& specimen, const StepScene& scene,
+std::vector<FigureMark> figureMarks(const TracedLine& tracedLine, const StepScene& scene,
                                     const FigureFrame& frame);
 
 /// "−9.0625, 75": six significant digits each.

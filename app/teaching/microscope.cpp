@@ -7,34 +7,34 @@ namespace app {
 
 namespace {
 
-/// The visible part of a walk while a question about it is open.
-Walk firstSteps(Walk walk, std::size_t shown)
+/// The visible part of a trace while a question about it is open.
+Narration firstSteps(Narration narration, std::size_t shown)
 {
-    if (walk.moments.size() > shown)
-        walk.moments.resize(shown);
-    walk.outcome = clipping::Outcome::Invisible;
-    walk.visible.reset();
-    return walk;
+    if (narration.steps.size() > shown)
+        narration.steps.resize(shown);
+    narration.outcome = clipping::Outcome::Invisible;
+    narration.visible.reset();
+    return narration;
 }
 
 } // namespace
 
-void Microscope::open(const Specimen& specimen, std::size_t step)
+void Microscope::open(const TracedLine& tracedLine, std::size_t step)
 {
     shown_.reset();
-    show(specimen, step);
+    show(tracedLine, step);
 }
 
-void Microscope::openCovered(const Specimen& specimen, std::size_t shown)
+void Microscope::openCovered(const TracedLine& tracedLine, std::size_t shown)
 {
     shown_ = shown;
-    show(specimen, shown > 0 ? shown - 1 : 0);
+    show(tracedLine, shown > 0 ? shown - 1 : 0);
 }
 
-void Microscope::show(const Specimen& specimen, std::size_t step)
+void Microscope::show(const TracedLine& tracedLine, std::size_t step)
 {
     step_ = step;
-    setSpecimen(specimen);
+    setTracedLine(tracedLine);
     if (!open_) {
         open_ = true;
         emit openChanged();
@@ -50,22 +50,22 @@ void Microscope::close()
     emit openChanged();
 }
 
-void Microscope::setSpecimen(const Specimen& specimen)
+void Microscope::setTracedLine(const TracedLine& tracedLine)
 {
-    specimen_ = specimen;
-    walk_ = shown_ ? firstSteps(walkOf(specimen_), *shown_) : walkOf(specimen_);
-    step_ = std::min(step_, std::max<std::size_t>(walk_.moments.size(), 1) - 1);
-    emit specimenChanged();
+    tracedLine_ = tracedLine;
+    narration_ = shown_ ? firstSteps(narrationOf(tracedLine_), *shown_) : narrationOf(tracedLine_);
+    step_ = std::min(step_, std::max<std::size_t>(narration_.steps.size(), 1) - 1);
+    emit tracedLineChanged();
 }
 
-const Moment* Microscope::moment() const
+const NarratedStep* Microscope::narrated() const
 {
-    return walk_.moments.empty() ? nullptr : &walk_.moments[step_];
+    return narration_.steps.empty() ? nullptr : &narration_.steps[step_];
 }
 
 void Microscope::goTo(std::size_t step)
 {
-    step = std::min(step, std::max<std::size_t>(walk_.moments.size(), 1) - 1);
+    step = std::min(step, std::max<std::size_t>(narration_.steps.size(), 1) - 1);
     if (step == step_)
         return;
     step_ = step;

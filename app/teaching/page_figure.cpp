@@ -17,7 +17,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Page", text);
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}}; // the paper's
 
-QImage painted(const WalkStep& at, Ground ground, const QSize& size, double devicePixels)
+QImage painted(const TraceStep& at, Ground ground, const QSize& size, double devicePixels)
 {
     QImage image(size * devicePixels, QImage::Format_RGB32);
     if (image.isNull())
@@ -26,13 +26,13 @@ QImage painted(const WalkStep& at, Ground ground, const QSize& size, double devi
     QFont font = QGuiApplication::font();
     font.setPixelSize(std::max(9, size.width() / 52));
     QPainter painter(&image);
-    paintStep(painter, at, figureFrame(at.specimen, size, font), figureColours(ground));
+    paintStep(painter, at, figureFrame(at.tracedLine, size, font), figureColours(ground));
     return image;
 }
 
 } // namespace
 
-Specimen pageSpecimen(const clipping::Algorithm& algorithm)
+TracedLine pageTracedLine(const clipping::Algorithm& algorithm)
 {
     return {.variant = {&algorithm, clipping::Form::Corrected},
             .line = teachingOf(algorithm).figure.line,
@@ -41,34 +41,34 @@ Specimen pageSpecimen(const clipping::Algorithm& algorithm)
             .origin = {}};
 }
 
-std::size_t stepOf(const PageFigure& figure, const Walk& walk)
+std::size_t stepOf(const PageFigure& figure, const Narration& narration)
 {
-    for (std::size_t i = walk.moments.size(); i > 0; --i)
-        if (walk.moments[i - 1].mark == figure.mark)
+    for (std::size_t i = narration.steps.size(); i > 0; --i)
+        if (narration.steps[i - 1].mark == figure.mark)
             return i - 1;
-    return std::max<std::size_t>(walk.moments.size(), 1) - 1;
+    return std::max<std::size_t>(narration.steps.size(), 1) - 1;
 }
 
 QString pageFigureCaption(const clipping::Algorithm& algorithm)
 {
-    const Walk walk = walkOf(pageSpecimen(algorithm));
-    if (walk.moments.empty())
+    const Narration narration = narrationOf(pageTracedLine(algorithm));
+    if (narration.steps.empty())
         return {};
-    const std::size_t step = stepOf(teachingOf(algorithm).figure, walk);
+    const std::size_t step = stepOf(teachingOf(algorithm).figure, narration);
     return tr("Step %1 of %2: %3")
         .arg(step + 1)
-        .arg(walk.moments.size())
-        .arg(walk.moments[step].sentence);
+        .arg(narration.steps.size())
+        .arg(narration.steps[step].sentence);
 }
 
 QImage pageFigure(const clipping::Algorithm& algorithm, Ground ground, int width,
                   double devicePixels)
 {
-    const Specimen specimen = pageSpecimen(algorithm);
-    const Walk walk = walkOf(specimen);
-    if (walk.moments.empty())
+    const TracedLine tracedLine = pageTracedLine(algorithm);
+    const Narration narration = narrationOf(tracedLine);
+    if (narration.steps.empty())
         return {};
-    return painted({specimen, walk, stepOf(teachingOf(algorithm).figure, walk)}, ground,
+    return painted({tracedLine, narration, stepOf(teachingOf(algorithm).figure, narration)}, ground,
                    {width, width * 9 / 16}, devicePixels);
 }
 

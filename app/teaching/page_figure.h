@@ -12,9 +12,9 @@
 namespace app {
 
 /// The figure's line (from the row of teaching.h) in the paper's window, y up.
-Specimen pageSpecimen(const clipping::Algorithm& algorithm);
+TracedLine pageTracedLine(const clipping::Algorithm& algorithm);
 /// The figure's step: the last one with the row's mark, or the last of all if there is none.
-std::size_t stepOf(const PageFigure& figure, const Walk& walk);
+std::size_t stepOf(const PageFigure& figure, const Narration& narration);
 /// The caption "Step 11 of 13: End 2 lies above the window …"; empty: an algorithm without steps
 /// has no figure.
 QString pageFigureCaption(const clipping::Algorithm& algorithm);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk_step.h"
+#include "app/teaching/trace_step.h"
 #include "app/view/algorithm_mark.h"
 
 #include <QRectF>
@@ -18,16 +18,16 @@ enum class SlideParts : std::uint8_t { All, Picture };
 
 constexpr double slideWidth = 1280, slideHeight = 720; ///< in logical pixels
 
-/// Paints a step into (0, 0) to (slideWidth, slideHeight). For a walk without steps: the line, the
+/// Paints a step into (0, 0) to (slideWidth, slideHeight). For a trace without steps: the line, the
 /// window, and the reason.
-void paintSlide(QPainter& painter, const WalkStep& at, SlideParts parts, Ground ground);
+void paintSlide(QPainter& painter, const TraceStep& at, SlideParts parts, Ground ground);
 
 /// The place of a step's sentence.
 QRectF sentenceArea();
 
 /// "MD  Matthes-Drakopoulos, step 11 of 13".
-QString slideTitle(const Specimen& specimen, const Walk& walk, std::size_t step);
+QString slideTitle(const TracedLine& tracedLine, const Narration& narration, std::size_t step);
 /// The sentence of a step, or why there are no steps.
-QString slideSentence(const Walk& walk, std::size_t step);
+QString slideSentence(const Narration& narration, std::size_t step);
 
 } // namespace app

@@ -96,10 +96,12 @@ CodeRows fittingCode(const QStringList& code, double width, double height)
     return codeRows(code, font, width);
 }
 
-/// The range of lines that is shown: the lit line and as many around it as there is room for.
-std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t lit, double height)
+/// The range of lines that is shown: the highlighted line and as many around it as there is room
+/// for.
+std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t highlight,
+                                               double height)
 {
-    std::size_t first = std::min(lit, rows.lines.size() - 1), end = first + 1;
+    std::size_t first = std::min(highlight, rows.lines.size() - 1), end = first + 1;
     for (bool grown = true; grown;) {
         grown = false;
         if (end < rows.lines.size() && rows.height(first, end + 1) <= height)
@@ -111,10 +113,10 @@ std::pair<std::size_t, std::size_t> linesShown(const CodeRows& rows, std::size_t
 }
 
 /// The variables that are shown if there is no room for all: the changed ones, then the first.
-std::vector<const Variable*> shown(const Moment& moment, std::size_t room)
+std::vector<const Variable*> shown(const NarratedStep& narrated, std::size_t room)
 {
     std::vector<const Variable*> all;
-    for (const Variable& variable : moment.variables)
+    for (const Variable& variable : narrated.variables)
         all.push_back(&variable);
     if (all.size() <= room)
         return all;
@@ -158,7 +160,7 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     const QRectF earlier(value.right() + 12, row.top(), row.right() - value.right() - 12,
                          row.height());
     painter.setFont(body);
-    painter.setPen(variable.before ? colours.muted : colours.lit);
+    painter.setPen(variable.before ? colours.muted : colours.highlight);
     painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
                      variable.before ? tr("was %1").arg(fitting(before, earlier.width() - 44, body))
                                      : tr("new"));
@@ -200,16 +202,16 @@ QFont bold(QFont font)
     return font;
 }
 
-double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
-                 const FigureColours& colours)
+double paintCode(QPainter& painter, const QRectF& area, const Narration& narration,
+                 std::size_t step, const FigureColours& colours)
 {
     const double top = paintHeading(painter, area, tr("Pseudo-code"), colours);
     const double numbers =
         QFontMetricsF(slideFonts().code).horizontalAdvance(QStringLiteral("00")) + 16;
     const double height = area.bottom() - top;
-    const CodeRows rows = fittingCode(walk.code, area.width() - numbers, height);
+    const CodeRows rows = fittingCode(narration.code, area.width() - numbers, height);
     const double row = rowHeight(rows.font);
-    const int line = step < walk.moments.size() ? walk.moments[step].line : 0;
+    const int line = step < narration.steps.size() ? narration.steps[step].line : 0;
     const auto [first, end] = linesShown(rows, std::size_t(std::max(0, line - 1)), height);
     painter.setFont(rows.font);
     double y = top;
@@ -218,7 +220,7 @@ double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::s
         const QRectF all(area.left(), y, area.width(), high);
         if (int(i) + 1 == line) {
             painter.fillRect(all.adjusted(-6, 0, 6, 0), colours.tint);
-            painter.fillRect(QRectF(all.left() - 6, all.top(), 3, high), colours.lit);
+            painter.fillRect(QRectF(all.left() - 6, all.top(), 3, high), colours.highlight);
         }
         painter.setPen(colours.muted);
         painter.drawText(QRectF(all.left(), y, numbers - 12, row),
@@ -233,14 +235,14 @@ double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::s
     return y;
 }
 
-double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
+double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep& narrated,
                       const FigureColours& colours)
 {
     constexpr double row = 25;
     double top = paintHeading(painter, area, tr("Variables"), colours);
     const auto room = std::size_t(std::max(0.0, (area.bottom() - top) / row));
-    const std::size_t all = moment.variables.size();
-    const auto rows = shown(moment, all <= room ? all : std::max<std::size_t>(room, 1) - 1);
+    const std::size_t all = narrated.variables.size();
+    const auto rows = shown(narrated, all <= room ? all : std::max<std::size_t>(room, 1) - 1);
     for (const Variable* variable : rows) {
         paintVariable(painter, {area.left(), top, area.width(), row}, *variable, colours);
         top += row;
@@ -254,8 +256,8 @@ double paintVariables(QPainter& painter, const QRectF& area, const Moment& momen
     return top + row;
 }
 
-double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
-                       const FigureColours& colours)
+double paintOperations(QPainter& painter, const QRectF& area, const Narration& narration,
+                       std::size_t step, const FigureColours& colours)
 {
     const double top = paintHeading(painter, area, tr("Operations so far"), colours);
     const QFont number = bold(sized(slideFonts().body, 1.2)),
@@ -268,8 +270,8 @@ double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, 
     std::vector<Cell> cells;
     double used = 0;
     for (const auto& [name, count] : operations()) {
-        Cell cell{countText(walk.moments[step].cost.*count),
-                  tr("of %1").arg(countText(walk.moments.back().cost.*count)), name, 0};
+        Cell cell{countText(narration.steps[step].cost.*count),
+                  tr("of %1").arg(countText(narration.steps.back().cost.*count)), name, 0};
         cell.width =
             std::max(words.horizontalAdvance(name),
                      large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/teaching/figure_colours.h"
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QFont>
 #include <QRectF>
@@ -23,16 +23,16 @@ SlideFonts slideFonts();
 QFont sized(QFont font, double factor);
 QFont bold(QFont font);
 
-/// Paints the pseudo-code with the step's line lit, and as many lines around it as there is room
-/// for. Long lines are wrapped, never cut.
-double paintCode(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
-                 const FigureColours& colours);
-/// Paints the variables with the changed ones lit; if there is no room for all, the changed ones
-/// first.
-double paintVariables(QPainter& painter, const QRectF& area, const Moment& moment,
+/// Paints the pseudo-code with the step's line highlighted, and as many lines around it as there is
+/// room for. Long lines are wrapped, never cut.
+double paintCode(QPainter& painter, const QRectF& area, const Narration& narration,
+                 std::size_t step, const FigureColours& colours);
+/// Paints the variables with the changed ones highlighted; if there is no room for all, the changed
+/// ones first.
+double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep& narrated,
                       const FigureColours& colours);
 /// Paints the operations so far, and their total.
-double paintOperations(QPainter& painter, const QRectF& area, const Walk& walk, std::size_t step,
-                       const FigureColours& colours);
+double paintOperations(QPainter& painter, const QRectF& area, const Narration& narration,
+                       std::size_t step, const FigureColours& colours);
 
 } // namespace app

@@ -16,12 +16,12 @@ bool isOn(clipping::Edge edge, const Point& at, const clipping::Window& window)
 }
 
 /// The edge of a step, unless the point lies on another edge.
-Edge edgeOf(const Moment& moment, const Point& at, const clipping::Window& window)
+Edge edgeOf(const NarratedStep& narrated, const Point& at, const clipping::Window& window)
 {
-    for (const Edge edge : {moment.edge, Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
+    for (const Edge edge : {narrated.edge, Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
         if (isOn(edge, at, window))
             return edge;
-    return moment.edge;
+    return narrated.edge;
 }
 
 /// Records the move of an end. The final rounding of an end when it is accepted is not a new cut;
@@ -51,10 +51,10 @@ StepScene::State stateOf(Mark mark)
                                                           : StepScene::State::Working;
 }
 
-/// The remaining line after a moment: if it accepts, the visible part after the final rounding.
-const clipping::Segment& leftAt(const Moment& moment, const Walk& walk)
+/// The remaining line after a step: if it accepts, the visible part after the final rounding.
+const clipping::Segment& leftAt(const NarratedStep& narrated, const Narration& narration)
 {
-    return moment.mark == Mark::Accept && walk.visible ? *walk.visible : moment.left;
+    return narrated.mark == Mark::Accept && narration.visible ? *narration.visible : narrated.left;
 }
 
 /// Records the part between an end's place before and now.
@@ -68,31 +68,33 @@ void noteDiscarded(StepScene& scene, const Point& given, const Point& before, co
 
 } // namespace
 
-StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step)
+StepScene stepScene(const TracedLine& tracedLine, const Narration& narration, std::size_t step)
 {
-    StepScene scene{.left = specimen.line, .discarded = {}, .discardedNow = {}, .step = step};
-    if (step >= walk.moments.size())
+    StepScene scene{.left = tracedLine.line, .discarded = {}, .discardedNow = {}, .step = step};
+    if (step >= narration.steps.size())
         return scene;
-    clipping::Segment before = specimen.line;
+    clipping::Segment before = tracedLine.line;
     for (std::size_t i = 0; i <= step; ++i) {
-        const Moment& moment = walk.moments[i];
+        const NarratedStep& narrated = narration.steps[i];
         before = scene.left;
-        scene.left = leftAt(moment, walk);
-        const auto& [a, b] = specimen.line;
+        scene.left = leftAt(narrated, narration);
+        const auto& [a, b] = tracedLine.line;
         for (const auto& [was, is, given, end] :
              {std::tuple(before.a, scene.left.a, a, 1), std::tuple(before.b, scene.left.b, b, 2)})
             if (was != is)
-                noteCut(
-                    scene,
-                    {.at = is, .end = end, .edge = edgeOf(moment, is, specimen.window), .step = i},
-                    given, moment.mark);
+                noteCut(scene,
+                        {.at = is,
+                         .end = end,
+                         .edge = edgeOf(narrated, is, tracedLine.window),
+                         .step = i},
+                        given, narrated.mark);
     }
-    const Moment& now = walk.moments[step];
+    const NarratedStep& now = narration.steps[step];
     scene.state = stateOf(now.mark);
     scene.candidate = now.candidate;
     scene.edge = now.edge;
-    noteDiscarded(scene, specimen.line.a, before.a, scene.left.a);
-    noteDiscarded(scene, specimen.line.b, before.b, scene.left.b);
+    noteDiscarded(scene, tracedLine.line.a, before.a, scene.left.a);
+    noteDiscarded(scene, tracedLine.line.b, before.b, scene.left.b);
     return scene;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 namespace app {
 
@@ -10,7 +10,7 @@ struct CutPoint {
     Point at;
     int end = 1;                                ///< the end that was moved there: 1 or 2
     clipping::Edge edge = clipping::Edge::None; ///< None: not on an edge, as for wrong cuts
-    std::size_t step = 0;                       ///< index of the moment
+    std::size_t step = 0;                       ///< index of the step
     bool stands = true;                         ///< false: the same end was cut again later
 };
 
@@ -29,7 +29,7 @@ struct StepScene {
     bool isNow(const CutPoint& cut) const { return cut.step == step; }
 };
 
-/// For a step that the walk does not have: the original line.
-StepScene stepScene(const Specimen& specimen, const Walk& walk, std::size_t step);
+/// For a step that the trace does not have: the original line.
+StepScene stepScene(const TracedLine& tracedLine, const Narration& narration, std::size_t step);
 
 } // namespace app

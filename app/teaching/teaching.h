@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/overlays/family.h"
-#include "app/teaching/teller.h"
+#include "app/teaching/sentence.h"
 #include "app/teaching/value_unit.h"
 
 #include <span>
 
-// How an algorithm is explained: a file in tellers/ and a line in tellers/catalogue.cpp. An
+// How an algorithm is explained: a file in sentences/ and a line in sentences/catalogue.cpp. An
 // algorithm without a row uses the defaults, which need only its trace and its pseudo-code.
 
 namespace app {
@@ -23,7 +23,7 @@ struct PageFigure {
 struct Teaching {
     std::string_view key; ///< of the algorithm
     /// The sentence of a step; if it is empty, that of generalSentence is used.
-    QString (*sentence)(const Telling& telling) = generalSentence;
+    QString (*sentence)(const SentenceContext& context) = generalSentence;
     std::string_view parameter{}; ///< the value that is the parameter of a candidate cut
     std::array<std::string_view, 2> middle{}; ///< or the two values that are its coordinates
     Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< the algorithm's view of the plane
@@ -39,6 +39,6 @@ std::span<const Teaching> teachings();
 Teaching teachingOf(const clipping::Algorithm& algorithm);
 
 /// A step's sentence by that row; never empty.
-QString sentenceOf(const Teaching& teaching, const Telling& telling);
+QString sentenceOf(const Teaching& teaching, const SentenceContext& context);
 
 } // namespace app

@@ -21,7 +21,8 @@ QString tr(const char* text) { return QCoreApplication::translate("TraceFile", t
 
 PaintedCaption captionOf(const TraceExport& trace, std::size_t step)
 {
-    return {slideTitle(trace.specimen, trace.walk, step), slideSentence(trace.walk, step)};
+    return {slideTitle(trace.tracedLine, trace.narration, step),
+            slideSentence(trace.narration, step)};
 }
 
 QByteArray svg(const TraceExport& trace, std::span<const std::size_t> steps)
@@ -39,7 +40,7 @@ QByteArray pdf(const TraceExport& trace, std::span<const std::size_t> steps)
     std::vector<PaintedPage> pages;
     for (const std::size_t step : steps)
         pages.push_back(slidePage(trace, step));
-    return pdfOf(pages, {titleOf(trace.specimen.variant), {}});
+    return pdfOf(pages, {titleOf(trace.tracedLine.variant), {}});
 }
 
 bool oneFile(const TraceExport& trace, const TraceFormat& format)
@@ -52,7 +53,8 @@ bool oneFile(const TraceExport& trace, const TraceFormat& format)
 PaintedPage slidePage(const TraceExport& trace, std::size_t step)
 {
     return {{slideWidth, slideHeight}, [&trace, step](QPainter& painter) {
-                paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
+                paintSlide(painter, {trace.tracedLine, trace.narration, step}, trace.parts,
+                           trace.ground);
             }};
 }
 
@@ -60,7 +62,7 @@ std::vector<std::size_t> TraceExport::steps() const
 {
     if (only)
         return {*only};
-    std::vector<std::size_t> all(std::max<std::size_t>(walk.moments.size(), 1));
+    std::vector<std::size_t> all(std::max<std::size_t>(narration.steps.size(), 1));
     std::iota(all.begin(), all.end(), std::size_t(0));
     return all;
 }
@@ -91,7 +93,7 @@ const TraceFormat* findTraceFormat(QStringView word)
 
 QString traceStem(const TraceExport& trace)
 {
-    return keyOf(trace.specimen.variant).replace(u':', u'-');
+    return keyOf(trace.tracedLine.variant).replace(u':', u'-');
 }
 
 QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, const QString& target)
@@ -107,7 +109,8 @@ QStringList tracePaths(const TraceExport& trace, const TraceFormat& format, cons
     const auto steps = trace.steps();
     if (format.files == TraceFormat::Files::One)
         return {stem + ending};
-    const auto digits = std::max<qsizetype>(2, QString::number(trace.walk.moments.size()).size());
+    const auto digits =
+        std::max<qsizetype>(2, QString::number(trace.narration.steps.size()).size());
     QStringList paths;
     for (const std::size_t step : steps)
         paths << stem + u'-' + QString::number(step + 1).rightJustified(digits, u'0') + ending;

@@ -15,13 +15,13 @@ namespace app {
 
 /// What is exported.
 struct TraceExport {
-    Specimen specimen;
-    Walk walk;
-    std::optional<std::size_t> only{}; ///< only this step: an index into walk.moments
+    TracedLine tracedLine;
+    Narration narration;
+    std::optional<std::size_t> only{}; ///< only this step: an index into narration.steps
     SlideParts parts = SlideParts::All;
     Ground ground = Ground::Light;
     double scale = 1; ///< pixels of the image for each pixel of the slide
-    /// The steps in order; for a walk without steps: 0, which shows the line and the window.
+    /// The steps in order; for a trace without steps: 0, which shows the line and the window.
     std::vector<std::size_t> steps() const;
 };
 

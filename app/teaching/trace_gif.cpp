@@ -18,10 +18,10 @@ namespace {
 constexpr int colours = 256;
 
 /// The duration of a step in hundredths of a second.
-int delayOf(const Walk& walk, std::size_t step)
+int delayOf(const Narration& narration, std::size_t step)
 {
-    const bool last = step + 1 >= walk.moments.size();
-    return 120 + 4 * int(slideSentence(walk, step).size()) + (last ? 200 : 0);
+    const bool last = step + 1 >= narration.steps.size();
+    return 120 + 4 * int(slideSentence(narration, step).size()) + (last ? 200 : 0);
 }
 
 QImage frameOf(const TraceExport& trace, std::size_t step)
@@ -168,7 +168,8 @@ QByteArray traceGif(const TraceExport& trace, std::span<const std::size_t> steps
     bool fine = putScreen(gif.get(), first.size(), palette) && putLoop(gif.get());
     for (const std::size_t step : steps)
         fine =
-            fine && putFrame(gif.get(), frameOf(trace, step), delayOf(trace.walk, step), matcher);
+            fine
+            && putFrame(gif.get(), frameOf(trace, step), delayOf(trace.narration, step), matcher);
     return fine ? bytes : QByteArray();
 }
 

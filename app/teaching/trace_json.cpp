@@ -78,10 +78,10 @@ QString valueOf(double value, clipping::ValueKind kind)
     return number(value);
 }
 
-QString variablesOf(const Moment& moment)
+QString variablesOf(const NarratedStep& narrated)
 {
     QStringList lines;
-    for (const Variable& v : moment.variables)
+    for (const Variable& v : narrated.variables)
         lines << QStringLiteral(
                      "        {\"name\": %1, \"kind\": %2, \"value\": %3, \"before\": %4}")
                      .arg(quoted(v.name), kindKey(v.kind), valueOf(v.value, v.kind),
@@ -100,26 +100,26 @@ QString operationsOf(const clipping::OperationCounts& cost)
         .arg(cost.negations);
 }
 
-QString stepOf(const Moment& moment, std::size_t step)
+QString stepOf(const NarratedStep& narrated, std::size_t step)
 {
-    const auto& candidate = moment.candidate;
+    const auto& candidate = narrated.candidate;
     const auto truth = [](bool is) {
         return is ? QStringLiteral("true") : QStringLiteral("false");
     };
     return QStringLiteral("    ")
-           + object(
-               {{"step", QString::number(step + 1)},
-                {"line", moment.line > 0 ? QString::number(moment.line) : QStringLiteral("null")},
-                {"mark", markKey(moment.mark)},
-                {"sentence", quoted(moment.sentence)},
-                {"answer", moment.answer ? truth(*moment.answer) : QStringLiteral("null")},
-                {"edge", edgeKey(moment.edge)},
-                {"left", list(moment.left)},
-                {"candidate", candidate ? list({number(candidate->x), number(candidate->y)})
-                                        : QStringLiteral("null")},
-                {"variables", variablesOf(moment)},
-                {"operations", operationsOf(moment.cost)}},
-               QStringLiteral("    "));
+           + object({{"step", QString::number(step + 1)},
+                     {"line",
+                      narrated.line > 0 ? QString::number(narrated.line) : QStringLiteral("null")},
+                     {"mark", markKey(narrated.mark)},
+                     {"sentence", quoted(narrated.sentence)},
+                     {"answer", narrated.answer ? truth(*narrated.answer) : QStringLiteral("null")},
+                     {"edge", edgeKey(narrated.edge)},
+                     {"left", list(narrated.left)},
+                     {"candidate", candidate ? list({number(candidate->x), number(candidate->y)})
+                                             : QStringLiteral("null")},
+                     {"variables", variablesOf(narrated)},
+                     {"operations", operationsOf(narrated.cost)}},
+                    QStringLiteral("    "));
 }
 
 QString outcomeKey(clipping::Outcome outcome)
@@ -132,8 +132,8 @@ QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     QStringList lines;
     for (const std::size_t step : steps)
-        if (step < trace.walk.moments.size())
-            lines << stepOf(trace.walk.moments[step], step);
+        if (step < trace.narration.steps.size())
+            lines << stepOf(trace.narration.steps[step], step);
     return QStringLiteral("[\n") + lines.join(QStringLiteral(",\n")) + QStringLiteral("\n  ]");
 }
 
@@ -141,10 +141,10 @@ QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
 
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    const Walk& walk = trace.walk;
-    const auto& [variant, line, window, y, origin] = trace.specimen;
+    const Narration& narration = trace.narration;
+    const auto& [variant, line, window, y, origin] = trace.tracedLine;
     QStringList code;
-    for (const QString& text : walk.code)
+    for (const QString& text : narration.code)
         code << quoted(text);
     const QString text = object(
         {{"format", quoted(QStringLiteral("clearcut-trace-1"))},
@@ -154,8 +154,8 @@ QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> step
          {"line", list(line)},
          {"window", list(clipping::Segment{window.min, window.max})},
          {"y", quoted(y == YAxis::Up ? QStringLiteral("up") : QStringLiteral("down"))},
-         {"outcome", outcomeKey(walk.outcome)},
-         {"visible", walk.visible ? list(*walk.visible) : QStringLiteral("null")},
+         {"outcome", outcomeKey(narration.outcome)},
+         {"visible", narration.visible ? list(*narration.visible) : QStringLiteral("null")},
          {"code", list(code)},
          {"steps", stepsOf(trace, steps)}},
         {});

@@ -44,17 +44,17 @@ std::optional<QString> numbersText(const Point& p, const Point& q)
 
 } // namespace
 
-std::optional<QString> traceLink(const Specimen& specimen)
+std::optional<QString> traceLink(const TracedLine& tracedLine)
 {
-    const auto line = numbersText(specimen.line.a, specimen.line.b);
-    const auto window = numbersText(specimen.window.min, specimen.window.max);
-    if (!line || !window || specimen.variant.exhibit)
+    const auto line = numbersText(tracedLine.line.a, tracedLine.line.b);
+    const auto window = numbersText(tracedLine.window.min, tracedLine.window.max);
+    if (!line || !window || tracedLine.variant.misprint)
         return std::nullopt;
     return QStringLiteral("clearcut:trace?a=%1&line=%2&w=%3")
-        .arg(keyOf(specimen.variant), *line, *window);
+        .arg(keyOf(tracedLine.variant), *line, *window);
 }
 
-std::optional<Specimen> specimenOf(const QUrl& link)
+std::optional<TracedLine> tracedLineOf(const QUrl& link)
 {
     if (link.scheme() != QStringLiteral("clearcut") || link.path() != QStringLiteral("trace"))
         return std::nullopt;
@@ -66,11 +66,11 @@ std::optional<Specimen> specimenOf(const QUrl& link)
     const auto line = numbers(value("line")), window = numbers(value("w"));
     if (!variant || !line || !window)
         return std::nullopt;
-    return Specimen{.variant = *variant,
-                    .line = {{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}},
-                    .window = {{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}},
-                    .y = YAxis::Up,
-                    .origin = titleOf(*variant)};
+    return TracedLine{.variant = *variant,
+                      .line = {{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}},
+                      .window = {{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}},
+                      .y = YAxis::Up,
+                      .origin = titleOf(*variant)};
 }
 
 } // namespace app

@@ -18,10 +18,10 @@ QString pair(const Point& point)
 }
 
 /// The changes of a step: "x1 = −100 (was −160), t = 0.26".
-QString changes(const Moment& moment)
+QString changes(const NarratedStep& narrated)
 {
     QStringList words;
-    for (const Variable& variable : moment.variables) {
+    for (const Variable& variable : narrated.variables) {
         if (!variable.changed())
             continue;
         QString word = QStringLiteral("%1 = %2").arg(variable.name, valueText(variable));
@@ -46,24 +46,24 @@ QString operations(const clipping::OperationCounts& cost)
 
 QString stepText(const TraceExport& trace, std::size_t step)
 {
-    const Walk& walk = trace.walk;
-    const Moment& moment = walk.moments[step];
+    const Narration& narration = trace.narration;
+    const NarratedStep& narrated = narration.steps[step];
     const QString indent(5, u' ');
     QString text = QString::number(step + 1).rightJustified(3) + QStringLiteral("  ")
-                   + moment.sentence + u'\n';
-    if (moment.line >= 1 && moment.line <= walk.code.size())
-        text += indent + tr("line %1: ").arg(moment.line) + walk.code[moment.line - 1].trimmed()
-                + u'\n';
-    if (const QString changed = changes(moment); !changed.isEmpty())
+                   + narrated.sentence + u'\n';
+    if (narrated.line >= 1 && narrated.line <= narration.code.size())
+        text += indent + tr("line %1: ").arg(narrated.line)
+                + narration.code[narrated.line - 1].trimmed() + u'\n';
+    if (const QString changed = changes(narrated); !changed.isEmpty())
         text += indent + changed + u'\n';
-    return text + indent + operations(moment.cost) + u'\n';
+    return text + indent + operations(narrated.cost) + u'\n';
 }
 
-QString endText(const Walk& walk)
+QString endText(const Narration& narration)
 {
-    if (walk.visible)
-        return tr("Visible: %1 to %2").arg(pair(walk.visible->a), pair(walk.visible->b));
-    return walk.outcome == clipping::Outcome::DidNotEnd
+    if (narration.visible)
+        return tr("Visible: %1 to %2").arg(pair(narration.visible->a), pair(narration.visible->b));
+    return narration.outcome == clipping::Outcome::DidNotEnd
                ? tr("It did not end by itself: nothing is visible.")
                : tr("Nothing is visible.");
 }
@@ -72,16 +72,16 @@ QString endText(const Walk& walk)
 
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    const auto& [variant, line, window, y, origin] = trace.specimen;
+    const auto& [variant, line, window, y, origin] = trace.tracedLine;
     QString text = titleOf(variant) + u'\n';
     text += tr("Line:    %1 to %2\n").arg(pair(line.a), pair(line.b));
     text += tr("Window:  %1 to %2, y grows %3\n\n")
                 .arg(pair(window.min), pair(window.max), y == YAxis::Up ? tr("up") : tr("down"));
-    if (trace.walk.moments.empty())
-        return (text + trace.walk.refusal + u'\n').toUtf8();
+    if (trace.narration.steps.empty())
+        return (text + trace.narration.refusal + u'\n').toUtf8();
     for (const std::size_t step : steps)
         text += stepText(trace, step) + u'\n';
-    return (text + endText(trace.walk) + u'\n').toUtf8();
+    return (text + endText(trace.narration) + u'\n').toUtf8();
 }
 
 } // namespace app

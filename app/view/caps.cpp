@@ -7,13 +7,14 @@
 
 namespace app {
 
-QPainterPath capAt(const QPointF& at, const QPointF& away, const Ink& ink, double overlap)
+QPainterPath capAt(const QPointF& at, const QPointF& away, const StrokeStyle& strokeStyle,
+                   double overlap)
 {
     QPainterPath cap; // for a stroke that comes from the left and ends at 0
-    const double r = ink.width / 2;
-    if (ink.cap == Cap::Square)
+    const double r = strokeStyle.width / 2;
+    if (strokeStyle.cap == Cap::Square)
         cap.addRect(QRectF(-overlap, -r, r + overlap, 2 * r));
-    if (ink.cap == Cap::Round) {
+    if (strokeStyle.cap == Cap::Round) {
         cap.moveTo(-overlap, r);
         cap.lineTo(0, r);
         cap.arcTo(QRectF(-r, -r, 2 * r, 2 * r), -90, 180);

@@ -101,12 +101,12 @@ void Coverage::addToRow(int row, double x0, double x1, double height)
     }
 }
 
-QImage Coverage::inked(FillRule rule, const Colour& colour) const
+QImage Coverage::coloured(FillRule rule, const Colour& colour) const
 {
     QImage image(pixels_.size(), QImage::Format_ARGB32_Premultiplied);
-    std::array<QRgb, 256> inks{};
+    std::array<QRgb, 256> colours{};
     for (int i = 0; i < 256; ++i)
-        inks[std::size_t(i)] = qPremultiply(
+        colours[std::size_t(i)] = qPremultiply(
             qRgba(colour.red, colour.green, colour.blue, (colour.alpha * i + 127) / 255));
     for (int y = 0; y < image.height(); ++y) {
         const float* const sums = sums_.data() + std::size_t(y) * stride_;
@@ -114,7 +114,7 @@ QImage Coverage::inked(FillRule rule, const Colour& colour) const
         double sum = 0;
         for (int x = 0; x < image.width(); ++x) {
             sum += double(sums[x]);
-            line[x] = inks[std::size_t(level(sum, rule))];
+            line[x] = colours[std::size_t(level(sum, rule))];
         }
     }
     return image;

@@ -20,7 +20,7 @@ public:
     void add(std::span<const QPointF> contour);
 
     /// The pixels in one colour, with their coverage as opacity.
-    QImage inked(FillRule rule, const Colour& colour) const;
+    QImage coloured(FillRule rule, const Colour& colour) const;
 
 private:
     void addEdge(const QPointF& a, const QPointF& b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/difference_marks.h"
 
-#include "app/view/plating.h"
+#include "app/view/draw_list_builder.h"
 
 #include <glm/geometric.hpp>
 
@@ -111,14 +111,14 @@ struct Thickness {
 };
 
 /// Adds marks of one colour, each with the thickness for its line.
-void addMarks(Plating& plating, LineStyles& styles, const Thickness& thickness, double zoom,
+void addMarks(DrawListBuilder& builder, LineStyles& styles, const Thickness& thickness, double zoom,
               std::span<const Clipped> seen, Style mark)
 {
     std::vector<Segment> alike; // pieces with the same thickness
     const auto paint = [&](double pixels) {
         mark.width = pixels / zoom;
         if (!alike.empty())
-            plating.add(mark, alike, 0, untouched(alike));
+            builder.add(mark, alike, 0, untouched(alike));
         alike.clear();
     };
     double width = 0;
@@ -132,54 +132,55 @@ void addMarks(Plating& plating, LineStyles& styles, const Thickness& thickness, 
     paint(width);
 }
 
-void append(Plate& to, Plate plate)
+void append(DrawList& to, DrawList drawList)
 {
-    const auto chains = std::uint32_t(to.chains.size()), points = std::uint32_t(to.points.size());
-    for (Coat& coat : plate.coats) {
-        coat.firstChain += chains;
-        to.coats.push_back(coat);
+    const auto polylines = std::uint32_t(to.polylines.size()),
+               points = std::uint32_t(to.points.size());
+    for (DrawCommand& command : drawList.commands) {
+        command.firstPolyline += polylines;
+        to.commands.push_back(command);
     }
-    for (Chain& chain : plate.chains) {
-        chain.first += points;
-        to.chains.push_back(chain);
+    for (Polyline& polyline : drawList.polylines) {
+        polyline.first += points;
+        to.polylines.push_back(polyline);
     }
-    to.points.insert(to.points.end(), plate.points.begin(), plate.points.end());
+    to.points.insert(to.points.end(), drawList.points.begin(), drawList.points.end());
 }
 
-Plate gradedMarks(LineStyles& styles, const PictureOptions& options)
+DrawList gradedMarks(LineStyles& styles, const PictureOptions& options)
 {
     PictureOptions asTheyAre = options; // keep the given colours, which are chosen for the page
     asTheyAre.page.reset();
-    Plating plating(asTheyAre, 0);
+    DrawListBuilder builder(asTheyAre, 0);
     for (const PictureOptions::Graded& group : options.graded) {
         Style mark;
         mark.stroke = group.colour;
-        addMarks(plating, styles, {leastGraded, 0}, options.view.zoom,
+        addMarks(builder, styles, {leastGraded, 0}, options.view.zoom,
                  seenOf(styles.lines(), options, group.pieces), std::move(mark));
     }
-    return plating.take();
+    return builder.take();
 }
 
 } // namespace
 
-Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
-                      const PictureOptions& options)
+DrawList differenceMarks(const StyleTable& styles, const SceneLines& lines,
+                         const PictureOptions& options)
 {
     LineStyles lineStyles(styles, lines);
     const std::vector<Clipped> seen = seenOf(lines.size(), options, options.differing);
-    Plating plating(options, 2 * seen.size());
+    DrawListBuilder builder(options, 2 * seen.size());
     Style mark;
     mark.stroke = options.marked;
-    addMarks(plating, lineStyles, {leastWidth, thicker}, options.view.zoom, seen, mark);
+    addMarks(builder, lineStyles, {leastWidth, thicker}, options.view.zoom, seen, mark);
     if (const std::vector<Segment> ticks = ticksOf(seen, options); !ticks.empty()) {
         mark.width = leastWidth / options.view.zoom;
-        plating.add(mark, ticks, 0, untouched(ticks));
+        builder.add(mark, ticks, 0, untouched(ticks));
     }
     if (options.graded.empty())
-        return plating.take();
-    Plate plate = gradedMarks(lineStyles, options);
-    append(plate, plating.take());
-    return plate;
+        return builder.take();
+    DrawList drawList = gradedMarks(lineStyles, options);
+    append(drawList, builder.take());
+    return drawList;
 }
 
 } // namespace app

@@ -7,7 +7,7 @@ namespace app {
 
 /// The draw list for the marks `options.graded` and, above them, `options.differing`. Marks are
 /// always thicker than the lines below them, and have ticks where these help.
-Plate differenceMarks(const StyleTable& styles, const SceneLines& lines,
-                      const PictureOptions& options);
+DrawList differenceMarks(const StyleTable& styles, const SceneLines& lines,
+                         const PictureOptions& options);
 
 } // namespace app

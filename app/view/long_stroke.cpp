@@ -18,16 +18,16 @@ constexpr double finer = 2;             // Qt flattens joins this much finer for
 
 class Outliner {
 public:
-    Outliner(const Ink& ink, const QTransform& toDevice, const VisitContour& visit)
-        : least_(longEnough * ink.width), toFiner_(toDevice * QTransform::fromScale(finer, finer)),
-          visit_(visit)
+    Outliner(const StrokeStyle& strokeStyle, const QTransform& toDevice, const VisitContour& visit)
+        : least_(longEnough * strokeStyle.width),
+          toFiner_(toDevice * QTransform::fromScale(finer, finer)), visit_(visit)
     {
-        stroker_.setWidth(ink.width);
-        stroker_.setMiterLimit(ink.miterLimit);
+        stroker_.setWidth(strokeStyle.width);
+        stroker_.setMiterLimit(strokeStyle.miterLimit);
         stroker_.setCapStyle(Qt::FlatCap);
-        stroker_.setJoinStyle(ink.join == Join::Miter   ? Qt::SvgMiterJoin
-                              : ink.join == Join::Round ? Qt::RoundJoin
-                                                        : Qt::BevelJoin);
+        stroker_.setJoinStyle(strokeStyle.join == Join::Miter   ? Qt::SvgMiterJoin
+                              : strokeStyle.join == Join::Round ? Qt::RoundJoin
+                                                                : Qt::BevelJoin);
     }
 
     // Divides an open stroke into pieces that meet in the middle of a segment, where there is no
@@ -67,9 +67,9 @@ public:
 
     // Adds the cap as a contour with the orientation of the stroker's contours, so that the areas
     // add up.
-    void cap(const QPointF& at, const QPointF& away, const Ink& ink)
+    void cap(const QPointF& at, const QPointF& away, const StrokeStyle& strokeStyle)
     {
-        visitAll(capAt(at, away, ink, 0), [](QPolygonF& contour) {
+        visitAll(capAt(at, away, strokeStyle, 0), [](QPolygonF& contour) {
             double area = 0;
             for (qsizetype i = 0; i < contour.size(); ++i) {
                 const QPointF &a = contour[i], &b = contour[i + 1 == contour.size() ? 0 : i + 1];
@@ -118,15 +118,15 @@ private:
 void visitContours(const LongStroke& stroke, const QTransform& toDevice, const Cancelled& cancelled,
                    const VisitContour& visit)
 {
-    const auto& [points, chain, ink] = stroke;
-    Outliner outliner(ink, toDevice, visit);
-    if (chain.closed)
+    const auto& [points, polyline, strokeStyle] = stroke;
+    Outliner outliner(strokeStyle, toDevice, visit);
+    if (polyline.closed)
         return outliner.closed(points, cancelled);
     outliner.open(points, cancelled);
-    if (chain.capAtStart && ink.cap != Cap::Butt)
-        outliner.cap(points[0], points[0] - points[1], ink);
-    if (chain.capAtEnd && ink.cap != Cap::Butt)
-        outliner.cap(points.back(), points.back() - points[points.size() - 2], ink);
+    if (polyline.capAtStart && strokeStyle.cap != Cap::Butt)
+        outliner.cap(points[0], points[0] - points[1], strokeStyle);
+    if (polyline.capAtEnd && strokeStyle.cap != Cap::Butt)
+        outliner.cap(points.back(), points.back() - points[points.size() - 2], strokeStyle);
 }
 
 } // namespace app

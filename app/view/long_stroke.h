@@ -10,8 +10,8 @@ namespace app {
 /// A wide stroke; the referenced objects must outlive it.
 struct LongStroke {
     std::span<const QPointF> points;
-    const Chain& chain;
-    const Ink& ink;
+    const Polyline& polyline;
+    const StrokeStyle& strokeStyle;
 };
 
 using VisitContour = std::function<void(std::span<const QPointF> contour)>;

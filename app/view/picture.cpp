@@ -2,20 +2,20 @@
 #include "app/view/picture.h"
 
 #include "app/view/difference_marks.h"
-#include "app/view/ink.h"
-#include "app/view/scene_plating.h"
+#include "app/view/scene_draw_list_builder.h"
+#include "app/view/visible_colour.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
 
-constexpr double leastLit = 1.5; // pixels; least width of selected strokes
+constexpr double leastSelected = 1.5; // pixels; least width of selected strokes
 
-Plate plate(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
-            const PictureOptions& options)
+DrawList drawList(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
+                  const PictureOptions& options)
 {
-    ScenePlating plating(lines, part, options, part.expectedPieces());
+    SceneDrawListBuilder builder(lines, part, options, part.expectedPieces());
     std::optional<StyleIndex> style;
     for (std::size_t at = 0; at < lines.blocks().size(); ++at) {
         const SceneBlock& block = *lines.blocks()[at];
@@ -25,14 +25,14 @@ Plate plate(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
             if (remains == Remains::Gone)
                 continue;
             if (style != chunk.style)
-                plating.setStyle(styles[*(style = chunk.style)]);
+                builder.setStyle(styles[*(style = chunk.style)]);
             if (remains == Remains::Whole)
-                plating.addWhole(at, i, chunk.first, block.endOfChunk(i));
+                builder.addWhole(at, i, chunk.first, block.endOfChunk(i));
             else
-                plating.addPieces(at, part.pieces(at, i));
+                builder.addPieces(at, part.pieces(at, i));
         }
     }
-    return plating.take();
+    return builder.take();
 }
 
 std::size_t objectsIn(std::span<const ObjectRange> ranges)
@@ -48,16 +48,16 @@ class Lighting {
 public:
     Lighting(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
         : styles_(styles), lines_(lines), options_(options),
-          plating_(lines, all_, options, objectsIn(options.selection))
+          builder_(lines, all_, options, objectsIn(options.selection))
     {
     }
 
-    Plate plate()
+    DrawList drawList()
     {
         for (const auto& [first, end] : options_.selection)
             lines_.forEachPart(lines_.firstLineOf(first), lines_.firstLineOf(end),
                                [&](auto run, auto from, auto to) { add(run, from, to); });
-        return plating_.take();
+        return builder_.take();
     }
 
 private:
@@ -67,7 +67,7 @@ private:
         for (std::size_t chunk = block.chunkOf(first); first < end; ++chunk) {
             const std::size_t last = std::min(end, block.endOfChunk(chunk));
             setStyle(block.chunks[chunk].style);
-            plating_.addWhole(at, chunk, first, last);
+            builder_.addWhole(at, chunk, first, last);
             first = last;
         }
     }
@@ -79,27 +79,28 @@ private:
         style_ = styles_[index];
         style_.fill.reset();
         style_.stroke = options_.light;
-        style_.width = std::max(style_.width, leastLit / options_.view.zoom);
-        plating_.setStyle(style_);
+        style_.width = std::max(style_.width, leastSelected / options_.view.zoom);
+        builder_.setStyle(style_);
     }
 
     const StyleTable& styles_;
     const SceneLines& lines_;
     const PictureOptions& options_;
     PaintedPart all_{{}, Painted::All};
-    ScenePlating plating_;
+    SceneDrawListBuilder builder_;
     std::optional<StyleIndex> index_;
     Style style_;
 };
 
 // Areas keep the ghost's opacity; otherwise they would hide the kept part.
-void makeGhosts(Plate& plate, const Ghosting& ghosting)
+void makeGhosts(DrawList& drawList, const Ghosting& ghosting)
 {
-    for (Coat& coat : plate.coats)
-        if (coat.stroke)
-            coat.stroke->colour = ghostInk(coat.stroke->colour, ghosting.page, ghosting.opacity);
+    for (DrawCommand& command : drawList.commands)
+        if (command.stroke)
+            command.stroke->colour =
+                ghostColour(command.stroke->colour, ghosting.page, ghosting.opacity);
         else
-            coat.fill.alpha = std::uint8_t(coat.fill.alpha * ghosting.opacity);
+            command.fill.alpha = std::uint8_t(command.fill.alpha * ghosting.opacity);
 }
 
 } // namespace
@@ -107,17 +108,17 @@ void makeGhosts(Plate& plate, const Ghosting& ghosting)
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options)
 {
-    const auto plateOf = [&](Painted part) {
-        return plate(styles, lines, PaintedPart(frame, part), options);
+    const auto drawListOf = [&](Painted part) {
+        return drawList(styles, lines, PaintedPart(frame, part), options);
     };
     const bool all = options.removed == RemovedPart::Shown;
     Picture picture;
-    picture.kept = plateOf(all ? Painted::All : Painted::Kept);
+    picture.kept = drawListOf(all ? Painted::All : Painted::Kept);
     if (options.removed == RemovedPart::Ghosted)
-        picture.ghost = plateOf(Painted::Removed);
+        picture.ghost = drawListOf(Painted::Removed);
     if (options.ghosting)
         makeGhosts(picture.ghost, *options.ghosting);
-    picture.lit = Lighting(styles, lines, options).plate();
+    picture.selected = Lighting(styles, lines, options).drawList();
     picture.differing = differenceMarks(styles, lines, options);
     return picture;
 }

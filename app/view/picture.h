@@ -17,52 +17,52 @@
 namespace app {
 
 /// A polyline on screen, in logical pixels from the top left corner of the canvas.
-struct Chain {
-    std::uint32_t first, count; ///< in Plate::points; at least two
+struct Polyline {
+    std::uint32_t first, count; ///< in DrawList::points; at least two
     bool closed;                ///< the last point equals the first: a join there, no caps
     bool capAtStart, capAtEnd;  ///< true for the stroke's own ends; ends made by a cut are butt
 };
 
 /// A stroke style; the width is in logical pixels.
-struct Ink {
+struct StrokeStyle {
     Colour colour;
     double width = 1;
     Cap cap = Cap::Butt;
     Join join = Join::Miter;
     double miterLimit = 4;
-    friend bool operator==(const Ink&, const Ink&) = default;
+    friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
 };
 
 /// A draw command: consecutive polylines that are stroked with one style, or filled together as one
 /// area.
-struct Coat {
-    std::optional<Ink> stroke;
+struct DrawCommand {
+    std::optional<StrokeStyle> stroke;
     Colour fill{};
     FillRule rule = FillRule::NonZero;
-    std::uint32_t firstChain = 0, chains = 0;
+    std::uint32_t firstPolyline = 0, polylines = 0;
 };
 
 /// A draw list: draw commands from bottom to top.
-struct Plate {
-    std::vector<Coat> coats;
-    std::vector<Chain> chains;
+struct DrawList {
+    std::vector<DrawCommand> commands;
+    std::vector<Polyline> polylines;
     std::vector<QPointF> points;
 
-    std::span<const Chain> chainsOf(const Coat& coat) const
+    std::span<const Polyline> polylinesOf(const DrawCommand& command) const
     {
-        return std::span(chains).subspan(coat.firstChain, coat.chains);
+        return std::span(polylines).subspan(command.firstPolyline, command.polylines);
     }
-    std::span<const QPointF> pointsOf(const Chain& chain) const
+    std::span<const QPointF> pointsOf(const Polyline& polyline) const
     {
-        return std::span(points).subspan(chain.first, chain.count);
+        return std::span(points).subspan(polyline.first, polyline.count);
     }
 };
 
 /// One frame as draw lists, painted in this order: the ghost, as a whole with the ghost's opacity
-/// (so that overlapping ghosts do not add up); the kept part; the selected objects (`lit`); the
-/// differing pieces.
+/// (so that overlapping ghosts do not add up); the kept part; the selected objects (`selected`);
+/// the differing pieces.
 struct Picture {
-    Plate ghost, kept, lit, differing;
+    DrawList ghost, kept, selected, differing;
 };
 
 /// How ghosts are mixed with the page colour if they are not a translucent layer.
@@ -79,8 +79,8 @@ struct PictureOptions {
                                 ///< unchanged
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide
     double strokes = 1;         ///< factor of stroke widths
-    /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostInk in
-    /// ink.h), instead of as a layer with the ghost's opacity.
+    /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostColour in
+    /// visible_colour.h), instead of as a layer with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
     std::span<const ObjectRange> selection{}; ///< objects to draw again, on top, in `light`
     Colour light{};

@@ -36,57 +36,57 @@ public:
         top_ = top / ratio_;
         bottom_ = (top + image.height()) / ratio_;
     }
-    void paint(const Plate& plate)
+    void paint(const DrawList& drawList)
     {
-        for (const Coat& coat : plate.coats) {
+        for (const DrawCommand& command : drawList.commands) {
             if (cancelled_())
                 return;
-            coat.stroke ? stroke(plate, coat) : fill(plate, coat);
+            command.stroke ? stroke(drawList, command) : fill(drawList, command);
         }
     }
 
 private:
-    void fill(const Plate& plate, const Coat& coat)
+    void fill(const DrawList& drawList, const DrawCommand& command)
     {
-        if (const auto pixels = pixelsToSum(plate, plate.chainsOf(coat), 0))
-            return pixels->isEmpty() ? void() : fillSummed(plate, coat, *pixels);
+        if (const auto pixels = pixelsToSum(drawList, drawList.polylinesOf(command), 0))
+            return pixels->isEmpty() ? void() : fillSummed(drawList, command, *pixels);
         QPainterPath path;
-        path.setFillRule(coat.rule == FillRule::EvenOdd ? Qt::OddEvenFill : Qt::WindingFill);
-        for (const Chain& chain : plate.chainsOf(coat)) {
-            const auto points = plate.pointsOf(chain);
+        path.setFillRule(command.rule == FillRule::EvenOdd ? Qt::OddEvenFill : Qt::WindingFill);
+        for (const Polyline& polyline : drawList.polylinesOf(command)) {
+            const auto points = drawList.pointsOf(polyline);
             path.moveTo(points[0]);
             for (const QPointF& p : points.subspan(1))
                 path.lineTo(p);
         }
-        painter_.fillPath(path, qColor(coat.fill));
+        painter_.fillPath(path, qColor(command.fill));
     }
 
-    void fillSummed(const Plate& plate, const Coat& coat, const QRect& pixels)
+    void fillSummed(const DrawList& drawList, const DrawCommand& command, const QRect& pixels)
     {
         Coverage coverage(pixels);
-        for (const Chain& chain : plate.chainsOf(coat)) {
+        for (const Polyline& polyline : drawList.polylinesOf(command)) {
             if (cancelled_())
                 return;
-            const auto points = plate.pointsOf(chain);
+            const auto points = drawList.pointsOf(polyline);
             coverage.add(
                 painter_.transform().map(QPolygonF(QList<QPointF>(points.begin(), points.end()))));
         }
-        put(coverage.inked(coat.rule, coat.fill), pixels);
+        put(coverage.coloured(command.rule, command.fill), pixels);
     }
 
     // The pixels of the image that the polylines may cover, if summation takes less time.
-    std::optional<QRect> pixelsToSum(const Plate& plate, std::span<const Chain> chains,
+    std::optional<QRect> pixelsToSum(const DrawList& drawList, std::span<const Polyline> polylines,
                                      double margin) const
     {
         std::size_t count = 0;
-        for (const Chain& chain : chains)
-            count += chain.count;
+        for (const Polyline& polyline : polylines)
+            count += polyline.count;
         if (count < fewPoints)
             return std::nullopt;
         double height = 0;
-        QPointF min = plate.pointsOf(chains[0])[0], max = min;
-        for (const Chain& chain : chains) {
-            const auto points = plate.pointsOf(chain);
+        QPointF min = drawList.pointsOf(polylines[0])[0], max = min;
+        for (const Polyline& polyline : polylines) {
+            const auto points = drawList.pointsOf(polyline);
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const QPointF& p = points[i];
                 min = {std::min(min.x(), p.x()), std::min(min.y(), p.y())};
@@ -111,70 +111,75 @@ private:
         painter_.restore();
     }
 
-    void stroke(const Plate& plate, const Coat& coat)
+    void stroke(const DrawList& drawList, const DrawCommand& command)
     {
-        const Ink& ink = *coat.stroke;
-        const bool thin = ink.width * ratio_ <= 1;
-        const bool roundShows = ink.cap == Cap::Round && ink.width * ratio_ >= roundEndsShow;
-        margin_ = ink.width * std::max(1.0, ink.join == Join::Miter ? ink.miterLimit : 1.0) + 1;
-        const QPen pen = penFor(ink, ink.cap == Cap::Butt ? Qt::FlatCap
-                                     : roundShows         ? Qt::RoundCap
-                                                          : Qt::SquareCap);
+        const StrokeStyle& strokeStyle = *command.stroke;
+        const bool thin = strokeStyle.width * ratio_ <= 1;
+        const bool roundShows =
+            strokeStyle.cap == Cap::Round && strokeStyle.width * ratio_ >= roundEndsShow;
+        margin_ =
+            strokeStyle.width
+                * std::max(1.0, strokeStyle.join == Join::Miter ? strokeStyle.miterLimit : 1.0)
+            + 1;
+        const QPen pen = penFor(strokeStyle, strokeStyle.cap == Cap::Butt ? Qt::FlatCap
+                                             : roundShows                 ? Qt::RoundCap
+                                                                          : Qt::SquareCap);
         const QPen flat =
-            penFor(ink, Qt::FlatCap); // for polylines of which an end was made by clipping
-        for (const Chain& chain : plate.chainsOf(coat)) {
+            penFor(strokeStyle, Qt::FlatCap); // for polylines of which an end was made by clipping
+        for (const Polyline& polyline : drawList.polylinesOf(command)) {
             if (cancelled_())
                 return;
-            const auto points = plate.pointsOf(chain);
-            const bool own = (chain.capAtStart && chain.capAtEnd) || thin || ink.cap == Cap::Butt;
+            const auto points = drawList.pointsOf(polyline);
+            const bool own =
+                (polyline.capAtStart && polyline.capAtEnd) || thin || strokeStyle.cap == Cap::Butt;
             if (points.size() == 2 && own && !roundShows) {
                 line(points[0], points[1], pen);
                 continue;
             }
             flush(pen);
             if (const auto pixels =
-                    thin ? std::nullopt : pixelsToSum(plate, {&chain, 1}, margin_)) {
+                    thin ? std::nullopt : pixelsToSum(drawList, {&polyline, 1}, margin_)) {
                 if (!pixels->isEmpty())
-                    strokeSummed(points, chain, capped(ink, roundShows), *pixels);
+                    strokeSummed(points, polyline, capped(strokeStyle, roundShows), *pixels);
                 continue;
             }
             painter_.setPen(own ? pen : flat);
-            polyline(points, chain.closed, thin && ink.colour.alpha == 255);
+            strokePolyline(points, polyline.closed, thin && strokeStyle.colour.alpha == 255);
             if (!own)
-                ends(points, chain, ink);
+                ends(points, polyline, strokeStyle);
         }
         flush(pen);
     }
 
     // Every pixel is painted once, however often the stroke crosses itself.
-    void strokeSummed(std::span<const QPointF> points, const Chain& chain, const Ink& ink,
-                      const QRect& pixels)
+    void strokeSummed(std::span<const QPointF> points, const Polyline& polyline,
+                      const StrokeStyle& strokeStyle, const QRect& pixels)
     {
         Coverage coverage(pixels);
-        visitContours({points, chain, ink}, painter_.transform(), cancelled_,
+        visitContours({points, polyline, strokeStyle}, painter_.transform(), cancelled_,
                       [&](std::span<const QPointF> contour) { coverage.add(contour); });
         if (!cancelled_())
-            put(coverage.inked(FillRule::NonZero, ink.colour), pixels);
+            put(coverage.coloured(FillRule::NonZero, strokeStyle.colour), pixels);
     }
 
     // Round caps too small to be visible become square, which QPainter paints faster.
-    static Ink capped(Ink ink, bool roundShows)
+    static StrokeStyle capped(StrokeStyle strokeStyle, bool roundShows)
     {
-        if (ink.cap == Cap::Round && !roundShows)
-            ink.cap = Cap::Square;
-        return ink;
+        if (strokeStyle.cap == Cap::Round && !roundShows)
+            strokeStyle.cap = Cap::Square;
+        return strokeStyle;
     }
 
-    QPen penFor(const Ink& ink, Qt::PenCapStyle cap) const
+    QPen penFor(const StrokeStyle& strokeStyle, Qt::PenCapStyle cap) const
     {
-        const Qt::PenJoinStyle join = ink.join == Join::Miter   ? Qt::SvgMiterJoin
-                                      : ink.join == Join::Round ? Qt::RoundJoin
-                                                                : Qt::BevelJoin;
-        QPen pen(qColor(ink.colour), ink.width, Qt::SolidLine, cap, join);
-        pen.setMiterLimit(ink.miterLimit);
-        if (ink.width * ratio_ <= 1) { // the width of a cosmetic pen is in device pixels
+        const Qt::PenJoinStyle join = strokeStyle.join == Join::Miter   ? Qt::SvgMiterJoin
+                                      : strokeStyle.join == Join::Round ? Qt::RoundJoin
+                                                                        : Qt::BevelJoin;
+        QPen pen(qColor(strokeStyle.colour), strokeStyle.width, Qt::SolidLine, cap, join);
+        pen.setMiterLimit(strokeStyle.miterLimit);
+        if (strokeStyle.width * ratio_ <= 1) { // the width of a cosmetic pen is in device pixels
             pen.setCosmetic(true);
-            pen.setWidthF(ink.width * ratio_);
+            pen.setWidthF(strokeStyle.width * ratio_);
         }
         return pen;
     }
@@ -203,7 +208,7 @@ private:
         lines_.clear();
     }
 
-    void polyline(std::span<const QPointF> points, bool closed, bool inStretches)
+    void strokePolyline(std::span<const QPointF> points, bool closed, bool inStretches)
     {
         const std::size_t step = inStretches ? stretch : points.size();
         for (std::size_t from = 0; from + 1 < points.size(); from += step) {
@@ -224,21 +229,23 @@ private:
     }
 
     // Adds caps at the stroke's own ends, where the pen could not.
-    void ends(std::span<const QPointF> points, const Chain& chain, const Ink& ink)
+    void ends(std::span<const QPointF> points, const Polyline& polyline,
+              const StrokeStyle& strokeStyle)
     {
-        if (chain.closed)
+        if (polyline.closed)
             return;
-        if (chain.capAtStart)
-            end(points[0], points[0] - points[1], ink);
-        if (chain.capAtEnd)
-            end(points.back(), points.back() - points[points.size() - 2], ink);
+        if (polyline.capAtStart)
+            end(points[0], points[0] - points[1], strokeStyle);
+        if (polyline.capAtEnd)
+            end(points.back(), points.back() - points[points.size() - 2], strokeStyle);
     }
 
-    void end(const QPointF& at, const QPointF& away, const Ink& ink)
+    void end(const QPointF& at, const QPointF& away, const StrokeStyle& strokeStyle)
     {
         if (!outside(at, at))
-            painter_.fillPath(capAt(at, away, ink, ink.colour.alpha == 255 ? 0.5 : 0),
-                              qColor(ink.colour));
+            painter_.fillPath(
+                capAt(at, away, strokeStyle, strokeStyle.colour.alpha == 255 ? 0.5 : 0),
+                qColor(strokeStyle.colour));
     }
 
     QPainter painter_;
@@ -262,7 +269,7 @@ QImage transparent(int width, int height)
 QImage rasterised(const Picture& picture, Band band, const RasterOptions& options)
 {
     QImage image = transparent(options.width, band.height);
-    if (!picture.ghost.coats.empty()) {
+    if (!picture.ghost.commands.empty()) {
         QImage below = transparent(options.width, band.height);
         Painting(below, band.top, options).paint(picture.ghost);
         QPainter painter(&image);
@@ -271,7 +278,7 @@ QImage rasterised(const Picture& picture, Band band, const RasterOptions& option
     }
     Painting painting(image, band.top, options);
     painting.paint(picture.kept);
-    painting.paint(picture.lit);
+    painting.paint(picture.selected);
     painting.paint(picture.differing);
     return image;
 }

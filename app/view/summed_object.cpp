@@ -22,37 +22,37 @@ constexpr double mostDashes = 1e7;      // in a path; a path with more is mostly
 constexpr double finer = 4;             // how much finer than Qt curves are flattened
 constexpr int pixelsAtATime = 1 << 24;  // these use 128 MB
 
-struct Polyline {
+struct FlatSubpath {
     QPolygonF points; ///< device pixels
     bool closed;
 };
 
-std::vector<Polyline> polylinesOf(const Path& path, const QTransform& toDevice)
+std::vector<FlatSubpath> flatSubpathsOf(const Path& path, const QTransform& toDevice)
 {
     const QTransform toFiner = toDevice * QTransform::fromScale(finer, finer);
     const QTransform back = QTransform::fromScale(1 / finer, 1 / finer);
-    std::vector<Polyline> polylines;
+    std::vector<FlatSubpath> subpaths;
     for (const Subpath& subpath : path.subpaths()) {
         const QPainterPath alone = painterPath({&subpath, 1}, FillRule::NonZero);
         for (const QPolygonF& points : alone.toSubpathPolygons(toFiner))
             if (points.size() > 1)
-                polylines.push_back({back.map(points), subpath.closed});
+                subpaths.push_back({back.map(points), subpath.closed});
     }
-    return polylines;
+    return subpaths;
 }
 
 // The pixels of the painter's image that may be covered, if summation takes less time.
-std::optional<QRect> pixelsToSum(std::span<const Polyline> polylines, double margin,
+std::optional<QRect> pixelsToSum(std::span<const FlatSubpath> subpaths, double margin,
                                  const QPainter& painter)
 {
     std::size_t count = 0;
     double height = 0;
     QRectF around;
-    for (const Polyline& polyline : polylines) {
-        count += std::size_t(polyline.points.size());
-        around |= polyline.points.boundingRect().adjusted(-margin, -margin, margin, margin);
-        for (qsizetype i = 1; i < polyline.points.size(); ++i)
-            height += std::abs(polyline.points[i].y() - polyline.points[i - 1].y());
+    for (const FlatSubpath& subpath : subpaths) {
+        count += std::size_t(subpath.points.size());
+        around |= subpath.points.boundingRect().adjusted(-margin, -margin, margin, margin);
+        for (qsizetype i = 1; i < subpath.points.size(); ++i)
+            height += std::abs(subpath.points[i].y() - subpath.points[i - 1].y());
     }
     const QRectF image(0, 0, painter.device()->width(), painter.device()->height());
     const QRect pixels = around.intersected(image).toAlignedRect();
@@ -71,38 +71,38 @@ void sum(QPainter& painter, const QRect& pixels, FillRule rule, const Colour& co
         Coverage coverage(
             QRect(pixels.left(), top, pixels.width(), std::min(rows, pixels.bottom() + 1 - top)));
         add(coverage);
-        painter.drawImage(QPoint(pixels.left(), top), coverage.inked(rule, colour));
+        painter.drawImage(QPoint(pixels.left(), top), coverage.coloured(rule, colour));
     }
     painter.restore();
 }
 
 // The polylines that the pen draws, divided into dashes; empty if there are too many dashes.
-std::optional<std::vector<Polyline>> drawnParts(std::vector<Polyline> polylines, const Style& style,
-                                                double scale)
+std::optional<std::vector<FlatSubpath>> drawnParts(std::vector<FlatSubpath> subpaths,
+                                                   const Style& style, double scale)
 {
     const double period = scale * std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
     if (!(period >= shortestPattern))
-        return polylines;
+        return subpaths;
     std::vector<double> pattern = style.dashes;
     for (double& length : pattern)
         length *= scale;
-    std::vector<Polyline> parts;
-    for (const Polyline& polyline : polylines) {
+    std::vector<FlatSubpath> parts;
+    for (const FlatSubpath& subpath : subpaths) {
         double length = 0;
-        for (qsizetype i = 1; i < polyline.points.size(); ++i)
-            length += QLineF(polyline.points[i - 1], polyline.points[i]).length();
+        for (qsizetype i = 1; i < subpath.points.size(); ++i)
+            length += QLineF(subpath.points[i - 1], subpath.points[i]).length();
         if (!(length / period < mostDashes))
             return std::nullopt;
-        for (const auto& dash : dashes(polyline.points, pattern, style.dashOffset * scale, 0))
+        for (const auto& dash : dashes(subpath.points, pattern, style.dashOffset * scale, 0))
             parts.push_back({QPolygonF(QList<QPointF>(dash.begin(), dash.end())), false});
     }
     return parts;
 }
 
-void addStroke(Coverage& coverage, const Polyline& part, const Ink& ink)
+void addStroke(Coverage& coverage, const FlatSubpath& part, const StrokeStyle& strokeStyle)
 {
-    const Chain chain{0, std::uint32_t(part.points.size()), part.closed, true, true};
-    visitContours({part.points, chain, ink}, {}, neverCancelled,
+    const Polyline polyline{0, std::uint32_t(part.points.size()), part.closed, true, true};
+    visitContours({part.points, polyline, strokeStyle}, {}, neverCancelled,
                   [&](std::span<const QPointF> contour) { coverage.add(contour); });
 }
 
@@ -110,13 +110,13 @@ void addStroke(Coverage& coverage, const Polyline& part, const Ink& ink)
 
 bool fillSummed(QPainter& painter, const Object& object)
 {
-    const auto polylines = polylinesOf(object.path, painter.transform());
-    const auto pixels = pixelsToSum(polylines, 0, painter);
+    const auto subpaths = flatSubpathsOf(object.path, painter.transform());
+    const auto pixels = pixelsToSum(subpaths, 0, painter);
     if (!pixels)
         return false;
     sum(painter, *pixels, object.style.fillRule, *object.style.fill, [&](Coverage& coverage) {
-        for (const Polyline& polyline : polylines)
-            coverage.add(polyline.points);
+        for (const FlatSubpath& subpath : subpaths)
+            coverage.add(subpath.points);
     });
     return true;
 }
@@ -126,16 +126,19 @@ bool strokeSummed(QPainter& painter, const Object& object)
     const Style& style = object.style;
     const QTransform toDevice = painter.transform();
     const double scale = std::sqrt(std::abs(toDevice.determinant()));
-    const Ink ink{*style.stroke, style.width * scale, style.cap, style.join, style.miterLimit};
-    std::vector<Polyline> polylines = polylinesOf(object.path, toDevice);
-    const double margin = ink.width * std::max(1.0, ink.join == Join::Miter ? ink.miterLimit : 1);
-    const auto pixels = pixelsToSum(polylines, margin, painter);
-    const auto parts = pixels ? drawnParts(std::move(polylines), style, scale) : std::nullopt;
+    const StrokeStyle strokeStyle{*style.stroke, style.width * scale, style.cap, style.join,
+                                  style.miterLimit};
+    std::vector<FlatSubpath> subpaths = flatSubpathsOf(object.path, toDevice);
+    const double margin =
+        strokeStyle.width
+        * std::max(1.0, strokeStyle.join == Join::Miter ? strokeStyle.miterLimit : 1);
+    const auto pixels = pixelsToSum(subpaths, margin, painter);
+    const auto parts = pixels ? drawnParts(std::move(subpaths), style, scale) : std::nullopt;
     if (!parts)
         return false;
-    sum(painter, *pixels, FillRule::NonZero, ink.colour, [&](Coverage& coverage) {
-        for (const Polyline& part : *parts)
-            addStroke(coverage, part, ink);
+    sum(painter, *pixels, FillRule::NonZero, strokeStyle.colour, [&](Coverage& coverage) {
+        for (const FlatSubpath& part : *parts)
+            addStroke(coverage, part, strokeStyle);
     });
     return true;
 }

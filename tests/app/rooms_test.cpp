@@ -113,10 +113,11 @@ private slots:
                           QString::fromUtf8(text));
         };
         QCOMPARE(
-            from("view", "#include \"app/base/number.h\"\n#include \"app/view/ink.h\"\n").size(),
+            from("view", "#include \"app/base/number.h\"\n#include \"app/view/visible_colour.h\"\n")
+                .size(),
             0);
         QCOMPARE(
-            from("document", "#include \"app/view/ink.h\"\n"),
+            from("document", "#include \"app/view/visible_colour.h\"\n"),
             QStringList{"app/document/x.h includes app/view: document does not stand on that"});
         QCOMPARE(from("view", "#include \"ui/look.h\"\n").size(), 1);
     }

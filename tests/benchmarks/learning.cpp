@@ -3,7 +3,7 @@
 // and the exactness of 100,000 lines of the paper's scene. Processor time, the median of 5.
 #include "app/base/clock.h"
 #include "app/cost_map/live_cost_map.h"
-#include "app/exactness/truth.h"
+#include "app/exactness/exactness.h"
 #include "app/experiment/paper_scene.h"
 
 #include <QTextStream>

@@ -21,10 +21,10 @@ clipping::BasicWindow<T> paperWindow()
 }
 
 template <class T>
-glm::vec<2, T> anywhere(Dice& dice, double width, double height)
+glm::vec<2, T> anywhere(Random& random, double width, double height)
 {
-    const auto x = static_cast<T>(dice.uniform(-width, width));
-    return {x, static_cast<T>(dice.uniform(-height, height))};
+    const auto x = static_cast<T>(random.uniform(-width, width));
+    return {x, static_cast<T>(random.uniform(-height, height))};
 }
 
 template <class T, class Make>
@@ -32,30 +32,30 @@ Scene<T> sceneOf(const char* name, std::size_t count, Make make)
 {
     Scene<T> result{name, paperWindow<T>(), {}};
     result.segments.reserve(count);
-    Dice dice(count);
+    Random random(count);
     while (result.segments.size() < count)
-        make(dice, result.segments);
+        make(random, result.segments);
     return result;
 }
 
 template <class T>
 Scene<T> allInside(std::size_t count)
 {
-    return sceneOf<T>("all inside", count, [](Dice& dice, auto& to) {
-        const auto a = anywhere<T>(dice, 100, 75);
-        to.push_back({a, anywhere<T>(dice, 100, 75)});
+    return sceneOf<T>("all inside", count, [](Random& random, auto& to) {
+        const auto a = anywhere<T>(random, 100, 75);
+        to.push_back({a, anywhere<T>(random, 100, 75)});
     });
 }
 
 template <class T>
 Scene<T> oneEndInside(std::size_t count)
 {
-    return sceneOf<T>("one end inside", count, [](Dice& dice, auto& to) {
-        const auto a = anywhere<T>(dice, 100, 75);
-        auto b = anywhere<T>(dice, 960, 720);
+    return sceneOf<T>("one end inside", count, [](Random& random, auto& to) {
+        const auto a = anywhere<T>(random, 100, 75);
+        auto b = anywhere<T>(random, 960, 720);
         while (std::abs(b.x) <= 100 && std::abs(b.y) <= 75)
-            b = anywhere<T>(dice, 960, 720);
-        dice.bits() & 1 ? to.push_back({a, b}) : to.push_back({b, a});
+            b = anywhere<T>(random, 960, 720);
+        random.bits() & 1 ? to.push_back({a, b}) : to.push_back({b, a});
     });
 }
 
@@ -63,10 +63,10 @@ Scene<T> oneEndInside(std::size_t count)
 template <class T>
 Scene<T> allOutside(std::size_t count)
 {
-    return sceneOf<T>("all outside", count, [](Dice& dice, auto& to) {
-        const auto a = anywhere<T>(dice, 960, 720);
+    return sceneOf<T>("all outside", count, [](Random& random, auto& to) {
+        const auto a = anywhere<T>(random, 960, 720);
         if (std::abs(a.x) > 120 || std::abs(a.y) > 95)
-            to.push_back({a, a + anywhere<T>(dice, 20, 20)});
+            to.push_back({a, a + anywhere<T>(random, 20, 20)});
     });
 }
 
@@ -74,9 +74,9 @@ Scene<T> allOutside(std::size_t count)
 template <class T>
 Scene<T> longLines(std::size_t count)
 {
-    return sceneOf<T>("long lines", count, [](Dice& dice, auto& to) {
-        const auto middle = anywhere<T>(dice, 200, 150);
-        const double angle = dice.uniform(0, 2 * std::numbers::pi), at = dice.uniform(0, 1);
+    return sceneOf<T>("long lines", count, [](Random& random, auto& to) {
+        const auto middle = anywhere<T>(random, 200, 150);
+        const double angle = random.uniform(0, 2 * std::numbers::pi), at = random.uniform(0, 1);
         const glm::dvec2 whole{1e6 * std::cos(angle), 1e6 * std::sin(angle)};
         to.push_back(
             {middle - glm::vec<2, T>(whole * at), middle + glm::vec<2, T>(whole * (1 - at))});
@@ -87,11 +87,11 @@ Scene<T> longLines(std::size_t count)
 template <class T>
 Scene<T> strokes(std::size_t count)
 {
-    return sceneOf<T>("editor strokes", count, [count](Dice& dice, auto& to) {
-        auto at = anywhere<double>(dice, 1000, 750);
-        double direction = dice.uniform(0, 2 * std::numbers::pi), turn = 0;
+    return sceneOf<T>("editor strokes", count, [count](Random& random, auto& to) {
+        auto at = anywhere<double>(random, 1000, 750);
+        double direction = random.uniform(0, 2 * std::numbers::pi), turn = 0;
         for (int i = 0; i < 200 && to.size() < count; ++i) {
-            turn = 0.9 * turn + dice.uniform(-0.05, 0.05);
+            turn = 0.9 * turn + random.uniform(-0.05, 0.05);
             direction += turn;
             glm::dvec2 next = at + 2.0 * glm::dvec2{std::cos(direction), std::sin(direction)};
             next = {std::clamp(next.x, -1000.0, 1000.0), std::clamp(next.y, -750.0, 750.0)};

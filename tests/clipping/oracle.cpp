@@ -42,7 +42,7 @@ Point3 point(const Coordinates<3>& c) { return {c[0], c[1], c[2]}; }
 
 /// A line and a box.
 template <int n>
-struct Given {
+struct ParsedArguments {
     Coordinates<n> a, b, min, max;
 
     double ulp(Number number) const
@@ -61,11 +61,11 @@ struct Given {
         return false;
     }
 };
-Given<2> given(const Line& l, const Box& b)
+ParsedArguments<2> given(const Line& l, const Box& b)
 {
     return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
 }
-Given<3> given(const Line3& l, const Box3& b)
+ParsedArguments<3> given(const Line3& l, const Box3& b)
 {
     return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
 }
@@ -76,7 +76,7 @@ struct Whole {
     int exponent;
     Int a[n], d[n], low[n], high[n];
 
-    Whole(const Given<n>& all, int ulps, Number number)
+    Whole(const ParsedArguments<n>& all, int ulps, Number number)
     {
         const int unit = std::ilogb(all.ulp(number));
         exponent = unit;

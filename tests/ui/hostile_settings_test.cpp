@@ -2,7 +2,7 @@
 #include "app/settings/seal.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/hard_cases/zoo_window.h"
+#include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
 #include "ui/saved_theme.h"
 
@@ -108,7 +108,7 @@ private slots:
         QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
                 || savedTheme() == Theme::Dark);
         showExperiment(window);
-        showZoo(window);
+        showHardCases(window);
         showJudge(window);
         showExplanation(clipping::algorithms().front(), window);
         QVERIFY(window.files().recent().empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/ink.h"
+#include "app/view/visible_colour.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/tools/tool.h"

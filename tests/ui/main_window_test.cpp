@@ -254,8 +254,7 @@ private slots:
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QCOMPARE(t.window->session().history.count(), before);
-        QCOMPARE(t.window->message(),
-                 "Nothing was cropped. Left alone on locked layers: 1.");
+        QCOMPARE(t.window->message(), "Nothing was cropped. Left alone on locked layers: 1.");
     }
     void saysOnceThatTheOldestStepsAreForgotten()
     {
@@ -507,7 +506,7 @@ private slots:
             QVERIFY(note->height() >= note->heightForWidth(note->width()));
             QVERIFY(canvas.height() > size.height() / 2);
         }
-        t.window->session().microscope.open(app::lessons()[0].pages[0].specimen);
+        t.window->session().microscope.open(app::lessons()[0].pages[0].tracedLine);
         QVERIFY(!note->isVisible());
         t.window->session().microscope.close();
         QVERIFY(note->isVisible());

@@ -39,8 +39,8 @@ public:
         }
         painter_.setPen(Qt::NoPen);
         painter_.setBrush(
-            faint(ground_.look.selection, area.emphasis == Emphasis::Lit ? 0.14F : 0.07F));
-        if (area.pointed || area.emphasis == Emphasis::Lit)
+            faint(ground_.look.selection, area.emphasis == Emphasis::Highlighted ? 0.14F : 0.07F));
+        if (area.pointed || area.emphasis == Emphasis::Highlighted)
             painter_.drawPolygon(polygon);
     }
 
@@ -100,7 +100,7 @@ public:
     /// The order in which areas get their labels: 0 is first.
     static int rank(const OverlayArea& area)
     {
-        return area.pointed ? 0 : area.emphasis == Emphasis::Lit ? 1 : 2;
+        return area.pointed ? 0 : area.emphasis == Emphasis::Highlighted ? 1 : 2;
     }
 
 private:
@@ -122,9 +122,9 @@ private:
     }
     QPen penOf(const OverlayLine& line) const
     {
-        const bool lit = line.emphasis == Emphasis::Lit;
-        QPen pen(colourOf(line.emphasis), lit ? 1.5 : 1, Qt::SolidLine, Qt::FlatCap);
-        if (line.kind == OverlayLine::Kind::Border && !lit)
+        const bool highlighted = line.emphasis == Emphasis::Highlighted;
+        QPen pen(colourOf(line.emphasis), highlighted ? 1.5 : 1, Qt::SolidLine, Qt::FlatCap);
+        if (line.kind == OverlayLine::Kind::Border && !highlighted)
             pen.setDashPattern({4, 4});
         if (line.kind == OverlayLine::Kind::Ray)
             pen.setDashPattern({8, 3, 2, 3});
@@ -180,7 +180,7 @@ private:
 
     static Emphasis labelEmphasis(const OverlayArea& area)
     {
-        return area.pointed ? Emphasis::Lit : area.emphasis;
+        return area.pointed ? Emphasis::Highlighted : area.emphasis;
     }
     QSizeF sizeOf(const QString& label) const
     {
@@ -212,11 +212,11 @@ private:
         cell.moveLeft(place.center().x() - step * double(area.label.size()) / 2);
         for (qsizetype i = 0; i < area.label.size(); ++i, cell.translate(step, 0)) {
             const bool strong = area.strong >> i & 1U;
-            const bool lit = strong && labelEmphasis(area) == Emphasis::Lit;
+            const bool highlighted = strong && labelEmphasis(area) == Emphasis::Highlighted;
             painter_.setFont(strong ? semiBold(font_) : font_);
-            painter_.setPen(lit      ? ground_.look.selection
-                            : strong ? ground_.look.text
-                                     : ground_.look.muted);
+            painter_.setPen(highlighted ? ground_.look.selection
+                            : strong    ? ground_.look.text
+                                        : ground_.look.muted);
             painter_.drawText(cell, Qt::AlignCenter, QString(area.label[i]));
         }
     }

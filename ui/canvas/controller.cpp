@@ -36,7 +36,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session, &app::Session::previewChanged, this, &Controller::changed);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
-    connect(&session.truth, &app::LiveTruth::changed, this, &Controller::renew);
+    connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {
         tool_->cancel(bench_);
         emit stepsChanged();
@@ -142,7 +142,7 @@ const app::Differences* Controller::differing(const Pane& pane) const
 /// Colours lines by their error class; wrong lines are marked like differing ones.
 void Controller::addErrors(app::PictureOptions& options) const
 {
-    const auto pieces = session_.truth.piecesAt(window());
+    const auto pieces = session_.exactness.piecesAt(window());
     if (pieces.empty())
         return;
     const app::Ground ground =

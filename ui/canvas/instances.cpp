@@ -28,28 +28,29 @@ std::uint32_t capOf(app::Cap cap)
     return cap == app::Cap::Round ? Round : cap == app::Cap::Square ? Square : Butt;
 }
 
-bool ownEnds(const app::Chain& chain)
+bool ownEnds(const app::Polyline& polyline)
 {
-    return chain.closed || (chain.capAtStart && chain.capAtEnd);
+    return polyline.closed || (polyline.capAtStart && polyline.capAtEnd);
 }
 
 // The outline of a stroke as an area, with joins, and with caps if both ends have one.
-QPainterPath outline(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
+QPainterPath outline(std::span<const QPointF> points, const app::Polyline& polyline,
+                     const app::StrokeStyle& strokeStyle)
 {
     QPainterPath line(points.front());
-    for (const QPointF& p : points.subspan(1, points.size() - (chain.closed ? 2 : 1)))
+    for (const QPointF& p : points.subspan(1, points.size() - (polyline.closed ? 2 : 1)))
         line.lineTo(p);
-    if (chain.closed)
+    if (polyline.closed)
         line.closeSubpath();
     QPainterPathStroker stroker;
-    stroker.setWidth(ink.width);
-    stroker.setMiterLimit(ink.miterLimit);
-    stroker.setCapStyle(!ownEnds(chain) || ink.cap == app::Cap::Butt ? Qt::FlatCap
-                        : ink.cap == app::Cap::Round                 ? Qt::RoundCap
-                                                                     : Qt::SquareCap);
-    stroker.setJoinStyle(ink.join == app::Join::Miter   ? Qt::SvgMiterJoin
-                         : ink.join == app::Join::Round ? Qt::RoundJoin
-                                                        : Qt::BevelJoin);
+    stroker.setWidth(strokeStyle.width);
+    stroker.setMiterLimit(strokeStyle.miterLimit);
+    stroker.setCapStyle(!ownEnds(polyline) || strokeStyle.cap == app::Cap::Butt ? Qt::FlatCap
+                        : strokeStyle.cap == app::Cap::Round                    ? Qt::RoundCap
+                                                                                : Qt::SquareCap);
+    stroker.setJoinStyle(strokeStyle.join == app::Join::Miter   ? Qt::SvgMiterJoin
+                         : strokeStyle.join == app::Join::Round ? Qt::RoundJoin
+                                                                : Qt::BevelJoin);
     return stroker.createStroke(line);
 }
 
@@ -57,23 +58,23 @@ class Batching {
 public:
     explicit Batching(const glm::dvec2& viewSize) : middle_(viewSize.x / 2, viewSize.y / 2) {}
 
-    void add(const app::Plate& plate, const app::Coat& coat)
+    void add(const app::DrawList& drawList, const app::DrawCommand& command)
     {
-        if (!coat.stroke)
-            beginArea(coat.fill, coat.rule);
-        for (const app::Chain& chain : plate.chainsOf(coat)) {
-            const auto points = plate.pointsOf(chain);
-            if (!coat.stroke) {
+        if (!command.stroke)
+            beginArea(command.fill, command.rule);
+        for (const app::Polyline& polyline : drawList.polylinesOf(command)) {
+            const auto points = drawList.pointsOf(polyline);
+            if (!command.stroke) {
                 contour(points);
-            } else if (needsOutline(chain, *coat.stroke)) {
-                strokeArea(points, chain, *coat.stroke);
+            } else if (needsOutline(polyline, *command.stroke)) {
+                strokeArea(points, polyline, *command.stroke);
             } else {
-                stroke(points, chain, *coat.stroke);
+                stroke(points, polyline, *command.stroke);
             }
         }
-        if (!coat.stroke)
-            for (const app::Chain& chain : plate.chainsOf(coat))
-                edge(plate.pointsOf(chain), coat.fill);
+        if (!command.stroke)
+            for (const app::Polyline& polyline : drawList.polylinesOf(command))
+                edge(drawList.pointsOf(polyline), command.fill);
     }
 
     Batches result;
@@ -81,28 +82,31 @@ public:
 private:
     // Whether the stroke needs an outline, because instanced quads have round joins and draw
     // translucent joins twice.
-    bool needsOutline(const app::Chain& chain, const app::Ink& ink)
+    bool needsOutline(const app::Polyline& polyline, const app::StrokeStyle& strokeStyle)
     {
-        const bool round = ink.join == app::Join::Round && ink.colour.alpha == 255;
-        if (chain.count <= 2 || ink.width < joinsShow || round)
+        const bool round = strokeStyle.join == app::Join::Round && strokeStyle.colour.alpha == 255;
+        if (polyline.count <= 2 || strokeStyle.width < joinsShow || round)
             return false;
-        outlined_ += chain.count;
+        outlined_ += polyline.count;
         return outlined_ <= mostOutlined;
     }
 
     // A cap at only one end is a separate area, because within the stroke's area the fill rule
     // could cancel it.
-    void strokeArea(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
+    void strokeArea(std::span<const QPointF> points, const app::Polyline& polyline,
+                    const app::StrokeStyle& strokeStyle)
     {
-        area(outline(points, chain, ink), ink.colour);
-        if (ownEnds(chain))
+        area(outline(points, polyline, strokeStyle), strokeStyle.colour);
+        if (ownEnds(polyline))
             return;
-        const double overlap = ink.colour.alpha == 255 ? 0.5 : 0;
-        if (chain.capAtStart)
-            area(app::capAt(points[0], points[0] - points[1], ink, overlap), ink.colour);
-        if (chain.capAtEnd)
-            area(app::capAt(points.back(), points.back() - points[points.size() - 2], ink, overlap),
-                 ink.colour);
+        const double overlap = strokeStyle.colour.alpha == 255 ? 0.5 : 0;
+        if (polyline.capAtStart)
+            area(app::capAt(points[0], points[0] - points[1], strokeStyle, overlap),
+                 strokeStyle.colour);
+        if (polyline.capAtEnd)
+            area(app::capAt(points.back(), points.back() - points[points.size() - 2], strokeStyle,
+                            overlap),
+                 strokeStyle.colour);
     }
 
     void area(const QPainterPath& path, const app::Colour& colour)
@@ -115,22 +119,23 @@ private:
             edge(polygon, colour);
     }
 
-    void stroke(std::span<const QPointF> points, const app::Chain& chain, const app::Ink& ink)
+    void stroke(std::span<const QPointF> points, const app::Polyline& polyline,
+                const app::StrokeStyle& strokeStyle)
     {
         if (result.batches.empty() || result.batches.back().filled)
             result.batches.push_back({false, std::uint32_t(result.instances.size()), 0});
-        const bool overlaps = ink.colour.alpha != 255 || ink.width < roundJoinsShow;
+        const bool overlaps = strokeStyle.colour.alpha != 255 || strokeStyle.width < roundJoinsShow;
         const std::uint32_t join = overlaps ? Butt : Round; // overlapping round joins would show
         const auto end = [&](bool own) {
-            return chain.closed ? join : own ? capOf(ink.cap) : Butt;
+            return polyline.closed ? join : own ? capOf(strokeStyle.cap) : Butt;
         };
         for (std::size_t i = 1; i < points.size(); ++i) {
-            const std::uint32_t a = i == 1 ? end(chain.capAtStart) : join;
-            const std::uint32_t b = i + 1 == points.size() ? end(chain.capAtEnd) : join;
+            const std::uint32_t a = i == 1 ? end(polyline.capAtStart) : join;
+            const std::uint32_t b = i + 1 == points.size() ? end(polyline.capAtEnd) : join;
             const QPointF from = points[i - 1] - middle_, to = points[i] - middle_;
             result.instances.push_back({float(from.x()), float(from.y()), float(to.x()),
-                                        float(to.y()), packed(ink.colour), float(ink.width),
-                                        a | b << 2});
+                                        float(to.y()), packed(strokeStyle.colour),
+                                        float(strokeStyle.width), a | b << 2});
         }
         result.batches.back().count += std::uint32_t(points.size() - 1);
     }
@@ -153,11 +158,11 @@ private:
     // Adds an opaque area's edge stroke; over a translucent area it would show.
     void edge(std::span<const QPointF> points, const app::Colour& colour)
     {
-        app::Ink ink;
-        ink.colour = colour;
-        ink.width = edgeWidth;
+        app::StrokeStyle strokeStyle;
+        strokeStyle.colour = colour;
+        strokeStyle.width = edgeWidth;
         if (colour.alpha == 255)
-            stroke(points, {0, std::uint32_t(points.size()), true, false, false}, ink);
+            stroke(points, {0, std::uint32_t(points.size()), true, false, false}, strokeStyle);
     }
 
     QPointF middle_;
@@ -166,11 +171,11 @@ private:
 
 } // namespace
 
-Batches batches(const app::Plate& plate, const glm::dvec2& viewSize)
+Batches batches(const app::DrawList& drawList, const glm::dvec2& viewSize)
 {
     Batching batching(viewSize);
-    for (const app::Coat& coat : plate.coats)
-        batching.add(plate, coat);
+    for (const app::DrawCommand& command : drawList.commands)
+        batching.add(drawList, command);
     return std::move(batching.result);
 }
 

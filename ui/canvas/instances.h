@@ -35,6 +35,6 @@ struct Batches {
 /// Strokes that are translucent, or so wide that their joins show, become areas; other joins are
 /// round. An opaque area gets an edge stroke half a pixel wide, because areas are filled without
 /// anti-aliasing.
-Batches batches(const app::Plate& plate, const glm::dvec2& viewSize);
+Batches batches(const app::DrawList& drawList, const glm::dvec2& viewSize);
 
 } // namespace ui

@@ -37,12 +37,12 @@ void drawLine(QPainter& painter, const Controller& controller, const Segment& se
         painter.drawLine(*line);
 }
 
-void paintLit(QPainter& painter, const Controller& controller)
+void paintHovered(QPainter& painter, const Controller& controller)
 {
-    const auto lit = controller.tool().litSegment();
+    const auto hovered = controller.tool().hoveredSegment();
     const app::SceneLines& lines = controller.session().scene.lines();
-    if (lit && *lit < lines.size())
-        drawLine(painter, controller, lines[*lit],
+    if (hovered && *hovered < lines.size())
+        drawLine(painter, controller, lines[*hovered],
                  QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
 }
 
@@ -131,7 +131,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    paintLit(painter, controller);
+    paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
     if (controller.session().display().overlay)
         paintWhatIsSeen(painter, controller, pane);

@@ -54,7 +54,7 @@ void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& ro
     if (width > room.width() - inset - narrowestCaption || free < row)
         return;
     boxes.rows = std::min(table.rows.size(), std::size_t(free / row));
-    const std::size_t middle = table.lit.value_or(0), half = boxes.rows / 2;
+    const std::size_t middle = table.highlightedRow.value_or(0), half = boxes.rows / 2;
     boxes.firstRow = std::min(middle > half ? middle - half : 0, table.rows.size() - boxes.rows);
     const double height = 2 * padding + row * double(boxes.rows + 1);
     boxes.table = QRectF(room.right() - width, room.top(), width, height);
@@ -104,13 +104,13 @@ void paintTable(QPainter& painter, const OverlayTable& table, const Look& look,
     paintRow(painter, table.heading, widths, line);
     for (std::size_t i = boxes.firstRow; i < boxes.firstRow + boxes.rows; ++i) {
         line.translate(0, height);
-        const bool lit = table.lit == i;
-        if (lit) {
+        const bool highlightedRow = table.highlightedRow == i;
+        if (highlightedRow) {
             painter.fillRect(line.adjusted(1 - padding, 0, padding - 1, 0), look.tint);
             painter.fillRect(QRectF(boxes.table.left() + 1, line.top(), bar, height),
                              look.selection);
         }
-        painter.setFont(lit ? semiBold(font) : font);
+        painter.setFont(highlightedRow ? semiBold(font) : font);
         painter.setPen(look.text);
         paintRow(painter, table.rows[i], widths, line);
     }
@@ -145,8 +145,8 @@ private:
 void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale& scale, double y,
                const OverlayGround& ground)
 {
-    const bool lit = tick.emphasis == Emphasis::Lit;
-    const QColor colour = lit ? ground.look.selection : ground.look.muted;
+    const bool highlightedRow = tick.emphasis == Emphasis::Highlighted;
+    const QColor colour = highlightedRow ? ground.look.selection : ground.look.muted;
     painter.setPen(QPen(colour, 1.5));
     painter.setBrush(tick.enters ? colour : ground.look.panel);
     const QPointF at(scale.at(tick.t), y);
@@ -162,7 +162,7 @@ void paintTick(QPainter& painter, const OverlayAxis::Tick& tick, const AxisScale
 struct AxisWord {
     QString text;
     double t;
-    bool above, lit;
+    bool above, highlightedRow;
     bool end = false; ///< an end of the line: its label goes above or below, wherever there is room
 };
 // Entries are above, exits below; highlighted ones come first, then the ends of the line.
@@ -173,9 +173,9 @@ std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
         for (const OverlayAxis::Tick& tick : axis.ticks)
             if (tick.emphasis == emphasis)
                 words.push_back({tick.edge + QStringLiteral("  ") + app::parameterText(tick.t),
-                                 tick.t, tick.enters, emphasis == Emphasis::Lit});
+                                 tick.t, tick.enters, emphasis == Emphasis::Highlighted});
     };
-    add(Emphasis::Lit);
+    add(Emphasis::Highlighted);
     for (const int end : {0, 1})
         for (const bool above : {false, true})
             words.push_back({QString::number(end), double(end), above, false, true});
@@ -195,7 +195,7 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
     for (const AxisWord& word : wordsOf(axis)) {
         if (word.end && ended[std::size_t(word.t)])
             continue;
-        painter.setFont(word.lit ? semiBold(font) : font);
+        painter.setFont(word.highlightedRow ? semiBold(font) : font);
         const QFontMetricsF metrics(painter.font());
         QRectF place(0, 0, metrics.horizontalAdvance(word.text) + 6, metrics.height());
         const double side = word.above ? -1 : 1;
@@ -204,7 +204,7 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
         const auto free = places.first(std::array{place, place.translated(0, side * (row - 1))});
         if (!free)
             continue;
-        painter.setPen(word.lit ? look.text : look.muted);
+        painter.setPen(word.highlightedRow ? look.text : look.muted);
         painter.drawText(*free, Qt::AlignCenter, word.text);
         if (word.end)
             ended[std::size_t(word.t)] = true;

@@ -101,17 +101,17 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
     gl_->glStencilMask(0xff);
     gl_->glClearStencil(0);
     gl_->glClear(GL_STENCIL_BUFFER_BIT);
-    if (!picture.ghost.coats.empty()) {
+    if (!picture.ghost.commands.empty()) {
         GLint target = 0;
         gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
         beginLayer();
-        paintPlate(picture.ghost);
+        paintDrawList(picture.ghost);
         gl_->glBindFramebuffer(GL_FRAMEBUFFER, GLuint(target));
         paintLayer(ghost);
     }
-    paintPlate(picture.kept);
-    paintPlate(picture.lit);
-    paintPlate(picture.differing);
+    paintDrawList(picture.kept);
+    paintDrawList(picture.selected);
+    paintDrawList(picture.differing);
     gl_->glDisable(GL_STENCIL_TEST);
 }
 
@@ -137,9 +137,9 @@ void Renderer::paintLayer(double opacity)
     gl_->glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void Renderer::paintPlate(const app::Plate& plate)
+void Renderer::paintDrawList(const app::DrawList& drawList)
 {
-    const Batches all = batches(plate, viewSize_);
+    const Batches all = batches(drawList, viewSize_);
     upload(instances_, all.instances);
     upload(points_, all.points);
     for (const Batches::Batch& batch : all.batches)

@@ -32,7 +32,7 @@ private:
     bool build();
     bool link(QOpenGLShaderProgram& program, const char* name);
     void describeInstances(std::size_t first);
-    void paintPlate(const app::Plate& plate);
+    void paintDrawList(const app::DrawList& drawList);
     void paintStrokes(const Batches::Batch& batch);
     void paintArea(const Batches& all, const Batches::Batch& batch);
     void paintLayer(double opacity);

@@ -14,7 +14,7 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
     if (const auto& drawn = controller.session().preview().line)
         return drawn;
     const app::SceneLines& lines = controller.session().scene.lines();
-    for (const auto& index : {controller.session().inspected(), controller.tool().litSegment()})
+    for (const auto& index : {controller.session().inspected(), controller.tool().hoveredSegment()})
         if (index && *index < lines.size())
             return lines[*index];
     return std::nullopt;

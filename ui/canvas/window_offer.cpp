@@ -18,7 +18,7 @@ QString text() { return QCoreApplication::translate("Canvas", "Window on page");
 
 QRectF offerPlace(const Controller& controller)
 {
-    if (controller.clipWindow() || !controller.tool().showsGrips())
+    if (controller.clipWindow() || !controller.tool().showsHandles())
         return {};
     const app::View& view = controller.view();
     const clipping::Window page = controller.session().now().page().rectangle();
@@ -39,12 +39,12 @@ void paintOffer(QPainter& painter, const Controller& controller, const Pane& pan
         return;
     const Look& look = controller.look();
     const auto& pointer = controller.pointer();
-    const bool lit = pointer && place.contains(pointer->screen.x, pointer->screen.y);
+    const bool hovered = pointer && place.contains(pointer->screen.x, pointer->screen.y);
     painter.setFont(QGuiApplication::font());
     painter.setPen(QPen(look.accent, 1));
-    painter.setBrush(lit ? look.accent : controller.pageColour());
+    painter.setBrush(hovered ? look.accent : controller.pageColour());
     painter.drawRoundedRect(place, 4, 4);
-    painter.setPen(lit ? look.onAccent : look.accent);
+    painter.setPen(hovered ? look.onAccent : look.accent);
     painter.drawText(place, Qt::AlignCenter, text());
 }
 

@@ -14,8 +14,8 @@
 namespace ui {
 namespace {
 
-constexpr double outline = 1.5, outlineLit = 2.5, casing = 1; // pixels
-constexpr double handle = 9, labelGap = 13;
+constexpr double outline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
+constexpr double handleSize = 9, labelGap = 13;
 
 // The window in screen coordinates, limited to the visible range, because painters fail with
 // coordinates like 1e9.
@@ -58,11 +58,11 @@ void paintOthers(QPainter& painter, const Controller& controller)
 void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
 {
     painter.setPen(QPen(look.accent, outline));
-    for (const auto& [grip, at] : app::placedGrips(controller.window(), controller.view())) {
-        const bool lit = controller.tool().litGrip() == grip;
-        painter.setBrush(lit ? look.accent : controller.pageColour());
-        painter.drawRect(
-            QRectF(at.x - handle / 2 + 0.5, at.y - handle / 2 + 0.5, handle - 1, handle - 1));
+    for (const auto& [handle, at] : app::placedHandles(controller.window(), controller.view())) {
+        const bool hovered = controller.tool().hoveredHandle() == handle;
+        painter.setBrush(hovered ? look.accent : controller.pageColour());
+        painter.drawRect(QRectF(at.x - handleSize / 2 + 0.5, at.y - handleSize / 2 + 0.5,
+                                handleSize - 1, handleSize - 1));
     }
 }
 
@@ -74,9 +74,8 @@ QString labelText(const Controller& controller)
     if (controller.session().preview().drag != app::Preview::Drag::Moving)
         return app::sizeText(window.max - window.min, unit, page.millimetresPerUnit());
     const app::Point place = window.min - app::originOf(page, unit);
-    return QStringLiteral("%1, %2").arg(
-        app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
-        app::lengthText(place.y, unit, page.millimetresPerUnit()));
+    return QStringLiteral("%1, %2").arg(app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
+                                        app::lengthText(place.y, unit, page.millimetresPerUnit()));
 }
 
 QFont labelFont(QFont font)
@@ -115,7 +114,7 @@ void paintLabel(QPainter& painter, const Controller& controller, const QRectF& w
 bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& window)
 {
     const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
-    return pane.active && controller.tool().showsGrips() && seen.intersects(window)
+    return pane.active && controller.tool().showsHandles() && seen.intersects(window)
            && !window.contains(seen);
 }
 
@@ -130,9 +129,9 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     paintOthers(painter, controller);
     const Look& look = controller.look();
     const QRectF window = rectangleOnScreen(controller);
-    const bool lit = controller.tool().litGrip() == app::Grip{};
+    const bool hovered = controller.tool().hoveredHandle() == app::Handle{};
     const double width =
-        (lit ? outlineLit : outline) * (controller.session().display().presenting ? 2 : 1);
+        (hovered ? outlineHovered : outline) * (controller.session().display().presenting ? 2 : 1);
     QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);
@@ -162,8 +161,9 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
         edge.adjust(-outline, -outline, outline, outline);
     if (!isFurnished(controller, pane, window))
         return places;
-    for (const auto& [grip, at] : app::placedGrips(controller.window(), controller.view()))
-        places.push_back(QRectF(at.x - handle / 2, at.y - handle / 2, handle, handle));
+    for (const auto& [handle, at] : app::placedHandles(controller.window(), controller.view()))
+        places.push_back(
+            QRectF(at.x - handleSize / 2, at.y - handleSize / 2, handleSize, handleSize));
     places.push_back(labelPlace(controller, window, labelFont(font)));
     return places;
 }

@@ -191,8 +191,8 @@ void DifferencePanel::follow()
     ulps_->setSuffix(ulps_->value() == 1 ? tr(" ulp") : tr(" ulps"));
     QStringList wrong;
     for (const app::Variant& variant : {comparison.a, comparison.b})
-        if (variant.exhibit && !wrong.contains(variant.exhibit->whatIsWrong))
-            wrong << variant.exhibit->whatIsWrong;
+        if (variant.misprint && !wrong.contains(variant.misprint->whatIsWrong))
+            wrong << variant.misprint->whatIsWrong;
     explanation_->setText(wrong.join(u'\n'));
     explanation_->setVisible(!wrong.isEmpty());
     table_->setVisible(model_.rowCount() > 0);

@@ -51,8 +51,9 @@ ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     soon_.setSingleShot(true);
     soon_.setInterval(0);
     connect(&soon_, &QTimer::timeout, this, &ExactnessPanel::follow);
-    connect(&session.truth, &app::LiveTruth::changed, &soon_, qOverload<>(&QTimer::start));
-    connect(&session.truth, &app::LiveTruth::progressed, this, &ExactnessPanel::paintSummary);
+    connect(&session.exactness, &app::LiveExactness::changed, &soon_, qOverload<>(&QTimer::start));
+    connect(&session.exactness, &app::LiveExactness::progressed, this,
+            &ExactnessPanel::paintSummary);
     connect(&session, &app::Session::displayChanged, this, [this] {
         if (isVisible())
             ask();
@@ -154,7 +155,7 @@ QWidget* ExactnessPanel::magnifierPage()
     return page;
 }
 
-app::LiveTruth::Question ExactnessPanel::wanted() const
+app::LiveExactness::Question ExactnessPanel::wanted() const
 {
     const app::Display& display = session_.display();
     const app::Variant clipping = usable(display.variant);
@@ -165,7 +166,7 @@ app::LiveTruth::Question ExactnessPanel::wanted() const
 void ExactnessPanel::ask()
 {
     if (isVisible())
-        session_.truth.ask(wanted());
+        session_.exactness.ask(wanted());
 }
 
 // A timer fires after all posted events, so the pending frame is shown first.
@@ -174,7 +175,7 @@ void ExactnessPanel::follow()
     const QScopedValueRollback quietly(following_, true);
     soon_.stop();
     model_.follow();
-    histogram_->show(session_.truth.counts());
+    histogram_->show(session_.exactness.counts());
     paintSummary();
     const auto line = session_.inspected();
     const int row = line ? model_.rowOf(*line) : -1;
@@ -186,25 +187,25 @@ void ExactnessPanel::follow()
 
 void ExactnessPanel::paintSummary()
 {
-    const app::LiveTruth& truth = session_.truth;
+    const app::LiveExactness& exactness = session_.exactness;
     const Look& look = lookOf(palette());
-    const bool known = truth.asked() && truth.upToDate();
-    const bool wrong = known && truth.counts().classes.back() > 0;
-    summary_->setText(
-        known ? app::sentence(truth.asked()->variant, truth.counts(), truth.asked()->yardstick)
-              : tr("Judging %1 lines… %2")
-                    .arg(app::countText(session_.scene.lines().size()),
-                         app::percentText(truth.progress())));
+    const bool known = exactness.asked() && exactness.upToDate();
+    const bool wrong = known && exactness.counts().classes.back() > 0;
+    summary_->setText(known ? app::sentence(exactness.asked()->variant, exactness.counts(),
+                                            exactness.asked()->yardstick)
+                            : tr("Judging %1 lines… %2")
+                                  .arg(app::countText(session_.scene.lines().size()),
+                                       app::percentText(exactness.progress())));
     const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
     summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
 }
 
 void ExactnessPanel::showRow(int row)
 {
-    const app::LineTruth* truth = model_.truthOf(row);
-    if (!truth)
+    const app::LineExactness* exactness = model_.exactnessOf(row);
+    if (!exactness)
         return;
-    const std::size_t line = truth->source;
+    const std::size_t line = exactness->source;
     session_.inspect(line);
     emit placeWanted(
         app::placeOf({wanted().variant}, session_.scene.lines()[line], session_.window()));
@@ -212,9 +213,9 @@ void ExactnessPanel::showRow(int row)
 
 void ExactnessPanel::magnifyRow(int row)
 {
-    const app::LineTruth* truth = model_.truthOf(row);
-    if (truth)
-        magnify(truth->source, truth->ends[1].ulps > truth->ends[0].ulps ? 1 : 0);
+    const app::LineExactness* exactness = model_.exactnessOf(row);
+    if (exactness)
+        magnify(exactness->source, exactness->ends[1].ulps > exactness->ends[0].ulps ? 1 : 0);
 }
 
 void ExactnessPanel::magnify(std::size_t line, int end)
@@ -264,7 +265,7 @@ void ExactnessPanel::showEvent(QShowEvent* event)
 void ExactnessPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    session_.truth.ask(std::nullopt);
+    session_.exactness.ask(std::nullopt);
 }
 
 void ExactnessPanel::changeEvent(QEvent* event)

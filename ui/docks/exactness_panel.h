@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/docks/truth_model.h"
+#include "ui/docks/exactness_model.h"
 #include "ui/widgets/dense_table.h"
 
 #include <QLabel>
@@ -46,7 +46,7 @@ private:
     void addChoosers();
     QWidget* listPage();
     QWidget* magnifierPage();
-    app::LiveTruth::Question wanted() const;
+    app::LiveExactness::Question wanted() const;
     void ask();
     void follow();
     void paintSummary();
@@ -56,7 +56,7 @@ private:
     void leaveMagnifier();
 
     app::Session& session_;
-    TruthModel model_;
+    ExactnessModel model_;
     VariantBox* algorithm_;
     Segments *yardstick_, *end_, *lattice_;
     QLabel *summary_, *heading_, *magnified_;

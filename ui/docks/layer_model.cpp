@@ -73,8 +73,8 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     case DepthRole:
         return session_.now().containers().depthOf(id);
     case Qt::DecorationRole:
-        if (const auto ink = app::inkOf(session_.now(), id))
-            return QColor(ink->red, ink->green, ink->blue);
+        if (const auto strokeColour = app::strokeColourOf(session_.now(), id))
+            return QColor(strokeColour->red, strokeColour->green, strokeColour->blue);
         return {};
     case Qt::AccessibleTextRole:
         return tr("%1, %2, %3")

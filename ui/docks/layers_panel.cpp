@@ -2,7 +2,7 @@
 #include "ui/docks/layers_panel.h"
 
 #include "app/base/numbers.h"
-#include "app/view/ink.h"
+#include "app/view/visible_colour.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
@@ -39,9 +39,10 @@ public:
         icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
         if (locked || hovered)
             icon(locked ? "lock" : "unlock").paint(painter, lock(option.rect));
-        const QRect ink(eye(option.rect).right() + 9, option.rect.center().y() - 5, 12, 12);
+        const QRect strokeColour(eye(option.rect).right() + 9, option.rect.center().y() - 5, 12,
+                                 12);
         if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid())
-            painter->fillRect(ink, shown(colour, look));
+            painter->fillRect(strokeColour, shown(colour, look));
         painter->setPen(visible ? look.text : look.muted);
         painter->setFont(option.font);
         painter->drawText(nameBox(option.rect), Qt::AlignVCenter,
@@ -96,14 +97,15 @@ private:
         return row.adjusted(space::dockMargin + 46, 0, -110, 0);
     }
     /// The colour as the canvas shows it on this page.
-    static QColor shown(const QColor& ink, const Look& look)
+    static QColor shown(const QColor& strokeColour, const Look& look)
     {
         const auto plain = [](const QColor& c) {
             return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()),
                                std::uint8_t(c.blue())};
         };
-        const app::Colour seen =
-            look.dark ? app::shownInk(plain(ink), plain(look.paper)) : plain(ink);
+        const app::Colour seen = look.dark
+                                     ? app::visibleColour(plain(strokeColour), plain(look.paper))
+                                     : plain(strokeColour);
         return QColor(seen.red, seen.green, seen.blue);
     }
 };

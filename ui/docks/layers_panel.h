@@ -8,7 +8,7 @@
 
 namespace ui {
 
-/// The layers: eye, ink, name, number of lines, padlock. New objects go to the selected layer.
+/// The layers: eye, colour, name, number of lines, padlock. New objects go to the selected layer.
 class LayersPanel : public QWidget {
     Q_OBJECT
 

@@ -145,7 +145,7 @@ void LinePanel::showLine(const app::Inspection& line)
     }
     put(VisibleA, RegionColumn, app::words(line.lineClass));
     put(Cost, Name, tr("Cost"));
-    cost_->setText(line.variant.exhibit ? tr("not counted") : app::costText(line.cost));
+    cost_->setText(line.variant.misprint ? tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
     emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer));
 }

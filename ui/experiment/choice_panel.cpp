@@ -252,7 +252,7 @@ app::Choice ChoicePanel::choice() const
         if (own_[i])
             choice.algorithms.push_back(&clipping::algorithms()[i]);
     if (drawn_->isChecked())
-        choice.easel = easel_;
+        choice.target = target_;
     choice.explained = explained_->isChecked();
     return choice;
 }

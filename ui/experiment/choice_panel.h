@@ -48,10 +48,11 @@ private:
     Drawing drawing_;
     /// Copy of the drawing since its last change; nothing: not copied yet.
     mutable std::optional<app::Subject> taken_;
-    bool ofDrawing_ = false;                   ///< the subject shown is the drawing
-    int usualLines_ = 0;                       ///< the subject's default number of lines
-    app::EaselMaker easel_ = app::bestEasel(); ///< queried in this thread, called in another
-    bool runsTyped_ = false; ///< false: the number of runs is as many as are needed
+    bool ofDrawing_ = false; ///< the subject shown is the drawing
+    int usualLines_ = 0;     ///< the subject's default number of lines
+    app::DrawTargetMaker target_ =
+        app::bestDrawTarget(); ///< queried in this thread, called in another
+    bool runsTyped_ = false;   ///< false: the number of runs is as many as are needed
     QComboBox* subject_;
     QLabel* meaning_;
     QSpinBox *lines_, *runs_, *seed_;

@@ -24,10 +24,10 @@ namespace ui {
 
 namespace {
 
-const QString paceKey = QStringLiteral("experimentPace");
+const QString durationRatioKey = QStringLiteral("experimentPace");
 constexpr QSize usual(1180, 780), smallest(640, 360);
 constexpr double leastTelling = 1; // seconds; shorter runs consist mostly of overhead
-constexpr double leastPace = 0.02, mostPace = 50;
+constexpr double leastDurationRatio = 0.02, mostDurationRatio = 50;
 constexpr int leftWidth = 300, barWidth = 180;
 
 QPushButton* button(const QString& text, std::string_view iconKey = {})
@@ -93,7 +93,8 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
       effort_(aside({})), state_(new QLabel), bar_(new QProgressBar), strip_(new MessageStrip),
       stack_(new QStackedWidget), results_(new Results({copy_, export_}))
 {
-    pace_ = app::rememberedNumber(paceKey, leastPace, mostPace, 1.0);
+    durationRatio_ =
+        app::rememberedNumber(durationRatioKey, leastDurationRatio, mostDurationRatio, 1.0);
     layOut();
     addTools();
     connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
@@ -231,8 +232,8 @@ void ExperimentWindow::addTools()
 
 void ExperimentWindow::run(app::Choice choice)
 {
-    if (choice.easel)
-        choice.easel = app::bestEasel(); // queried here, in the window's thread
+    if (choice.target)
+        choice.target = app::bestDrawTarget(); // queried here, in the window's thread
     auto plan = app::planOf(choice);
     if (!plan || measuring_.active())
         return showEffort();
@@ -256,8 +257,8 @@ void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
 {
     const double taken = double(taken_.elapsed()) / 1000;
     if (thought_ >= leastTelling) {
-        pace_ = std::clamp(taken / thought_, leastPace, mostPace);
-        QSettings().setValue(paceKey, pace_);
+        durationRatio_ = std::clamp(taken / thought_, leastDurationRatio, mostDurationRatio);
+        QSettings().setValue(durationRatioKey, durationRatio_);
     }
     results_->show(study);
     stack_->setCurrentWidget(results_);
@@ -277,11 +278,11 @@ void ExperimentWindow::showEffort()
 {
     const app::Choice choice = choice_->choice();
     const auto plan = app::planOf(choice);
-    effort_->setText(plan
-                         ? (app::effortText(*plan.value, pace_) + u' '
-                            + app::quickEffortText(choice, pace_) + u' ' + app::leftOutText(choice))
-                               .trimmed()
-                         : plan.error);
+    effort_->setText(plan ? (app::effortText(*plan.value, durationRatio_) + u' '
+                             + app::quickEffortText(choice, durationRatio_) + u' '
+                             + app::leftOutText(choice))
+                                .trimmed()
+                          : plan.error);
     showState();
 }
 

@@ -68,8 +68,8 @@ private:
     QStackedWidget* stack_;
     Results* results_;
     QElapsedTimer taken_;
-    double thought_ = 0; ///< expected duration of the run, in seconds
-    double pace_ = 1;    ///< measured divided by expected duration; kept in the settings
+    double thought_ = 0;       ///< expected duration of the run, in seconds
+    double durationRatio_ = 1; ///< measured divided by expected duration; kept in the settings
     Measuring measuring_;
 };
 

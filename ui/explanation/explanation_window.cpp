@@ -4,12 +4,12 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/hard_cases/hard_case.h"
-#include "app/session/specimen.h"
+#include "app/session/first_traced_line.h"
 #include "app/teaching/trace_link.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/page_view.h"
 #include "ui/explanation/title_painter.h"
-#include "ui/hard_cases/zoo_window.h"
+#include "ui/hard_cases/hard_cases_window.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/main_window.h"
@@ -122,9 +122,9 @@ QWidget* ExplanationWindow::bar()
     });
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
     connect(look, &QToolButton::clicked, this, [this] {
-        app::Specimen specimen = app::firstSpecimen(window_.session());
-        specimen.variant = {page_->algorithm(), clipping::Form::Corrected};
-        window_.session().microscope.open(specimen);
+        app::TracedLine tracedLine = app::firstTracedLine(window_.session());
+        tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
+        window_.session().microscope.open(tracedLine);
         window_.raise();
         window_.activateWindow();
     });
@@ -191,16 +191,16 @@ void ExplanationWindow::showPlace()
 
 void ExplanationWindow::follow(const QUrl& link)
 {
-    if (const auto specimen = app::specimenOf(link)) {
-        window_.session().microscope.open(*specimen);
+    if (const auto tracedLine = app::tracedLineOf(link)) {
+        window_.session().microscope.open(*tracedLine);
         window_.raise();
         window_.activateWindow();
     } else if (link.scheme() != QStringLiteral("clearcut")) {
         QDesktopServices::openUrl(link);
     } else if (const auto* hard = app::findHardCase(link.path().section(u'/', 1))) {
-        showZoo(window_).choose(*hard);
+        showHardCases(window_).choose(*hard);
     } else if (link.path().startsWith(QStringLiteral("fails/"))) {
-        showZoo(window_).chooseFailing(link.path().section(u'/', 1));
+        showHardCases(window_).chooseFailing(link.path().section(u'/', 1));
     }
 }
 
@@ -266,7 +266,7 @@ ExplanationWindow& showExplanation(MainWindow& window)
 {
     const app::Session& session = window.session();
     return showExplanation(session.microscope.isOpen()
-                               ? *session.microscope.specimen().variant.algorithm
+                               ? *session.microscope.tracedLine().variant.algorithm
                                : *session.display().variant.algorithm,
                            window);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/hard_cases/answer_table.h"
 
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 #include "ui/look.h"
 #include "ui/look_icon.h"
 #include "ui/widgets/keep_choice.h"

@@ -140,10 +140,10 @@ void CaseView::showAnswer()
     note_->setVisible(!app::isToScale(*hard_, answer));
     portrait_->setAccessibleName(
         tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
-    microscope_->setEnabled(!answer->variant.exhibit);
+    microscope_->setEnabled(!answer->variant.misprint);
     microscope_->setToolTip(
-        answer->variant.exhibit
-            ? tr("An exhibit: its steps are not recorded.")
+        answer->variant.misprint
+            ? tr("A known misprint: its steps are not recorded.")
             : tr("With %1, the row that is chosen below").arg(app::nameOf(answer->variant)));
 }
 

@@ -66,7 +66,7 @@ void goToDifference(MainWindow& window, int rows)
 void showMisprint(MainWindow& window)
 {
     showDifferences(window);
-    const app::Exhibit& misprint = app::exhibits().front();
+    const app::Misprint& misprint = app::misprints().front();
     window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
                                      app::exactVariant());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/hard_cases/zoo_window.h"
+#include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
 #include "ui/main_window.h"
 #include "ui/microscope/export_steps.h"
@@ -97,12 +97,12 @@ MenuInfo learnMenu()
                 {"about-algorithm", tr("About this &algorithm"),
                  keys(QKeySequence::HelpContents, {QKeySequence("F1")}), Reach::Window, "book",
                  [](MainWindow& w) { showExplanation(w); }},
-                {"zoo",
+                {"hard-cases",
                  tr("&Hard cases…"),
                  {QKeySequence("Ctrl+F2")},
                  Reach::Window,
                  {},
-                 [](MainWindow& w) { showZoo(w); }},
+                 [](MainWindow& w) { showHardCases(w); }},
                 {"judge",
                  tr("&Judge your own algorithm…"),
                  {QKeySequence("Ctrl+F3")},

@@ -71,7 +71,7 @@ void CodeView::show(const QStringList& code)
 
 void CodeView::light(int line)
 {
-    lit_ = line;
+    currentLine_ = line;
     setAccessibleDescription(line > 0 && line <= code_.size()
                                  ? tr("Line %1: %2").arg(line).arg(code_[line - 1].trimmed())
                                  : QString());
@@ -115,12 +115,12 @@ void CodeView::paintNumbers()
         const QRectF row = rowOf(line);
         if (row.bottom() < 0 || row.top() > viewport()->height())
             continue;
-        const bool lit = line == lit_;
-        if (lit) {
+        const bool isCurrent = line == currentLine_;
+        if (isCurrent) {
             painter.fillRect(QRectF(0, row.top(), numbers_->width(), row.height()), look.tint);
             painter.fillRect(QRectF(0, row.top(), bar, row.height()), look.selection);
         }
-        painter.setPen(lit ? look.text : look.muted);
+        painter.setPen(isCurrent ? look.text : look.muted);
         painter.drawText(QRectF(0, row.top(), numbers_->width() - 4, row.height()),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(line));
     }
@@ -128,7 +128,7 @@ void CodeView::paintNumbers()
 
 void CodeView::paintEvent(QPaintEvent* event)
 {
-    if (const QRectF row = rowOf(lit_); row.isValid())
+    if (const QRectF row = rowOf(currentLine_); row.isValid())
         QPainter(viewport()).fillRect(row, lookOf(palette()).tint);
     QTextEdit::paintEvent(event);
 }

@@ -15,7 +15,7 @@ public:
 
     void show(const QStringList& code);
     void light(int line); ///< highlights a line, counted from 1; 0: none
-    int lit() const { return lit_; }
+    int currentLine() const { return currentLine_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -31,7 +31,7 @@ private:
 
     Numbers* numbers_ = nullptr;
     QStringList code_;
-    int lit_ = 0;
+    int currentLine_ = 0;
 };
 
 } // namespace ui

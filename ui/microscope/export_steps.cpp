@@ -33,7 +33,8 @@ StepExports::StepExports(QWidget& window, const app::Microscope& microscope)
 
 void StepExports::ask()
 {
-    app::TraceExport trace{.specimen = microscope_.specimen(), .walk = microscope_.walk()};
+    app::TraceExport trace{.tracedLine = microscope_.tracedLine(),
+                           .narration = microscope_.narration()};
     if (lookOf(window_.palette()).dark)
         trace.ground = app::Ground::Dark;
     auto* dialog = new ExportStepsDialog(std::move(trace), microscope_.step(), &window_);

@@ -24,7 +24,7 @@ QPixmap previewOf(const app::TraceExport& trace, std::size_t step, const QColor&
     picture.fill(Qt::white);
     QPainter painter(&picture);
     painter.scale(scale, scale);
-    app::paintSlide(painter, {trace.specimen, trace.walk, step}, trace.parts, trace.ground);
+    app::paintSlide(painter, {trace.tracedLine, trace.narration, step}, trace.parts, trace.ground);
     painter.setPen(QPen(border, 2 / scale));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(0, 0, app::slideWidth, app::slideHeight));
@@ -38,7 +38,7 @@ ExportStepsDialog::ExportStepsDialog(app::TraceExport trace, std::size_t step, Q
       format_(new QComboBox), ground_(new QComboBox),
       oneStep_(new QCheckBox(tr("Only &this step (%1 of %2)")
                                  .arg(step + 1)
-                                 .arg(std::max<std::size_t>(trace_.walk.moments.size(), 1)))),
+                                 .arg(std::max<std::size_t>(trace_.narration.steps.size(), 1)))),
       pictureOnly_(new QCheckBox(tr("Only the &picture, nothing beside it")))
 {
     setWindowTitle(tr("Export steps"));

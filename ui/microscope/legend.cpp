@@ -21,12 +21,12 @@ Legend::Legend(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Signs of the timeline"));
 }
 
-void Legend::show(const app::Walk& walk)
+void Legend::show(const app::Narration& narration)
 {
     std::vector<app::Mark> marks;
-    for (const app::Moment& moment : walk.moments)
-        if (std::ranges::find(marks, moment.mark) == marks.end())
-            marks.push_back(moment.mark);
+    for (const app::NarratedStep& narrated : narration.steps)
+        if (std::ranges::find(marks, narrated.mark) == marks.end())
+            marks.push_back(narrated.mark);
     std::ranges::sort(marks);
     if (marks == marks_)
         return;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QWidget>
 
 namespace ui {
 
-/// A legend of the timeline's marks; shows only the marks that occur in the walk.
+/// A legend of the timeline's marks; shows only the marks that occur in the trace.
 class Legend : public QWidget {
     Q_OBJECT
 
 public:
     explicit Legend(QWidget* parent = nullptr);
 
-    void show(const app::Walk& walk);
+    void show(const app::Narration& narration);
     QSize sizeHint() const override;
 
 protected:

@@ -42,7 +42,7 @@ MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn,
     addLine();
     addEnd();
     paintMarkers();
-    connect(&microscope, &app::Microscope::specimenChanged, this, &MicroscopeBar::follow);
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeBar::follow);
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopeBar::follow);
     follow();
 }
@@ -96,7 +96,7 @@ void MicroscopeBar::addAlgorithm()
     row_->addWidget(forms);
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         const auto& chosen = clipping::algorithms()[std::size_t(index)];
-        const auto form = microscope_.specimen().variant.form;
+        const auto form = microscope_.tracedLine().variant.form;
         drawn_.choose({&chosen, clipping::usesOf(chosen, form) ? form : clipping::Form::Corrected});
     });
     connect(corrected_, &QRadioButton::clicked, this,
@@ -120,7 +120,7 @@ void MicroscopeBar::addLine()
     connect(line_, &LineField::done, this, &MicroscopeBar::lineDone);
     connect(line_, &LineField::refused, this, &MicroscopeBar::refused);
     connect(swap, &QToolButton::clicked, this, [this] {
-        const auto& [a, b] = microscope_.specimen().line;
+        const auto& [a, b] = microscope_.tracedLine().line;
         setLine({b, a});
     });
     connect(previous_, &QToolButton::clicked, this, [this] { drawn_.go(-1); });
@@ -149,20 +149,20 @@ void MicroscopeBar::addEnd()
 
 void MicroscopeBar::choose(clipping::Form form)
 {
-    drawn_.choose({microscope_.specimen().variant.algorithm, form});
+    drawn_.choose({microscope_.tracedLine().variant.algorithm, form});
 }
 
 void MicroscopeBar::setLine(const clipping::Segment& line)
 {
-    app::Specimen specimen = microscope_.specimen();
-    specimen.line = line;
-    microscope_.setSpecimen(specimen);
+    app::TracedLine tracedLine = microscope_.tracedLine();
+    tracedLine.line = line;
+    microscope_.setTracedLine(tracedLine);
 }
 
 void MicroscopeBar::follow()
 {
-    const app::Specimen& specimen = microscope_.specimen();
-    const auto* algorithm = specimen.variant.algorithm;
+    const app::TracedLine& tracedLine = microscope_.tracedLine();
+    const auto* algorithm = tracedLine.variant.algorithm;
     if (!algorithm)
         return;
     algorithm_->setCurrentIndex(int(algorithm - clipping::algorithms().data()));
@@ -172,9 +172,9 @@ void MicroscopeBar::follow()
                                 : tr("%1 has no published form: it is always the corrected one")
                                       .arg(app::latin(algorithm->name)));
     corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
-    (specimen.variant.form == clipping::Form::Published ? published_ : corrected_)
+    (tracedLine.variant.form == clipping::Form::Published ? published_ : corrected_)
         ->setChecked(true);
-    line_->show(specimen.line);
+    line_->show(tracedLine.line);
     previous_->setEnabled(drawn_.line().has_value());
     next_->setEnabled(drawn_.line().has_value());
 }

@@ -90,7 +90,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
 
     const app::Microscope& microscope = session.microscope;
     connect(&microscope, &app::Microscope::stepChanged, this, &MicroscopePage::showStep);
-    connect(&microscope, &app::Microscope::specimenChanged, this, [this] {
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, [this] {
         showStep();
         showPlace();
         overview_->update();
@@ -128,7 +128,7 @@ QWidget* MicroscopePage::makeRight()
                        "QToolButton:hover, QToolButton:focus { text-decoration: underline; }"));
     code->add(about);
     connect(about, &QToolButton::clicked, this,
-            [this] { emit aboutWanted(session_.microscope.specimen().variant.algorithm); });
+            [this] { emit aboutWanted(session_.microscope.tracedLine().variant.algorithm); });
     right_->addWidget(underHeading(code, code_));
     right_->addWidget(underHeading(new Heading(tr("Variables")), variables_));
     right_->setStretchFactor(0, 3);
@@ -172,21 +172,21 @@ void MicroscopePage::addKeys()
 void MicroscopePage::showStep()
 {
     const app::Microscope& microscope = session_.microscope;
-    const app::Walk& walk = microscope.walk();
-    const app::Moment* moment = microscope.moment();
-    code_->show(walk.code);
-    code_->light(moment ? moment->line : 0);
-    variables_->show(moment ? moment->variables : std::vector<app::Variable>{});
-    variablesVeil_->setVisible(microscope.isCovered() && !moment);
+    const app::Narration& narration = microscope.narration();
+    const app::NarratedStep* narrated = microscope.narrated();
+    code_->show(narration.code);
+    code_->light(narrated ? narrated->line : 0);
+    variables_->show(narrated ? narrated->variables : std::vector<app::Variable>{});
+    variablesVeil_->setVisible(microscope.isCovered() && !narrated);
     operationsVeil_->setVisible(microscope.isCovered());
-    const bool counts = moment && !microscope.isCovered();
-    operations_->show(counts ? moment->cost : clipping::OperationCounts{},
-                      counts ? walk.moments.back().cost : clipping::OperationCounts{});
+    const bool counts = narrated && !microscope.isCovered();
+    operations_->show(counts ? narrated->cost : clipping::OperationCounts{},
+                      counts ? narration.steps.back().cost : clipping::OperationCounts{});
 }
 
 void MicroscopePage::showPlace()
 {
-    const QString origin = session_.microscope.specimen().origin;
+    const QString origin = session_.microscope.tracedLine().origin;
     QStringList lines(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
     const QString at = drawn_.line() ? app::atText(session_.compared()) : QString();
     if (!at.isEmpty())
@@ -231,7 +231,7 @@ QRect MicroscopePage::cornerFor(const QSize& size)
 {
     const QRect inside = view_->rect().adjusted(corner, corner, -corner, -corner);
     const app::FigureFrame& frame = view_->frame();
-    const app::Specimen& specimen = session_.microscope.specimen();
+    const app::TracedLine& tracedLine = session_.microscope.tracedLine();
     const auto rectIn = [&](Qt::Corner which) {
         QRect place(inside.topLeft(), size);
         if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner)
@@ -249,9 +249,9 @@ QRect MicroscopePage::cornerFor(const QSize& size)
         const auto hides = [&](const clipping::Segment& line) {
             return clipping::exactAlgorithm().corrected.clip(line, area).has_value();
         };
-        const auto& [a, b] = specimen.line;
-        const auto& [min, max] = specimen.window;
-        return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(specimen.line)
+        const auto& [a, b] = tracedLine.line;
+        const auto& [min, max] = tracedLine.window;
+        return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(tracedLine.line)
                + (hides({min, {max.x, min.y}}) + hides({{max.x, min.y}, max})
                   + hides({max, {min.x, max.y}}) + hides({{min.x, max.y}, min}));
     };

@@ -27,14 +27,14 @@ MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
     setAccessibleName(tr("Line under the microscope"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&microscope, &app::Microscope::stepChanged, this, qOverload<>(&QWidget::update));
-    connect(&microscope, &app::Microscope::specimenChanged, this, &MicroscopeView::follow);
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeView::follow);
 }
 
 void MicroscopeView::follow()
 {
     if (fitted_ && !drag_ && !chosen_)
         refit();
-    frame_.y = microscope_.specimen().y;
+    frame_.y = microscope_.tracedLine().y;
     update();
 }
 
@@ -42,7 +42,7 @@ void MicroscopeView::refit()
 {
     QFont body = font();
     body.setPixelSize(QFontInfo(body).pixelSize());
-    frame_ = app::nearFrame(microscope_.specimen(), QSizeF(size()), body);
+    frame_ = app::nearFrame(microscope_.tracedLine(), QSizeF(size()), body);
     frame_.reserved = reserved_;
     frame_.windowIsPage = windowIsPage_;
     update();
@@ -70,17 +70,17 @@ void MicroscopeView::fit()
 /// Fits everything into the view if an end was moved out of it.
 void MicroscopeView::keepInSight()
 {
-    const auto& line = microscope_.specimen().line;
+    const auto& line = microscope_.tracedLine().line;
     if (!frame_.shows(line.a) || !frame_.shows(line.b))
         fit();
 }
 
 void MicroscopeView::moveEnd(LineEnd end, const app::Point& point)
 {
-    app::Specimen specimen = microscope_.specimen();
-    specimen.line = withEnd(specimen.line, end, point);
-    if (specimen != microscope_.specimen())
-        microscope_.setSpecimen(specimen);
+    app::TracedLine tracedLine = microscope_.tracedLine();
+    tracedLine.line = withEnd(tracedLine.line, end, point);
+    if (tracedLine != microscope_.tracedLine())
+        microscope_.setTracedLine(tracedLine);
 }
 
 void MicroscopeView::choose(std::optional<LineEnd> end)
@@ -104,11 +104,11 @@ QString MicroscopeView::hint() const
 void MicroscopeView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    app::paintStep(painter, {microscope_.specimen(), microscope_.walk(), microscope_.step()},
+    app::paintStep(painter, {microscope_.tracedLine(), microscope_.narration(), microscope_.step()},
                    frame_, app::figureColours(groundOf(palette())));
     painter.setRenderHint(QPainter::Antialiasing);
-    if (lit_)
-        paintRing(painter, *lit_, 1.5);
+    if (hovered_)
+        paintRing(painter, *hovered_, 1.5);
     if (chosen_)
         paintRing(painter, *chosen_, 2.5);
     if (hasFocus() && ring_) {
@@ -120,7 +120,7 @@ void MicroscopeView::paintEvent(QPaintEvent*)
 
 void MicroscopeView::paintRing(QPainter& painter, LineEnd end, double width) const
 {
-    const app::Point& point = endOf(microscope_.specimen().line, end);
+    const app::Point& point = endOf(microscope_.tracedLine().line, end);
     if (!frame_.shows(point))
         return;
     painter.setPen(QPen(lookOf(palette()).selection, width));
@@ -132,26 +132,26 @@ void MicroscopeView::resizeEvent(QResizeEvent*) { fit(); }
 
 void MicroscopeView::hover(const QPointF& place)
 {
-    const auto end = endAt(frame_, microscope_.specimen().line, place);
-    if (end == lit_)
+    const auto end = endAt(frame_, microscope_.tracedLine().line, place);
+    if (end == hovered_)
         return;
-    lit_ = end;
+    hovered_ = end;
     setCursor(end ? Qt::SizeAllCursor : Qt::ArrowCursor);
     update();
 }
 
 void MicroscopeView::mousePressEvent(QMouseEvent* event)
 {
-    const auto& line = microscope_.specimen().line;
+    const auto& line = microscope_.tracedLine().line;
     const QPointF place = event->position();
     hover(place);
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && !lit_)) {
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && !hovered_)) {
         drag_ = Drag{{}, line, place};
         setCursor(Qt::ClosedHandCursor);
     } else if (event->button() == Qt::LeftButton) {
-        drag_ = Drag{lit_, line, frame_.at(endOf(line, *lit_)) - place};
+        drag_ = Drag{hovered_, line, frame_.at(endOf(line, *hovered_)) - place};
     }
-    if (lit_ != chosen_)
+    if (hovered_ != chosen_)
         choose({});
 }
 
@@ -162,11 +162,12 @@ void MicroscopeView::mouseMoveEvent(QMouseEvent* event)
         hover(place);
     } else if (drag_->end) {
         const bool free = event->modifiers() & Qt::ControlModifier;
-        moveEnd(*drag_->end, handPoint(frame_, microscope_.specimen().window, place + drag_->grip,
-                                       free ? Snapping::Off : Snapping::ToWindow));
+        moveEnd(*drag_->end,
+                handPoint(frame_, microscope_.tracedLine().window, place + drag_->handle,
+                          free ? Snapping::Off : Snapping::ToWindow));
     } else {
-        pan(place - drag_->grip);
-        drag_->grip = place;
+        pan(place - drag_->handle);
+        drag_->handle = place;
     }
     emit pointerMoved(frame_.pointAt(place));
 }
@@ -177,7 +178,7 @@ void MicroscopeView::mouseReleaseEvent(QMouseEvent* event)
     drag_.reset();
     if (moved)
         keepInSight();
-    lit_.reset();
+    hovered_.reset();
     setCursor(Qt::ArrowCursor);
     hover(event->position());
 }
@@ -185,7 +186,7 @@ void MicroscopeView::mouseReleaseEvent(QMouseEvent* event)
 void MicroscopeView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton
-        && !endAt(frame_, microscope_.specimen().line, event->position()))
+        && !endAt(frame_, microscope_.tracedLine().line, event->position()))
         fit();
 }
 
@@ -237,9 +238,9 @@ void MicroscopeView::wheelEvent(QWheelEvent* event)
 void MicroscopeView::keyPressEvent(QKeyEvent* event)
 {
     const double step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    const double up = microscope_.specimen().y == app::YAxis::Up ? step : -step;
+    const double up = microscope_.tracedLine().y == app::YAxis::Up ? step : -step;
     const auto by = [&](double x, double y) {
-        moveEnd(*chosen_, nudged(frame_, endOf(microscope_.specimen().line, *chosen_), x, y));
+        moveEnd(*chosen_, nudged(frame_, endOf(microscope_.tracedLine().line, *chosen_), x, y));
         keepInSight();
     };
     if (event->key() == Qt::Key_Escape && drag_)
@@ -276,7 +277,7 @@ bool MicroscopeView::focusNextPrevChild(bool next)
 void MicroscopeView::leaveEvent(QEvent*)
 {
     if (!drag_)
-        lit_.reset();
+        hovered_.reset();
     update();
     emit pointerMoved({});
 }

@@ -59,7 +59,7 @@ private:
         std::optional<LineEnd> end; ///< nothing: the drag pans
         clipping::Segment before;
         /// Offset from the pointer to the end; when panning, the last pointer position.
-        QPointF grip;
+        QPointF handle;
     };
 
     void follow();
@@ -77,7 +77,7 @@ private:
     app::Microscope& microscope_;
     app::FigureFrame frame_;
     QRectF reserved_;
-    std::optional<LineEnd> chosen_, lit_;
+    std::optional<LineEnd> chosen_, hovered_;
     std::optional<Drag> drag_;
     bool windowIsPage_ = false;
     bool ring_ = false;  ///< the focus came by keyboard: paint the focus ring

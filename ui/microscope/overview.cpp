@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t mostLines = 20'000;
 constexpr double margin = 4, lineWidth = 0.5; // pixels
 // Maximum share of the picture that lines cover, so that it does not become a grey area.
-constexpr double mostInk = 0.7;
+constexpr double mostCoverage = 0.7;
 
 std::optional<QLineF> onScreen(const clipping::Segment& line, const app::View& view)
 {
@@ -87,7 +87,7 @@ QPixmap Overview::drawing(const app::View& view) const
     for (const QLineF& line : shown)
         length += line.length();
     const double ink = length * lineWidth / (view.size.x * view.size.y);
-    const auto step = std::size_t(ink / mostInk) + 1;
+    const auto step = std::size_t(ink / mostCoverage) + 1;
     for (std::size_t i = 0; i < shown.size(); i += step)
         painter.drawLine(shown[i]);
     return picture;
@@ -102,15 +102,16 @@ void Overview::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.drawPixmap(0, 0, drawing_);
     painter.setRenderHint(QPainter::Antialiasing);
-    const app::Specimen& specimen = session_.microscope.specimen();
-    const app::Point a = seen.toScreen(specimen.window.min), b = seen.toScreen(specimen.window.max);
+    const app::TracedLine& tracedLine = session_.microscope.tracedLine();
+    const app::Point a = seen.toScreen(tracedLine.window.min),
+                     b = seen.toScreen(tracedLine.window.max);
     QColor inside = look.accent;
     inside.setAlphaF(0.12F);
     painter.setPen(QPen(look.accent, 1.5));
     painter.setBrush(inside);
     painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
     painter.setPen(QPen(look.selection, 2, Qt::SolidLine, Qt::RoundCap));
-    if (const auto line = onScreen(specimen.line, seen))
+    if (const auto line = onScreen(tracedLine.line, seen))
         painter.drawLine(*line);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);

@@ -19,7 +19,7 @@ Playback::Playback(app::Microscope& microscope, QObject* parent)
 
 void Playback::play()
 {
-    if (microscope_.walk().moments.empty())
+    if (microscope_.narration().steps.empty())
         return;
     if (microscope_.atEnd())
         microscope_.goTo(0);

@@ -66,7 +66,7 @@ StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     connect(buttons_[Last], &QToolButton::clicked, this, [this] { microscope_.goTo(end); });
     connect(&playback_, &Playback::playingChanged, this, &StepsPanel::showPlaying);
     connect(&microscope, &app::Microscope::stepChanged, this, &StepsPanel::showStep);
-    connect(&microscope, &app::Microscope::specimenChanged, this, &StepsPanel::showStep);
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, &StepsPanel::showStep);
     showStep();
 }
 
@@ -127,15 +127,15 @@ void StepsPanel::layOut()
 
 void StepsPanel::showStep()
 {
-    const app::Walk& walk = microscope_.walk();
-    const app::Moment* moment = microscope_.moment();
-    const bool any = moment != nullptr;
+    const app::Narration& narration = microscope_.narration();
+    const app::NarratedStep* narrated = microscope_.narrated();
+    const bool any = narrated != nullptr;
     const QString before = sentence_->text();
     const bool covered = microscope_.isCovered();
-    sentence_->setText(any       ? moment->sentence
+    sentence_->setText(any       ? narrated->sentence
                        : covered ? tr("The steps are covered until you answer the question.")
-                                 : walk.refusal);
-    const QString total = app::countText(walk.moments.size());
+                                 : narration.refusal);
+    const QString total = app::countText(narration.steps.size());
     const QString now = app::countText(microscope_.step() + 1);
     count_->setText(any && covered ? tr("step <b>%1</b>").arg(now)
                     : any          ? tr("<b>%1</b> of %2").arg(now, total)
@@ -150,7 +150,7 @@ void StepsPanel::showStep()
         buttons_[button]->setEnabled(any && !end);
     buttons_[Play]->setEnabled(any);
     speed_->setEnabled(any);
-    legend_->show(walk);
+    legend_->show(narration);
     if (sentence_->text() != before && isVisible()) {
         QAccessibleEvent told(sentence_, QAccessible::NameChanged);
         sentence_->setAccessibleName(sentence_->text());

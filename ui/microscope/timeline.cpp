@@ -24,7 +24,7 @@ constexpr double crowded = 9; // pixels between marks; if closer, comparisons ar
 constexpr int notch = 120;
 constexpr double coveredSpacing = 40, leastVeil = 200; // pixels
 
-bool telling(app::Mark mark) { return mark != app::Mark::Look && mark != app::Mark::Compare; }
+bool context(app::Mark mark) { return mark != app::Mark::Look && mark != app::Mark::Compare; }
 
 } // namespace
 
@@ -36,20 +36,20 @@ Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
     setFont(captionFont(font()));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const auto changed = [this] {
-        const auto& walk = microscope_.walk();
+        const auto& narration = microscope_.narration();
         QString words;
         if (microscope_.isCovered())
             words = tr("The later steps are covered until you answer.");
-        else if (!walk.moments.empty())
+        else if (!narration.steps.empty())
             words = tr("Step %1 of %2: %3")
                         .arg(microscope_.step() + 1)
-                        .arg(walk.moments.size())
-                        .arg(markWord(microscope_.moment()->mark));
+                        .arg(narration.steps.size())
+                        .arg(markWord(microscope_.narrated()->mark));
         setAccessibleDescription(words);
         update();
     };
     connect(&microscope, &app::Microscope::stepChanged, this, changed);
-    connect(&microscope, &app::Microscope::specimenChanged, this, changed);
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, changed);
 }
 
 QSize Timeline::minimumSizeHint() const
@@ -60,7 +60,7 @@ QSize Timeline::sizeHint() const { return {480, minimumSizeHint().height()}; }
 
 double Timeline::spacing() const
 {
-    const auto count = microscope_.walk().moments.size();
+    const auto count = microscope_.narration().steps.size();
     // Covered steps have fixed spacing, so that it does not reveal their number.
     if (microscope_.isCovered())
         return std::min(coveredSpacing,
@@ -73,7 +73,7 @@ double Timeline::spacing() const
 QRect Timeline::veil() const
 {
     constexpr int high = 22;
-    const int count = int(microscope_.walk().moments.size());
+    const int count = int(microscope_.narration().steps.size());
     const int left =
         int(count == 0 ? side : placeOf(std::size_t(count - 1)).x() + coveredSpacing / 2);
     return {left, int(railY) - high / 2, width() - int(side) - left, high};
@@ -92,7 +92,7 @@ std::size_t Timeline::stepAt(double x) const
 /// Numbers every 1st, 5th, 10th, 50th … step, so that no two numbers touch.
 std::size_t Timeline::numberEvery() const
 {
-    const auto count = microscope_.walk().moments.size();
+    const auto count = microscope_.narration().steps.size();
     const double widest =
         QFontMetrics(semiBold(font())).horizontalAdvance(QString::number(count)) + 8;
     for (std::size_t every = 1; every < count; every *= 10)
@@ -106,7 +106,7 @@ void Timeline::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (!microscope_.walk().moments.empty()) {
+    if (!microscope_.narration().steps.empty()) {
         paintRail(painter);
         paintMarks(painter);
         paintNumbers(painter);
@@ -125,9 +125,9 @@ void Timeline::paintEvent(QPaintEvent*)
 void Timeline::paintRail(QPainter& painter) const
 {
     const Look& look = lookOf(palette());
-    const auto& moments = microscope_.walk().moments;
+    const auto& steps = microscope_.narration().steps;
     const QPointF from = placeOf(0), now = placeOf(microscope_.step()),
-                  to = placeOf(moments.size() - 1);
+                  to = placeOf(steps.size() - 1);
     painter.setPen(QPen(look.border, 2));
     painter.drawLine(now, to);
     painter.setPen(QPen(look.text, 2));
@@ -137,18 +137,18 @@ void Timeline::paintRail(QPainter& painter) const
 void Timeline::paintMarks(QPainter& painter) const
 {
     const Look& look = lookOf(palette());
-    const auto& moments = microscope_.walk().moments;
+    const auto& steps = microscope_.narration().steps;
     // Decisive steps are painted last, so that comparisons never cover them.
     for (const bool important : {false, true})
-        for (std::size_t i = 0; i < moments.size(); ++i) {
-            if (telling(moments[i].mark) != important || i == microscope_.step())
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            if (context(steps[i].mark) != important || i == microscope_.step())
                 continue;
-            const QColor ink = i > microscope_.step() ? look.muted : look.text;
+            const QColor colour = i > microscope_.step() ? look.muted : look.text;
             if (!important && spacing() < crowded) {
-                painter.setPen(QPen(ink, 1));
+                painter.setPen(QPen(colour, 1));
                 painter.drawLine(placeOf(i) - QPointF(0, 3), placeOf(i) + QPointF(0, 3));
             } else {
-                paintMark(painter, placeOf(i), moments[i].mark, ink, look.panel);
+                paintMark(painter, placeOf(i), steps[i].mark, colour, look.panel);
             }
         }
 }
@@ -156,7 +156,7 @@ void Timeline::paintMarks(QPainter& painter) const
 void Timeline::paintNumbers(QPainter& painter) const
 {
     const Look& look = lookOf(palette());
-    const std::size_t count = microscope_.walk().moments.size(), every = numberEvery(),
+    const std::size_t count = microscope_.narration().steps.size(), every = numberEvery(),
                       now = microscope_.step();
     const QFontMetrics bold(semiBold(font()));
     const double y = railY + 14, height = bold.height();
@@ -190,7 +190,7 @@ void Timeline::paintNow(QPainter& painter) const
     painter.setBrush(look.selection);
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(c - QPointF(0, 20), 4.5, 4.5);
-    paintMark(painter, c, microscope_.moment()->mark, look.selection, look.panel);
+    paintMark(painter, c, microscope_.narrated()->mark, look.selection, look.panel);
 }
 
 void Timeline::mousePressEvent(QMouseEvent* event)
@@ -244,10 +244,10 @@ bool Timeline::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        const auto& moments = microscope_.walk().moments;
-        if (const std::size_t step = stepAt(help->pos().x()); step < moments.size())
+        const auto& steps = microscope_.narration().steps;
+        if (const std::size_t step = stepAt(help->pos().x()); step < steps.size())
             QToolTip::showText(help->globalPos(),
-                               tr("%1. %2").arg(step + 1).arg(moments[step].sentence), this);
+                               tr("%1. %2").arg(step + 1).arg(steps[step].sentence), this);
         return true;
     }
     return QWidget::event(event);

@@ -71,12 +71,12 @@ static_assert(rows.size() == std::size_t(app::Mark::GiveUp) + 1);
 
 } // namespace
 
-void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& ink,
+void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& colour,
                const QColor& ground)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(ink, mark == app::Mark::Compare ? 2 : 1.5, Qt::SolidLine, Qt::RoundCap,
+    painter.setPen(QPen(colour, mark == app::Mark::Compare ? 2 : 1.5, Qt::SolidLine, Qt::RoundCap,
                         Qt::RoundJoin));
     painter.setBrush(ground);
     rows[std::size_t(mark)].paint(painter, middle);

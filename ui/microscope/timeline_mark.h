@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QPainter>
 
@@ -10,7 +10,7 @@ namespace ui {
 /// Paints a step's mark on the timeline or in its legend, centred on `middle` and at most 14 pixels
 /// high: a tick, a divided circle, a diamond, a tick or a cross in a circle. `ground` is the
 /// background colour.
-void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& ink,
+void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& colour,
                const QColor& ground);
 /// The word for a mark: "compare", "cut".
 QString markWord(app::Mark mark);

@@ -3,7 +3,7 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
-#include "app/session/specimen.h"
+#include "app/session/first_traced_line.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
 
@@ -16,7 +16,7 @@
 namespace ui {
 namespace {
 
-constexpr double boxReach = 8;              // pixels
+constexpr double boxReach = 8; // pixels
 // Limit of previewed segments while a selection is dragged.
 constexpr std::size_t mostPreviewed = 4000;
 
@@ -43,9 +43,9 @@ public:
 
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
-    bool showsGrips() const override { return true; }
-    std::optional<app::Grip> litGrip() const override { return litGrip_; }
-    std::optional<std::size_t> litSegment() const override { return litSegment_; }
+    bool showsHandles() const override { return true; }
+    std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
+    std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
     QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override;
 
@@ -54,9 +54,9 @@ private:
 
     void forgetHovered()
     {
-        litGrip_.reset();
-        boxGrip_.reset();
-        litSegment_.reset();
+        hoveredHandle_.reset();
+        boxHandle_.reset();
+        hoveredSegment_.reset();
     }
     void light(const Pointer& pointer, Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
@@ -71,11 +71,11 @@ private:
     void paintMoved(QPainter& painter, const Workbench& bench) const;
 
     WindowGesture gesture_;
-    std::optional<app::Grip> litGrip_;
+    std::optional<app::Handle> hoveredHandle_;
     /// Dragged or hovered handle of the selection's bounding box.
-    std::optional<app::Grip> boxGrip_;
-    std::optional<std::size_t> litSegment_; ///< hovered segment of the scene
-    clipping::Window bounds_{};             ///< the selection's bounds when the drag began
+    std::optional<app::Handle> boxHandle_;
+    std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
+    clipping::Window bounds_{};                 ///< the selection's bounds when the drag began
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
@@ -90,18 +90,19 @@ std::optional<clipping::Window> boxAround(const app::Session& session)
 void SelectTool::light(const Pointer& pointer, Workbench& bench)
 {
     const auto window = bench.session.clipWindow();
-    litGrip_ = window ? app::gripAt(pointer.screen, *window, bench.view) : std::nullopt;
-    const auto box = litGrip_ ? std::nullopt : boxAround(bench.session);
-    boxGrip_ = box ? app::gripAt(pointer.screen, *box, bench.view, boxReach) : std::nullopt;
-    litSegment_ = litGrip_ || boxGrip_ ? std::nullopt
-                                       : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
+    const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
+    boxHandle_ = box ? app::handleAt(pointer.screen, *box, bench.view, boxReach) : std::nullopt;
+    hoveredSegment_ = hoveredHandle_ || boxHandle_
+                          ? std::nullopt
+                          : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
 }
 
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
 {
     light(pointer, bench);
-    if (litGrip_) {
-        gesture_.start(*litGrip_, pointer, bench.session.window());
+    if (hoveredHandle_) {
+        gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         return;
     }
     from_ = to_ = pointer;
@@ -130,8 +131,9 @@ void SelectTool::startDrag(Workbench& bench)
     const app::Session& session = bench.session;
     const auto area = bench.picking.areaAt(from_.raw);
     const bool inSelection = area && session.selection().contains(*area);
-    drag_ = litSegment_ || boxGrip_ || inSelection ? Drag::Selection : Drag::Box;
-    if (litSegment_ && !session.selection().contains(session.scene.lines().objectOf(*litSegment_)))
+    drag_ = hoveredSegment_ || boxHandle_ || inSelection ? Drag::Selection : Drag::Box;
+    if (hoveredSegment_
+        && !session.selection().contains(session.scene.lines().objectOf(*hoveredSegment_)))
         click(from_, bench);
     bounds_ = session.selectionBounds().value_or(clipping::Window{});
 }
@@ -140,7 +142,7 @@ clipping::Window SelectTool::target() const
 {
     const auto proportion =
         to_.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    return app::dragged(bounds_, boxGrip_.value_or(app::Grip{}), offset(), proportion,
+    return app::dragged(bounds_, boxHandle_.value_or(app::Handle{}), offset(), proportion,
                         anchorOf(to_.modifiers));
 }
 
@@ -150,7 +152,7 @@ void SelectTool::finishDrag(Workbench& bench)
     app::Session& session = bench.session;
     const auto inspected = session.inspected();
     const std::size_t lines = session.scene.lines().size();
-    if (boxGrip_.value_or(app::Grip{}) == app::Grip{})
+    if (boxHandle_.value_or(app::Handle{}) == app::Handle{})
         session.history.push(new app::MoveObjects(session.document, session.selection(), offset()));
     else
         session.history.push(
@@ -174,7 +176,7 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
         selectBox(pointer, bench);
     else if (drag == Drag::Selection)
         finishDrag(bench);
-    litSegment_.reset();
+    hoveredSegment_.reset();
 }
 
 /// Opens the line in the microscope.
@@ -184,7 +186,7 @@ void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
     if (!segment)
         return press(pointer, bench);
     bench.session.inspect(segment);
-    bench.session.microscope.open(app::specimenOf(bench.session, *segment));
+    bench.session.microscope.open(app::tracedLineOf(bench.session, *segment));
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)
@@ -223,7 +225,7 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
         || session.selection().empty() || busy())
         return false;
     session.history.push(new app::RemoveObjects(session.document, session.selection()));
-    litSegment_.reset();
+    hoveredSegment_.reset();
     return true;
 }
 
@@ -231,12 +233,12 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
 QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
-    if (litSegment_ && *litSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
+    if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
-        const auto layer = containers.layerOf(session.scene.lines().objectOf(*litSegment_));
+        const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
         return QCoreApplication::translate(
                    "Tools", "Line %1 in %2. Click selects it, Shift adds it, drag moves it.")
-            .arg(app::countText(*litSegment_ + 1), containers[layer].name);
+            .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())
         return QCoreApplication::translate(
@@ -251,10 +253,10 @@ QString SelectTool::hint(const Workbench& bench) const
 
 QCursor SelectTool::cursor(const Workbench&) const
 {
-    if (litGrip_ || gesture_.going())
-        return cursorOf(litGrip_.value_or(app::Grip{}));
-    if (boxGrip_)
-        return cursorOf(*boxGrip_);
+    if (hoveredHandle_ || gesture_.going())
+        return cursorOf(hoveredHandle_.value_or(app::Handle{}));
+    if (boxHandle_)
+        return cursorOf(*boxHandle_);
     return drag_ == Drag::Selection ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 
@@ -287,7 +289,7 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
     painter.drawRect(QRectF(bench.onScreen(box.min), bench.onScreen(box.max)));
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.setBrush(bench.look.paper);
-    for (const app::PlacedGrip& placed : app::placedGrips(box, bench.view))
+    for (const app::PlacedHandle& placed : app::placedHandles(box, bench.view))
         painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), 4, 4);
 }
 

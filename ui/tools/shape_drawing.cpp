@@ -2,7 +2,7 @@
 #include "ui/tools/shape_drawing.h"
 
 #include "app/commands/add_objects.h"
-#include "app/view/ink.h"
+#include "app/view/visible_colour.h"
 
 #include <QPainterPath>
 
@@ -42,13 +42,13 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
     const app::Style& style = bench.session.pen.style;
     const bool dark = bench.look.dark && !bench.session.display().asPrinted;
     const QColor page = bench.look.paper;
-    app::Colour ink = style.stroke.value_or(app::Colour{});
+    app::Colour colour = style.stroke.value_or(app::Colour{});
     if (dark)
-        ink = app::shownInk(
-            ink, {std::uint8_t(page.red()), std::uint8_t(page.green()), std::uint8_t(page.blue())});
+        colour = app::visibleColour(colour, {std::uint8_t(page.red()), std::uint8_t(page.green()),
+                                             std::uint8_t(page.blue())});
     const double width = std::max(0.75, style.width * bench.view.zoom);
-    painter.setPen(QPen(QColor(ink.red, ink.green, ink.blue, ink.alpha), width, Qt::SolidLine,
-                        Qt::FlatCap, Qt::SvgMiterJoin));
+    painter.setPen(QPen(QColor(colour.red, colour.green, colour.blue, colour.alpha), width,
+                        Qt::SolidLine, Qt::FlatCap, Qt::SvgMiterJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(outline);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/session.h"
-#include "app/view/grips.h"
+#include "app/view/handles.h"
 #include "app/view/picking.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
@@ -85,11 +85,11 @@ public:
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
-    virtual bool showsGrips() const { return false; } ///< the clip window's handles
+    virtual bool showsHandles() const { return false; } ///< the clip window's handles
     /// The hovered handle of the clip window, which a press would drag.
-    virtual std::optional<app::Grip> litGrip() const { return std::nullopt; }
+    virtual std::optional<app::Handle> hoveredHandle() const { return std::nullopt; }
     /// The hovered segment, which a press would select.
-    virtual std::optional<std::size_t> litSegment() const { return std::nullopt; }
+    virtual std::optional<std::size_t> hoveredSegment() const { return std::nullopt; }
     /// The current hint in the status bar; empty: the tool's usual hint.
     virtual QString hint(const Workbench&) const { return {}; }
     virtual bool draws() const { return false; } ///< adds objects with the session's stroke style

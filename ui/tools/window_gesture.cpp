@@ -8,9 +8,10 @@
 
 namespace ui {
 
-void WindowGesture::start(app::Grip grip, const Pointer& pointer, const clipping::Window& window)
+void WindowGesture::start(app::Handle handle, const Pointer& pointer,
+                          const clipping::Window& window)
 {
-    state_ = State{grip, pointer, pointer, window};
+    state_ = State{handle, pointer, pointer, window};
 }
 
 void WindowGesture::startNew(const Pointer& pointer)
@@ -60,11 +61,11 @@ std::optional<clipping::Window> WindowGesture::window() const
     // The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer,
     // or to the snap point.
     app::Point by = state_->to.raw - state_->from.raw;
-    const bool moving = state_->grip == app::Grip{};
+    const bool moving = state_->handle == app::Handle{};
     const bool snapped = state_->to.position != state_->to.raw;
     if (!moving && snapped)
         for (int axis = 0; axis < 2; ++axis) {
-            const int side = axis == 0 ? state_->grip.x : state_->grip.y;
+            const int side = axis == 0 ? state_->handle.x : state_->handle.y;
             const auto& start = *state_->start;
             by[axis] = state_->to.position[axis] - (side < 0 ? start.min[axis] : start.max[axis]);
         }
@@ -72,7 +73,7 @@ std::optional<clipping::Window> WindowGesture::window() const
         by = std::abs(by.x) >= std::abs(by.y) ? app::Point(by.x, 0) : app::Point(0, by.y);
     const auto proportion =
         modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    return app::dragged(*state_->start, state_->grip, by, proportion, anchorOf(modifiers));
+    return app::dragged(*state_->start, state_->handle, by, proportion, anchorOf(modifiers));
 }
 
 app::Preview WindowGesture::preview() const
@@ -80,20 +81,20 @@ app::Preview WindowGesture::preview() const
     const auto now = window();
     if (!now)
         return {};
-    const bool moving = state_->start && state_->grip == app::Grip{};
+    const bool moving = state_->start && state_->handle == app::Handle{};
     return {.window = now,
             .drag = moving ? app::Preview::Drag::Moving : app::Preview::Drag::Sizing};
 }
 
-Qt::CursorShape cursorOf(app::Grip grip)
+Qt::CursorShape cursorOf(app::Handle handle)
 {
-    if (grip.x == 0 && grip.y == 0)
+    if (handle.x == 0 && handle.y == 0)
         return Qt::SizeAllCursor;
-    if (grip.x == 0)
+    if (handle.x == 0)
         return Qt::SizeVerCursor;
-    if (grip.y == 0)
+    if (handle.y == 0)
         return Qt::SizeHorCursor;
-    return grip.x == grip.y ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+    return handle.x == handle.y ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
 }
 
 } // namespace ui

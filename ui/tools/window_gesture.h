@@ -9,7 +9,7 @@ namespace ui {
 /// during the gesture and pushes one command at its end.
 class WindowGesture {
 public:
-    void start(app::Grip grip, const Pointer& pointer, const clipping::Window& window);
+    void start(app::Handle handle, const Pointer& pointer, const clipping::Window& window);
     void startNew(const Pointer& pointer); ///< drags a new clip window from corner to corner
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
@@ -24,7 +24,7 @@ private:
     app::Preview preview() const;
 
     struct State {
-        app::Grip grip;
+        app::Handle handle;
         Pointer from, to;
         std::optional<clipping::Window> start; ///< nothing: a new window
         bool drags = false;
@@ -33,6 +33,6 @@ private:
 };
 
 /// The cursor over a handle.
-Qt::CursorShape cursorOf(app::Grip grip);
+Qt::CursorShape cursorOf(app::Handle handle);
 
 } // namespace ui

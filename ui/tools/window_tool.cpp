@@ -11,9 +11,9 @@ class WindowTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
-        lit_ = gripUnder(pointer, bench);
-        if (lit_)
-            gesture_.start(*lit_, pointer, bench.session.window());
+        hoveredHandle_ = handleUnder(pointer, bench);
+        if (hoveredHandle_)
+            gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         else
             gesture_.startNew(pointer);
     }
@@ -22,7 +22,7 @@ public:
         if (gesture_.going())
             gesture_.proceed(pointer, bench);
         else
-            lit_ = gripUnder(pointer, bench);
+            hoveredHandle_ = handleUnder(pointer, bench);
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
@@ -31,7 +31,7 @@ public:
     void leave(Workbench&) override
     {
         if (!gesture_.going())
-            lit_.reset();
+            hoveredHandle_.reset();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
     void cancel(Workbench& bench) override { gesture_.cancel(bench); }
@@ -39,31 +39,31 @@ public:
 
     QCursor cursor(const Workbench&) const override
     {
-        return lit_ ? cursorOf(*lit_) : Qt::CrossCursor;
+        return hoveredHandle_ ? cursorOf(*hoveredHandle_) : Qt::CrossCursor;
     }
     app::SnapTo snapsTo() const override
     {
         return app::SnapTo(std::uint8_t(app::SnapTo::Ends) | std::uint8_t(app::SnapTo::Middles));
     }
-    bool showsGrips() const override { return true; }
-    std::optional<app::Grip> litGrip() const override { return lit_; }
+    bool showsHandles() const override { return true; }
+    std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
 
 private:
-    static std::optional<app::Grip> gripUnder(const Pointer& pointer, const Workbench& bench)
+    static std::optional<app::Handle> handleUnder(const Pointer& pointer, const Workbench& bench)
     {
         const auto window = bench.session.clipWindow();
         if (!window)
             return std::nullopt;
-        if (const auto grip = app::gripAt(pointer.screen, *window, bench.view))
-            return grip;
+        if (const auto handle = app::handleAt(pointer.screen, *window, bench.view))
+            return handle;
         const app::Point p = pointer.raw;
         const auto& [min, max] = *window;
         const bool inside = p.x >= min.x && p.y >= min.y && p.x <= max.x && p.y <= max.y;
-        return inside ? std::optional(app::Grip{}) : std::nullopt;
+        return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
 
     WindowGesture gesture_;
-    std::optional<app::Grip> lit_;
+    std::optional<app::Handle> hoveredHandle_;
 };
 
 // With this tool the arrow keys move the window, even if objects are selected.

@@ -39,13 +39,13 @@ int patternOf(const app::Style& style)
     return -1;
 }
 
-QIcon dashIcon(const DashPattern& pattern, const QColor& ink)
+QIcon dashIcon(const DashPattern& pattern, const QColor& colour)
 {
     QPixmap picture(72, 24);
     picture.setDevicePixelRatio(2);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    QPen pen(ink, 1.5, Qt::SolidLine, Qt::FlatCap);
+    QPen pen(colour, 1.5, Qt::SolidLine, Qt::FlatCap);
     if (!pattern.dashes.empty())
         pen.setDashPattern(QList<qreal>(pattern.dashes.begin(), pattern.dashes.end()));
     painter.setPen(pen);

@@ -21,6 +21,6 @@ std::vector<double> scaled(const DashPattern& pattern, double width);
 /// The index of a style's pattern; -1 if it is not in the catalogue.
 int patternOf(const app::Style& style);
 
-QIcon dashIcon(const DashPattern& pattern, const QColor& ink);
+QIcon dashIcon(const DashPattern& pattern, const QColor& colour);
 
 } // namespace ui

@@ -23,7 +23,7 @@ ErrorHistogram::ErrorHistogram(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Errors"));
 }
 
-void ErrorHistogram::show(const app::TruthCounts& counts)
+void ErrorHistogram::show(const app::ErrorCounts& counts)
 {
     counts_ = counts;
     QStringList texts;

@@ -15,7 +15,7 @@ class ErrorHistogram : public QWidget {
 public:
     explicit ErrorHistogram(QWidget* parent = nullptr);
 
-    void show(const app::TruthCounts& counts);
+    void show(const app::ErrorCounts& counts);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -24,7 +24,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    app::TruthCounts counts_;
+    app::ErrorCounts counts_;
 };
 
 } // namespace ui

@@ -84,10 +84,10 @@ void MessageStrip::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), warning ? look.warningGround : look.panel);
     painter.fillRect(0, height() - 1, width(), 1, look.rule);
-    QPalette inks = text_->palette();
-    inks.setColor(QPalette::WindowText, warning ? look.warning : look.text);
-    if (inks != text_->palette())
-        text_->setPalette(inks);
+    QPalette textPalette = text_->palette();
+    textPalette.setColor(QPalette::WindowText, warning ? look.warning : look.text);
+    if (textPalette != text_->palette())
+        text_->setPalette(textPalette);
     icon(warning ? "warning" : "tick").paint(&painter, QRect(10, (height() - 18) / 2, 18, 18));
 }
 

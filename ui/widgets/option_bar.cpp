@@ -25,17 +25,19 @@ namespace {
 constexpr int steps = 4, narrowSnapping = 104;
 
 /// A square in the stroke's own colour; struck through for no stroke.
-QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
+QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& look)
 {
     QPixmap picture(32, 32);
     picture.setDevicePixelRatio(2);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     const QRect square(1, 1, 14, 14);
-    painter.fillRect(square, ink ? QColor(ink->red, ink->green, ink->blue, ink->alpha) : look.base);
+    painter.fillRect(square, colour
+                                 ? QColor(colour->red, colour->green, colour->blue, colour->alpha)
+                                 : look.base);
     painter.setPen(look.border);
     painter.drawRect(square.adjusted(0, 0, -1, -1));
-    if (!ink)
+    if (!colour)
         painter.drawLine(square.bottomLeft(), square.topRight());
     return picture;
 }
@@ -44,7 +46,7 @@ QIcon inkIcon(const std::optional<app::Colour>& ink, const Look& look)
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
                      QAction* exportCut)
-    : QToolBar(tr("Tool options")), session_(session), ink_(new QToolButton),
+    : QToolBar(tr("Tool options")), session_(session), strokeColour_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
       dashes_(new ToolList), magnet_(new QLabel), snapping_(new ToolList),
@@ -82,10 +84,10 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
 
 void OptionBar::addStroke()
 {
-    ink_->setToolTip(tr("Stroke colour"));
-    ink_->setAccessibleName(tr("Stroke colour"));
-    ink_->setAutoRaise(true);
-    addWidget(ink_);
+    strokeColour_->setToolTip(tr("Stroke colour"));
+    strokeColour_->setAccessibleName(tr("Stroke colour"));
+    strokeColour_->setAutoRaise(true);
+    addWidget(strokeColour_);
     addCaption(tr("Stroke"))->setForegroundRole(QPalette::WindowText);
     width_->setToolTip(tr("Stroke width"));
     width_->setFixedWidth(width_->fontMetrics().horizontalAdvance(QStringLiteral("00.000 mm"))
@@ -101,7 +103,7 @@ void OptionBar::addStroke()
         dashes_->setItemData(i, dashPatterns()[std::size_t(i)].name, Qt::AccessibleTextRole);
     addWidget(dashes_);
 
-    connect(ink_, &QToolButton::clicked, this, &OptionBar::chooseInk);
+    connect(strokeColour_, &QToolButton::clicked, this, &OptionBar::chooseStrokeColour);
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
         restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"), merging);
     });
@@ -250,7 +252,7 @@ const app::Style& OptionBar::style() const
 void OptionBar::followStyle()
 {
     const app::Style& now = style();
-    ink_->setIcon(inkIcon(now.stroke, lookOf(palette())));
+    strokeColour_->setIcon(strokeColourIcon(now.stroke, lookOf(palette())));
     width_->show(now.width, session_.display().unit, session_.now().page().millimetresPerUnit());
     dashes_->setCurrentIndex(patternOf(now));
 }
@@ -265,7 +267,7 @@ void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QS
     followStyle();
 }
 
-void OptionBar::chooseInk()
+void OptionBar::chooseStrokeColour()
 {
     const app::Colour now = style().stroke.value_or(app::Colour{});
     const QColor chosen =
@@ -273,9 +275,9 @@ void OptionBar::chooseInk()
                                tr("Stroke colour"), QColorDialog::ShowAlphaChannel);
     if (!chosen.isValid())
         return;
-    const app::Colour ink{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
-                          std::uint8_t(chosen.blue()), std::uint8_t(chosen.alpha())};
-    restyle([ink](app::Style& style) { style.stroke = ink; }, tr("Stroke colour"),
+    const app::Colour colour{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
+                             std::uint8_t(chosen.blue()), std::uint8_t(chosen.alpha())};
+    restyle([colour](app::Style& style) { style.stroke = colour; }, tr("Stroke colour"),
             app::Merging::Never);
 }
 

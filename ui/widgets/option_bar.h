@@ -42,10 +42,10 @@ private:
     void restyle(const std::function<void(app::Style&)>& change, const QString& text,
                  app::Merging merging);
     const app::Style& style() const;
-    void chooseInk();
+    void chooseStrokeColour();
 
     app::Session& session_;
-    QToolButton* ink_;
+    QToolButton* strokeColour_;
     LengthField* width_;
     ToolList* dashes_;
     QLabel* magnet_;

@@ -24,17 +24,17 @@ void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionVi
                      variant, groundOf(option.palette));
     QRect text = cell.adjusted(markerRoom, 0, 0, 0);
     const QFont bold = semiBold(option.font);
-    const QString name = variant.exhibit ? QString() : app::latin(variant.algorithm->abbreviation);
+    const QString name = variant.misprint ? QString() : app::latin(variant.algorithm->abbreviation);
     painter.setFont(bold);
     painter.setPen(look.text);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
     if (variant.form != clipping::Form::Published)
         return;
-    if (!variant.exhibit)
+    if (!variant.misprint)
         text.setLeft(text.left() + QFontMetrics(bold).horizontalAdvance(name) + 8);
-    QString aside = variant.exhibit ? variant.exhibit->name
-                                    : QCoreApplication::translate("Compare", "as published");
-    if (!variant.exhibit && option.fontMetrics.horizontalAdvance(aside) > text.width())
+    QString aside = variant.misprint ? variant.misprint->name
+                                     : QCoreApplication::translate("Compare", "as published");
+    if (!variant.misprint && option.fontMetrics.horizontalAdvance(aside) > text.width())
         aside = QCoreApplication::translate("Compare", "pub.");
     painter.setFont(option.font);
     painter.setPen(look.muted);

@@ -100,7 +100,7 @@ private:
             if (positions_[i] == none)
                 throw Refused{record.line, tr("is neither four numbers nor a header with x1, y1, "
                                               "x2 and y2.")};
-        if (positions_[Ink] == 0)
+        if (positions_[StrokeColour] == 0)
             text_.endComments();
         mostFields_ = record.fields.size();
         return true;
@@ -166,24 +166,23 @@ private:
     // Most rows have the style of the previous row.
     StyleIndex styleOf(const Record& record)
     {
-        const auto ink = field(record, Ink), width = field(record, Width);
-        if (!style_ || ink != ink_ || width != width_) {
-            style_ = lines_.style(styleOf(record.line, ink, width));
-            ink_ = ink;
+        const auto strokeColour = field(record, StrokeColour), width = field(record, Width);
+        if (!style_ || strokeColour != colour_ || width != width_) {
+            style_ = lines_.style(styleOf(record.line, strokeColour, width));
+            colour_ = strokeColour;
             width_ = width;
         }
         return *style_;
     }
 
-    static Style styleOf(std::size_t line, std::string_view ink, std::string_view width)
+    static Style styleOf(std::size_t line, std::string_view strokeColour, std::string_view width)
     {
         Style style{.stroke = Colour{}};
-        if (!ink.empty()) {
-            style.stroke = colour(ink);
+        if (!strokeColour.empty()) {
+            style.stroke = colour(strokeColour);
             if (!style.stroke)
-                throw Refused{
-                    line,
-                    tr("has the colour %1; write it as #rrggbb or #rrggbbaa.").arg(shown(ink))};
+                throw Refused{line, tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
+                                        .arg(shown(strokeColour))};
         }
         if (!width.empty()) {
             const auto number = coordinate(width);
@@ -211,7 +210,7 @@ private:
     std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
     std::size_t mostFields_ = columnNames.size();
     LinesByLayer lines_;
-    std::string ink_, width_; ///< of the last row
+    std::string colour_, width_; ///< of the last row
     std::optional<StyleIndex> style_;
     Imported imported_;
 };

@@ -5,7 +5,7 @@
 #include "app/base/number.h"
 #include "app/base/write_all.h"
 #include "app/document/flatten.h"
-#include "app/document/line_ink.h"
+#include "app/document/line_colour.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/columns.h"
 
@@ -67,13 +67,13 @@ private:
 
     void write(std::size_t index, const ObjectView& object)
     {
-        const auto ink = lineInk(object);
-        if (object.hidden() || !ink)
+        const auto strokeColour = lineColour(object);
+        if (object.hidden() || !strokeColour)
             return; // such an object is invisible
         lines_.clear();
         appendSegments(object.path(), tolerance_, lines_);
         std::string rest =
-            columnsOf({document_.containers().layerOf(index), object.styleIndex(), *ink});
+            columnsOf({document_.containers().layerOf(index), object.styleIndex(), *strokeColour});
         if (!options_.sources.empty())
             (rest += ',') += std::to_string(options_.sources[index]);
         rest += '\n';
@@ -91,7 +91,7 @@ private:
     struct Look {
         ContainerId layer;
         StyleIndex style;
-        Colour ink;
+        Colour strokeColour;
         friend bool operator==(const Look&, const Look&) = default;
     };
 
@@ -103,7 +103,7 @@ private:
         look_ = look;
         columns_ = ',';
         appendField(columns_, document_.containers()[look.layer].name.toStdString());
-        (columns_ += ',') += colourText(look.ink);
+        (columns_ += ',') += colourText(look.strokeColour);
         columns_ += ',';
         appendNumber(columns_, document_.styles()[look.style].width);
         return columns_;

@@ -5,11 +5,11 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
-#include "app/formats/svg/walk.h"
+#include "app/formats/svg/tree_drawer.h"
 
 namespace app::svg {
 
-void Walk::addClipPath(Node node, Place& place)
+void TreeDrawer::addClipPath(Node node, Place& place)
 {
     const auto reference = place.properties.clipPath;
     const Node clip = tree_.findReference(reference);
@@ -26,7 +26,7 @@ void Walk::addClipPath(Node node, Place& place)
     node_ = node;
 }
 
-std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
+std::optional<ConvexRegion> TreeDrawer::clipRegion(Node clip, const Place& place)
 {
     Place base = place;
     base.properties = styles_.of(clip, {}, place.lengths);
@@ -48,7 +48,7 @@ std::optional<ConvexRegion> Walk::clipRegion(Node clip, const Place& place)
 }
 
 // The outline of a child of a clip path; empty for children without an outline (text).
-std::optional<std::vector<Subpath>> Walk::clipOutline(Node node, const Place& base)
+std::optional<std::vector<Subpath>> TreeDrawer::clipOutline(Node node, const Place& base)
 {
     Properties properties = styles_.of(node, base.properties, base.lengths);
     auto matrix = parseTransform(properties.transform);
@@ -76,7 +76,7 @@ std::optional<std::vector<Subpath>> Walk::clipOutline(Node node, const Place& ba
     return placed(kind->outline(tree_, node, base.lengths), base.matrix * *matrix);
 }
 
-void Walk::addViewportClip(const Box& viewport, Place& place)
+void TreeDrawer::addViewportClip(const Box& viewport, Place& place)
 {
     const Point max = viewport.min + viewport.size;
     Subpath path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
@@ -86,7 +86,7 @@ void Walk::addViewportClip(const Box& viewport, Place& place)
 }
 
 // The objects that a clip region leaves of an object; the whole object if it cannot be clipped.
-std::vector<Drawn> Walk::clipped(Drawn drawn, const ConvexRegion& region)
+std::vector<Drawn> TreeDrawer::clipped(Drawn drawn, const ConvexRegion& region)
 {
     auto left = clipObject(drawn, region, tolerance_);
     if (!left) {
@@ -102,7 +102,7 @@ std::vector<Drawn> Walk::clipped(Drawn drawn, const ConvexRegion& region)
 }
 
 // Clips an object with all clip regions around it, and adds the result.
-void Walk::addClipped(Drawn drawn, const Place& place)
+void TreeDrawer::addClipped(Drawn drawn, const Place& place)
 {
     std::vector<Drawn> objects;
     objects.push_back(std::move(drawn));

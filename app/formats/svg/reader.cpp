@@ -5,7 +5,7 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
-#include "app/formats/svg/walk.h"
+#include "app/formats/svg/tree_drawer.h"
 #include "app/formats/svg/window_text.h"
 
 #include <QBuffer>
@@ -27,12 +27,12 @@ std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& do
 
 Document draw(const Tree& tree, const RootPage& root, Report& report)
 {
-    Walk walk(tree, report, usualTolerance(root.page));
+    TreeDrawer drawer(tree, report, usualTolerance(root.page));
     try {
-        return walk.drawAll(root.page, root.matrix, root.viewport);
+        return drawer.drawAll(root.page, root.matrix, root.viewport);
     } catch (Refused& refused) {
         if (refused.line == Refused::here)
-            refused.line = walk.line();
+            refused.line = drawer.line();
         throw;
     }
 }

@@ -2,11 +2,11 @@
 // Elements that draw other elements (<use>, <symbol>) or have a viewport of their own (<svg>).
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
-#include "app/formats/svg/walk.h"
+#include "app/formats/svg/tree_drawer.h"
 
 namespace app::svg {
 
-void Walk::drawUse(Node node, const Place& around)
+void TreeDrawer::drawUse(Node node, const Place& around)
 {
     Place place = inside(node, around);
     reportEffects(place.properties, true);
@@ -30,7 +30,7 @@ void Walk::drawUse(Node node, const Place& around)
     used_.pop_back();
 }
 
-void Walk::drawUsed(Node use, Node target, const Place& place)
+void TreeDrawer::drawUsed(Node use, Node target, const Place& place)
 {
     const auto name = tree_.name(target);
     if (name != "symbol" && name != "svg") {
@@ -41,7 +41,7 @@ void Walk::drawUsed(Node use, Node target, const Place& place)
     drawViewport(target, use, inside(target, place));
 }
 
-void Walk::drawNestedSvg(Node node, const Place& around)
+void TreeDrawer::drawNestedSvg(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
@@ -50,7 +50,7 @@ void Walk::drawNestedSvg(Node node, const Place& around)
 
 // `sizes` is the element that defines the size of the viewport: a <use> overrides the element it
 // draws.
-void Walk::drawViewport(Node node, Node sizes, const Place& around)
+void TreeDrawer::drawViewport(Node node, Node sizes, const Place& around)
 {
     const Lengths& lengths = around.lengths;
     const auto size = [&](std::string_view name, double whole) {

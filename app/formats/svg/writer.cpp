@@ -3,7 +3,7 @@
 
 #include "app/base/number.h"
 #include "app/base/write_all.h"
-#include "app/document/line_ink.h"
+#include "app/document/line_colour.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"

@@ -25,7 +25,7 @@ constexpr std::array operations{
 
 /// "ask cheaper divisions cs nln": which of two algorithms needs fewer of these operations for the
 /// line.
-std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
+std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
                             const QStringList& words)
 {
     if (words.size() != 3)
@@ -33,11 +33,11 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
     const auto operation = std::ranges::find_if(
         operations, [&](const Operation& o) { return words[0] == QLatin1StringView(o.word); });
     const auto one = findVariant(words[1]), other = findVariant(words[2]);
-    if (operation == operations.end() || !one || !other || one->exhibit || other->exhibit)
+    if (operation == operations.end() || !one || !other || one->misprint || other->misprint)
         return std::nullopt;
     const auto count = [&](const Variant& variant) {
         return clipping::usesOf(*variant.algorithm, variant.form)
-                   ->count({&specimen.line, 1}, specimen.window)
+                   ->count({&tracedLine.line, 1}, tracedLine.window)
                .*(operation->count);
     };
     const auto ofOne = count(*one), ofOther = count(*other);

@@ -23,11 +23,12 @@ constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
                             Event{Mark::Divide, "It divides, to find where the line may be cut"}};
 
 /// "ask next": which step follows, not counting comparisons.
-std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step, const QStringList&)
+std::optional<Question> ask(const TracedLine&, const Narration& narration, std::size_t step,
+                            const QStringList&)
 {
-    for (std::size_t i = step + 1; i < walk.moments.size(); ++i) {
-        const Moment& moment = walk.moments[i];
-        const auto event = std::ranges::find(events, moment.mark, &Event::mark);
+    for (std::size_t i = step + 1; i < narration.steps.size(); ++i) {
+        const NarratedStep& narrated = narration.steps[i];
+        const auto event = std::ranges::find(events, narrated.mark, &Event::mark);
         if (event == events.end())
             continue;
         QStringList choices;
@@ -35,9 +36,9 @@ std::optional<Question> ask(const Specimen&, const Walk& walk, std::size_t step,
             choices << tr(other.words);
         return Question{tr("Which step follows, not counting comparisons?"), choices,
                         int(event - events.begin()),
-                        tr("Step %1: %2").arg(i + 1).arg(moment.sentence),
+                        tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
                         tr("Read the pseudo-code on from line %1, with the values of the table.")
-                            .arg(walk.moments[step].line)};
+                            .arg(narration.steps[step].line)};
     }
     return std::nullopt;
 }

@@ -23,13 +23,13 @@ QString whereabouts(unsigned code, YAxis y)
 }
 
 /// "ask region 2": which outcode End 2 has. Wrong choices swap left and right, or above and below.
-std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
+std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
                             const QStringList& words)
 {
     if (words.size() != 1 || (words[0] != u'1' && words[0] != u'2'))
         return std::nullopt;
-    const Point& end = words[0] == u'1' ? specimen.line.a : specimen.line.b;
-    const unsigned code = clipping::outcodeOf(end, specimen.window);
+    const Point& end = words[0] == u'1' ? tracedLine.line.a : tracedLine.line.b;
+    const unsigned code = clipping::outcodeOf(end, tracedLine.window);
     QStringList choices{outcodeText(code)};
     for (const unsigned other : {(code & 3U) << 2 | code >> 2, code ^ (code & 3U ? 3U : 1U),
                                  code ^ (code & 12U ? 12U : 8U), 0U, 1U, 8U, 5U})
@@ -37,11 +37,11 @@ std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t,
                                                      && !choices.contains(text)
                                                      && choices.size() < 4)
             choices << text;
-    return shuffled(
-        {tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
-         tr("End %1 lies %2: %3.").arg(words[0], whereabouts(code, specimen.y), outcodeText(code)),
-         tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
-             .arg(outcodeBits())});
+    return shuffled({tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
+                     tr("End %1 lies %2: %3.")
+                         .arg(words[0], whereabouts(code, tracedLine.y), outcodeText(code)),
+                     tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
+                         .arg(outcodeBits())});
 }
 
 } // namespace

@@ -30,9 +30,9 @@ constexpr std::array verdicts{
     Verdict{"No, it never ends", "It repeats the same cuts forever. The program had to stop it."}};
 
 /// The index of the verdict.
-int verdictOn(const Walk& walk, const std::vector<Difference>& found)
+int verdictOn(const Narration& narration, const std::vector<Difference>& found)
 {
-    if (walk.outcome == clipping::Outcome::DidNotEnd)
+    if (narration.outcome == clipping::Outcome::DidNotEnd)
         return 4;
     if (found.empty())
         return 0;
@@ -50,21 +50,21 @@ QString promptFor(const Variant& variant)
 }
 
 /// "ask right": whether the result of this form is correct within the ulps of its contract.
-std::optional<Question> ask(const Specimen& specimen, const Walk& walk, std::size_t,
+std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narration, std::size_t,
                             const QStringList&)
 {
     const Variant exact = exactVariant();
-    const double ulps = contractUlps(specimen.variant, exact);
+    const double ulps = contractUlps(tracedLine.variant, exact);
     const auto found =
-        differences({&specimen.line, 1}, specimen.window, specimen.variant, exact, ulps);
-    const int verdict = verdictOn(walk, found);
+        differences({&tracedLine.line, 1}, tracedLine.window, tracedLine.variant, exact, ulps);
+    const int verdict = verdictOn(narration, found);
     QString reason = tr(verdicts[std::size_t(verdict)].reason);
     if (!found.empty())
         reason.replace(QStringLiteral("%1"), shortText(found[0].ulps));
     QStringList choices;
     for (const Verdict& row : verdicts)
         choices << tr(row.choice);
-    return Question{promptFor(specimen.variant), choices, verdict, reason,
+    return Question{promptFor(tracedLine.variant), choices, verdict, reason,
                     tr("Which decisions use a number that was rounded before? Think what happens "
                        "if that number is slightly too large or too small.")};
 }

@@ -13,17 +13,19 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 /// "ask visible": which of four results the line has, according to `exact`.
-std::optional<Question> ask(const Specimen& specimen, const Walk&, std::size_t, const QStringList&)
+std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
+                            const QStringList&)
 {
-    const auto piece = clipped(exactVariant(), specimen.line, specimen.window);
+    const auto piece = clipped(exactVariant(), tracedLine.line, tracedLine.window);
     const QString reason =
         !piece ? tr("No point of the line lies inside the window.")
-        : *piece == specimen.line
+        : *piece == tracedLine.line
             ? tr("Both ends lie inside, and a window is convex: the whole line does.")
             : tr("What is left runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
-    const int cutEnds = piece ? (piece->a != specimen.line.a) + (piece->b != specimen.line.b) : 3;
+    const int cutEnds =
+        piece ? (piece->a != tracedLine.line.a) + (piece->b != tracedLine.line.b) : 3;
     return Question{
         tr("How much of this line is visible in the window?"),
         {tr("All of it"), tr("A part: one end is cut"), tr("A part: both ends are cut"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_layout.h"
-#include "app/view/ink.h"
+#include "app/view/visible_colour.h"
 
 #include <QTest>
 

@@ -294,7 +294,7 @@ private slots:
         QFETCH(QByteArray, unit);
         QFETCH(bool, boxed);
         const auto commands = app::commands();
-        const app::Given given(commands.front(), {"-", "-o", "-", "--page"});
+        const app::ParsedArguments parsed(commands.front(), {"-", "-o", "-", "--page"});
         QCOMPARE(commands.front().key, "clip");
         app::CutOptions options{clipping::findAlgorithm("exact")->corrected.clipAll};
         for (int size = 1; size <= 5000; ++size) {
@@ -309,7 +309,7 @@ private slots:
             const auto imported = app::findFormat(u"svg")->read(buffer);
             QVERIFY(imported);
             options.region.steps = {
-                {app::windowOf(given, *imported.value), app::WindowOperation::Add}};
+                {app::windowOf(parsed, *imported.value), app::WindowOperation::Add}};
             const auto cut = app::cut(imported.value->document, options);
             QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
         }

@@ -123,7 +123,7 @@ private slots:
         row("min > max", {"--line", "0,0,1,1", "-w", "5,0,1,1"}, "minimum lies beyond its maximum");
         row("nobody", {"--line", "0,0,1,1", "-a", "nobody"}, "There is no “nobody”");
         row("no form", {"--line", "0,0,1,1", "-a", "exact:published"}, "exact:published");
-        row("exhibit", {"--line", "0,0,1,1", "-a", "md-step-2"}, "steps are not recorded");
+        row("misprint", {"--line", "0,0,1,1", "-a", "md-step-2"}, "steps are not recorded");
         row("step 0", {"--line", "0,0,1,1", "--step", "0"}, "a whole number from 1 to");
         row("step beyond", {"--line", "0,0,1,1", "--step", "9999"}, "a whole number from 1 to");
         row("format", {"--line", "0,0,1,1", "-f", "bmp"}, "--format bmp");

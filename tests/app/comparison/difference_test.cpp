@@ -28,9 +28,9 @@ std::vector<Segment> paperScene(std::size_t count)
 
 Variant published(const char* name) { return {findAlgorithm(name), Form::Published}; }
 Variant corrected(const char* name) { return {findAlgorithm(name), Form::Corrected}; }
-Variant exhibit(std::size_t index)
+Variant misprint(std::size_t index)
 {
-    return {findAlgorithm("md"), Form::Published, &app::exhibits()[index]};
+    return {findAlgorithm("md"), Form::Published, &app::misprints()[index]};
 }
 
 struct Tolerance {
@@ -88,7 +88,7 @@ private slots:
         const auto scene = paperScene(20'000);
         for (const Variant& a : app::variants())
             for (const Variant& b : {corrected("exact"), published("skala")}) {
-                if (a.exhibit)
+                if (a.misprint)
                     continue;
                 const bool eitherWay = a.form == Form::Published || b.form == Form::Published;
                 const auto found = app::differences(scene, paper, a, b, allowed);
@@ -193,11 +193,11 @@ private slots:
     }
 
     /// The counterexamples X1 to X4 of the paper's text, worked by hand.
-    void theExhibitsAreWrongAsPrinted()
+    void theMisprintsAreWrongAsPrinted()
     {
         const Window square{{0, 0}, {2, 2}};
         const auto left = [&](std::size_t which, const Segment& line) {
-            return app::clipped(exhibit(which), line, square);
+            return app::clipped(misprint(which), line, square);
         };
         QCOMPARE(left(0, {{0, -1}, {-1, 0}}), (Segment{{0, 0}, {0, 0}}));
         QCOMPARE(left(0, {{0, -1}, {1, 1}}), (Segment{{0, 0}, {1, 1}}));
@@ -215,7 +215,7 @@ private slots:
     {
         const auto scene = paperScene(200'000);
         const auto counts =
-            app::counted(app::differences(scene, paper, exhibit(0), corrected("exact"), 1e6));
+            app::counted(app::differences(scene, paper, misprint(0), corrected("exact"), 1e6));
         const double share = double(counts.onlyA + counts.onlyB) / double(scene.size());
         QVERIFY2(std::abs(share - 0.0566) < 0.003, qPrintable(QString::number(share)));
         QVERIFY(counts.endsApart > 0);

@@ -61,7 +61,7 @@ private slots:
         QTest::addColumn<QString>("measure");
         for (const Variant& variant : variants())
             for (const CostMeasure& measure : costMeasures())
-                if (!variant.exhibit && !measure.isTime())
+                if (!variant.misprint && !measure.isTime())
                     QTest::addRow("%s %s", qPrintable(keyOf(variant)), measure.key.data())
                         << keyOf(variant) << latin(measure.key);
     }
@@ -139,8 +139,8 @@ private slots:
         for (const float nanoseconds : notEmpty(costMap(plan).values))
             QVERIFY2(nanoseconds > 0.1 && nanoseconds < 1e6,
                      qPrintable(QString::number(nanoseconds)));
-        for (const Exhibit& exhibit : exhibits()) {
-            const Variant variant{exhibit.meant, Form::Published, &exhibit};
+        for (const Misprint& misprint : misprints()) {
+            const Variant variant{misprint.meant, Form::Published, &misprint};
             QVERIFY(canMeasure(variant, *plan.measure));
             QVERIFY(!canMeasure(variant, costMeasures().front()));
         }

@@ -35,32 +35,33 @@ class MagnifiedTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theTrueEndIsWhereTheErrorSays()
+    void theExactEndIsWhereTheErrorSays()
     {
         for (const char* key : {"md", "lb:published", "cs", "skala", "exact"})
             for (const int end : {0, 1}) {
                 const auto seen = magnified(variant(key), slanted, paper, end);
-                const auto truth = truthOf(variant(key), slanted, paper);
-                QVERIFY(seen && seen->truth);
-                const double off = std::max(std::abs(seen->truth->x), std::abs(seen->truth->y));
-                QCOMPARE(off / seen->largestUlp, truth->ends[std::size_t(end)].ulps);
+                const auto exactness = exactnessOf(variant(key), slanted, paper);
+                QVERIFY(seen && seen->exactness);
+                const double off =
+                    std::max(std::abs(seen->exactness->x), std::abs(seen->exactness->y));
+                QCOMPARE(off / seen->largestUlp, exactness->ends[std::size_t(end)].ulps);
                 // The true end lies on the line: the way there is along it.
-                const glm::dvec2 along = *seen->truth - seen->onLine;
+                const glm::dvec2 along = *seen->exactness - seen->onLine;
                 const double across = along.x * seen->direction.y - along.y * seen->direction.x;
                 QVERIFY(std::abs(across) <= 1e-10 * seen->largestUlp);
             }
     }
 
-    void aLineThatIsLostHasItsTrueEnd()
+    void aLostLineHasItsExactEnd()
     {
         const Segment steep{{100, 0}, {100.5, 300}};
         const auto seen = magnified(variant("kwc:published"), steep, {{0, 10}, {300, 290}}, 0);
-        QVERIFY(seen && !seen->returned && seen->truth);
+        QVERIFY(seen && !seen->returned && seen->exactness);
         QCOMPARE(seen->centre.y, 10.);
         QVERIFY(magnifiedText(*seen, "KWC").startsWith("KWC shows nothing"));
         const auto invented = magnified(variant("md:published"),
                                         {{-1, 1 + 0x1p-51}, {3, 1 - 0x1p-52}}, {{0, 0}, {1, 1}}, 0);
-        QVERIFY(invented && invented->returned && !invented->truth);
+        QVERIFY(invented && invented->returned && !invented->exactness);
         QVERIFY(!magnified(variant("sb:published"), {{2, 1}, {2, -1}}, {{0, 0}, {2, 2}}, 1));
         QVERIFY(!magnified(variant("md"), {{5, 5}, {6, 6}}, {{0, 0}, {2, 2}}, 0));
     }
@@ -88,7 +89,7 @@ private slots:
         const Segment far{{1e15 + 1, 7}, {1e15 + 8, 1e15}};
         const Window window{{1e15, 10}, {1e15 + 100, 1e15 / 3}};
         const auto seen = magnified(variant("md"), far, window, 1);
-        QVERIFY(seen && seen->truth);
+        QVERIFY(seen && seen->exactness);
         MagnifierView view = usualView(*seen, {400, 300});
         const QImage one = picture(*seen, view);
         view.middle += QPointF(10, 0); // whole pixels: the same picture, moved
@@ -129,7 +130,7 @@ private slots:
               std::pair(Segment{{-1e300, 3}, {1e300, 1e299}}, huge)})
             for (const int end : {0, 1}) {
                 const auto seen = magnified(variant("exact"), line, window, end);
-                QVERIFY(seen && seen->truth);
+                QVERIFY(seen && seen->exactness);
                 MagnifierView view = usualView(*seen, {400, 300});
                 QVERIFY(std::isfinite(view.pixelsPerUnit) && view.pixelsPerUnit > 0);
                 for (const double factor : {1e-3, 1e9})

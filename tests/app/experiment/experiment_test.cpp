@@ -127,7 +127,7 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 2000;
         options.runs = 3;
-        options.easel = app::rasterEasel;
+        options.target = app::rasterTarget;
         const auto all = app::variantsOf(everyAlgorithm(), clipping::Form::Corrected);
         const auto timings = *app::experiment(options, all);
         for (const app::Timing& timing : timings) {
@@ -143,19 +143,19 @@ private slots:
 
     void thePixelsAreTheLines()
     {
-        const auto easel = app::rasterEasel({});
-        QVERIFY(easel->name().startsWith("raster"));
-        const auto blank = easel->checksum();
+        const auto target = app::rasterTarget({});
+        QVERIFY(target->name().startsWith("raster"));
+        const auto blank = target->checksum();
         const clipping::Clipped line{{{-50, 0}, {50, 20}}, 0, 0}, other{{{-50, 0}, {50, 30}}, 0, 0};
-        easel->draw({&line, 1});
-        const auto drawn = easel->checksum();
+        target->draw({&line, 1});
+        const auto drawn = target->checksum();
         QVERIFY(drawn != blank);
-        easel->draw({&other, 1});
-        QVERIFY(easel->checksum() != drawn);
-        easel->wipe();
-        QCOMPARE(easel->checksum(), blank);
-        easel->draw({&line, 1});
-        QCOMPARE(easel->checksum(), drawn);
+        target->draw({&other, 1});
+        QVERIFY(target->checksum() != drawn);
+        target->wipe();
+        QCOMPARE(target->checksum(), blank);
+        target->draw({&line, 1});
+        QCOMPARE(target->checksum(), drawn);
     }
 
     void progressGrowsToTheEnd()

@@ -136,7 +136,7 @@ private slots:
         app::ExperimentOptions options;
         options.lines = 1000;
         options.runs = 5;
-        options.easel = app::rasterEasel;
+        options.target = app::rasterTarget;
         const app::Variant one{&row, clipping::Form::Corrected};
         QVERIFY(app::experiment(options, {&one, 1}));
         QCOMPARE(turns, 6);

@@ -25,7 +25,7 @@ app::Record quickRecord(const app::PaperTable& paper, clipping::Form form)
     app::ExperimentOptions options;
     options.lines = 20'000;
     options.runs = 4;
-    options.easel = app::rasterEasel;
+    options.target = app::rasterTarget;
     return *app::recorded(options, app::variantsOf(paper, form));
 }
 

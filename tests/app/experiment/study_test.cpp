@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/legs.h"
+#include "app/base/phased_progress.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/heading.h"
 #include "app/experiment/verdict.h"
@@ -104,7 +104,7 @@ private slots:
     void withoutFurtherWordsThePaperIsRepeated()
     {
         app::Choice choice{.subject = app::subjects().front()};
-        choice.easel = app::rasterEasel;
+        choice.target = app::rasterTarget;
         const auto plan = app::planOf(choice);
         QVERIFY(plan);
         QCOMPARE(plan.value->trials.size(), 2u);
@@ -124,14 +124,14 @@ private slots:
     void whereNothingIsVisibleNoTimeOfDrawingIsTold()
     {
         auto choice = few("near-miss");
-        choice.easel = app::rasterEasel;
+        choice.target = app::rasterTarget;
         choice.forms = {Form::Corrected};
         choice.explained = false;
         const auto study = app::study(*app::planOf(choice).value);
         QCOMPARE(study->measures.size(), 2u);
         QCOMPARE(study->measures[0].key, "clip");
         QCOMPARE(study->measures[1].key, "total");
-        QVERIFY(study->trials[0].record.easel.startsWith("raster"));
+        QVERIFY(study->trials[0].record.target.startsWith("raster"));
     }
 
     void whatDrewIsAskedForItsNameOnce()
@@ -140,17 +140,17 @@ private slots:
         options.lines = 100;
         options.runs = 1;
         int made = 0;
-        options.easel = [&](const app::Field& field) {
+        options.target = [&](const app::Field& field) {
             ++made;
-            return app::rasterEasel(field);
+            return app::rasterTarget(field);
         };
         const auto record =
             app::recorded(options, app::variantsOf({{clipping::findAlgorithm("md")}}));
-        QVERIFY(record->easel.startsWith("raster"));
+        QVERIFY(record->target.startsWith("raster"));
         QCOMPARE(made, 1);
     }
 
-    void withoutAnEaselNothingIsToldOfDrawing()
+    void withoutADrawTargetNothingIsSaidOfDrawing()
     {
         const auto plan = app::planOf(few("near-miss"));
         QCOMPARE(plan.value->measures.size(), 1u);
@@ -191,19 +191,19 @@ private slots:
     {
         app::Choice choice{.subject = app::subjects().front()};
         const double clipping = app::roughSeconds(*app::planOf(choice).value);
-        choice.easel = app::rasterEasel;
+        choice.target = app::rasterTarget;
         QVERIFY(app::roughSeconds(*app::planOf(choice).value) > 2 * clipping);
         choice.algorithms = {&clipping::algorithms().front()};
         for (const auto& one : app::subjects()) {
             choice.subject = one;
-            choice.easel = app::rasterEasel;
+            choice.target = app::rasterTarget;
             const double with = app::roughSeconds(*app::planOf(choice).value);
-            choice.easel = nullptr;
+            choice.target = nullptr;
             QVERIFY(with >= app::roughSeconds(*app::planOf(choice).value));
         }
     }
 
-    void thePaceOfThisMachineCounts()
+    void theSpeedOfThisMachineCounts()
     {
         const auto plan = app::planOf({.subject = app::subjects().front()});
         QVERIFY(app::effortText(*plan.value, 1) != app::effortText(*plan.value, 7));
@@ -273,7 +273,7 @@ private slots:
     {
         app::Choice choice = few("all");
         choice.forms = {Form::Published, Form::Corrected};
-        choice.easel = app::rasterEasel;
+        choice.target = app::rasterTarget;
         std::vector<double> shares;
         const auto study =
             app::study(*app::planOf(choice).value, {{}, [&](const app::Progress& now) {
@@ -336,7 +336,7 @@ private slots:
         QFETCH(int, reported);
         app::Choice choice = few(subject);
         choice.lines = reported > 0 ? 1'000'000 : 10'000'000;
-        choice.easel = app::rasterEasel;
+        choice.target = app::rasterTarget;
         choice.order = app::Order::ByClass;
         const auto plan = app::planOf(choice);
         bool nothing = false;
@@ -357,11 +357,12 @@ private slots:
         QVERIFY2(turns - before <= 2, qPrintable(QString::number(turns - before)));
     }
 
-    void legsAreOneWay()
+    void phasesAreOneProgress()
     {
         std::vector<app::Progress> seen;
-        app::Legs legs({{}, [&](const app::Progress& now) { seen.push_back(now); }}, {1, 3});
-        const auto first = legs.next(), second = legs.next();
+        app::PhasedProgress phases({{}, [&](const app::Progress& now) { seen.push_back(now); }},
+                                   {1, 3});
+        const auto first = phases.next(), second = phases.next();
         first.progress({0.5, 2});
         second.progress({0, 9});
         second.progress({1, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/dice.h"
+#include "app/base/random.h"
 #include "app/comparison/line_class.h"
 #include "app/experiment/test_scene.h"
 
@@ -155,9 +155,9 @@ private slots:
     void linesComeWhereverTheWindowIs()
     {
         std::vector<app::Field> fields{{app::paperSpace, {{-955, -716}, {955, 716}}}};
-        app::Dice dice(11);
+        app::Random random(11);
         for (int i = 0; i < 40; ++i) { // all sides of their own, down to a hundred-millionth
-            const auto side = [&] { return 900 * std::pow(10, dice.between(-8, 0)); };
+            const auto side = [&] { return 900 * std::pow(10, random.between(-8, 0)); };
             fields.push_back({{{-1000, -1000}, {1000, 1000}},
                               {{side() - 1000, side() - 1000}, {1000 - side(), 1000 - side()}}});
         }

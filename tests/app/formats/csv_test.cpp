@@ -76,17 +76,17 @@ private slots:
         QCOMPARE(sheet.layers[1].name, QStringLiteral("d"));
     }
 
-    // The rows of a layer come together, in their order, with their own ink, however they
+    // The rows of a layer come together, in their order, with their own colour, however they
     // alternate.
-    void layersAndInksMayAlternate()
+    void layersAndColoursMayAlternate()
     {
-        const QByteArrayList layers{"b", "", "a"}, inks{"#010203", "", "#00000080", "#010203"};
+        const QByteArrayList layers{"b", "", "a"}, colours{"#010203", "", "#00000080", "#010203"};
         QByteArray text;
         std::vector<std::uint32_t> order;
         constexpr std::uint32_t rows = 20'000; // more than a block of objects holds
         for (std::uint32_t i = 0; i < rows; ++i)
-            text += "1,2,3," + QByteArray::number(i) + ',' + layers[i % 3] + ',' + inks[i / 2 % 4]
-                    + '\n';
+            text += "1,2,3," + QByteArray::number(i) + ',' + layers[i % 3] + ','
+                    + colours[i / 2 % 4] + '\n';
         for (const std::uint32_t layer : {0U, 1U, 2U})
             for (std::uint32_t i = layer; i < rows; i += 3)
                 order.push_back(i);
@@ -99,11 +99,11 @@ private slots:
         QCOMPARE(document.containers()[ids.at(1)].name, QStringLiteral("Drawing"));
         for (std::size_t i = 0; i < order.size(); ++i) {
             const app::ObjectView object = document.objects()[i];
-            const QByteArray ink = inks[order[i] / 2 % 4];
+            const QByteArray colour = colours[order[i] / 2 % 4];
             QCOMPARE(object.singleLine()->b.y, double(order[i]));
             QCOMPARE(document.containers().layerOf(i), ids.at(order[i] % 3));
-            QCOMPARE(object.style().stroke->blue, ink == "#010203" ? 3 : 0);
-            QCOMPARE(object.style().stroke->alpha, ink == "#00000080" ? 128 : 255);
+            QCOMPARE(object.style().stroke->blue, colour == "#010203" ? 3 : 0);
+            QCOMPARE(object.style().stroke->alpha, colour == "#00000080" ? 128 : 255);
         }
     }
 

@@ -55,13 +55,13 @@ const CostMap& smallCostMap()
 TraceExport trace()
 {
     TraceExport trace{
-        .specimen = {{clipping::findAlgorithm("cohen-sutherland"), clipping::Form::Corrected},
-                     {{-160, -30}, {70, 130}},
-                     {{-100, -75}, {100, 75}},
-                     YAxis::Up,
-                     {}},
-        .walk = {}};
-    trace.walk = walkOf(trace.specimen);
+        .tracedLine = {{clipping::findAlgorithm("cohen-sutherland"), clipping::Form::Corrected},
+                       {{-160, -30}, {70, 130}},
+                       {{-100, -75}, {100, 75}},
+                       YAxis::Up,
+                       {}},
+        .narration = {}};
+    trace.narration = narrationOf(trace.tracedLine);
     trace.only = 1; // one file, of every format
     return trace;
 }

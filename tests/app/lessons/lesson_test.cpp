@@ -25,7 +25,7 @@ app::LessonPage pageAbout(const char* look, const QStringList& words)
 std::optional<app::Question> asked(const char* look, const QStringList& words, std::size_t step = 0)
 {
     const app::LessonPage page = pageAbout(look, words);
-    return app::questionOf(page, app::walkOf(page.specimen), step);
+    return app::questionOf(page, app::narrationOf(page.tracedLine), step);
 }
 
 QString rightOf(const std::optional<app::Question>& question)
@@ -38,10 +38,10 @@ QString whereIn(const Course& course)
     return QStringLiteral("%1, page %2").arg(course.lesson()->key).arg(course.page() + 1);
 }
 
-bool decides(const app::Moment& moment)
+bool decides(const app::NarratedStep& narrated)
 {
-    return moment.mark == app::Mark::Accept || moment.mark == app::Mark::Reject
-           || moment.mark == app::Mark::GiveUp;
+    return narrated.mark == app::Mark::Accept || narrated.mark == app::Mark::Reject
+           || narrated.mark == app::Mark::GiveUp;
 }
 
 constexpr auto crossing = "cs line -160,-30 70,130 window -100,-75 100,75";
@@ -94,7 +94,7 @@ private slots:
             for (;;) {
                 const auto& page = app::lessons()[i].pages[course.page()];
                 const QString where = whereIn(course);
-                QVERIFY2(microscope.specimen() == page.specimen, qPrintable(where));
+                QVERIFY2(microscope.tracedLine() == page.tracedLine, qPrintable(where));
                 QVERIFY2(course.question().has_value() == page.question.has_value(),
                          qPrintable(where)); // each question that is written can be asked
                 QCOMPARE(course.isOpen(), page.question.has_value());
@@ -110,7 +110,7 @@ private slots:
                     course.choose(question->right);
                     QVERIFY(!course.isOpen());
                 }
-                QVERIFY2(!microscope.walk().moments.empty(), qPrintable(where));
+                QVERIFY2(!microscope.narration().steps.empty(), qPrintable(where));
                 if (course.atLastPage())
                     break;
                 course.next();
@@ -131,7 +131,7 @@ private slots:
                     ++asked;
                     const QString where = whereIn(course);
                     const auto& page = app::lessons()[i].pages[course.page()];
-                    const app::Walk whole = app::walkOf(page.specimen);
+                    const app::Narration whole = app::narrationOf(page.tracedLine);
                     const QString right = question->choices[question->right].section(
                         QStringLiteral("At "), -1); // "the left edge"
                     QVERIFY2(microscope.isCovered(), qPrintable(where));
@@ -139,19 +139,19 @@ private slots:
                     for (const QString& text : {course.text(), course.told(), question->hint})
                         QVERIFY2(namesBoth || !text.contains(right),
                                  qPrintable(where + ": " + right));
-                    for (const app::Moment& moment : microscope.walk().moments) {
-                        QVERIFY2(!moment.sentence.contains(right), qPrintable(where));
-                        QVERIFY2(!question->reason.contains(moment.sentence), qPrintable(where));
+                    for (const app::NarratedStep& narrated : microscope.narration().steps) {
+                        QVERIFY2(!narrated.sentence.contains(right), qPrintable(where));
+                        QVERIFY2(!question->reason.contains(narrated.sentence), qPrintable(where));
                     }
-                    QVERIFY2(microscope.walk().moments.size() < whole.moments.size(),
+                    QVERIFY2(microscope.narration().steps.size() < whole.steps.size(),
                              qPrintable(where));
-                    QVERIFY2(!microscope.walk().visible, qPrintable(where));
+                    QVERIFY2(!microscope.narration().visible, qPrintable(where));
                     microscope.goTo(1000); // as End does, and the timeline
-                    QVERIFY2(!microscope.moment() || !decides(*microscope.moment()),
+                    QVERIFY2(!microscope.narrated() || !decides(*microscope.narrated()),
                              qPrintable(where));
                     course.showAnswer();
                     QVERIFY2(!microscope.isCovered(), qPrintable(where));
-                    QCOMPARE(microscope.walk().moments.size(), whole.moments.size());
+                    QCOMPARE(microscope.narration().steps.size(), whole.steps.size());
                     QCOMPARE(course.told(), page.told);
                 }
                 if (course.atLastPage())
@@ -262,20 +262,20 @@ private slots:
     void theFirstLessonBeginsEasily()
     {
         for (const app::LessonPage& page : app::lessons().front().pages)
-            QCOMPARE(app::keyOf(page.specimen.variant), QStringLiteral("cohen-sutherland"));
+            QCOMPARE(app::keyOf(page.tracedLine.variant), QStringLiteral("cohen-sutherland"));
     }
     /// Where p is 0 it asks, and there the algorithm really does not divide.
     void theQuestionAboutParallelLinesIsAskedWherePIsZero()
     {
         const app::LessonPage& page = app::lessons()[2].pages.back();
         QCOMPARE(page.question->kind, QStringLiteral("next"));
-        const app::Walk walk = app::walkOf(page.specimen);
-        const std::size_t step = app::wantedStep(page, walk);
-        const auto& variables = walk.moments[step].variables;
+        const app::Narration narration = app::narrationOf(page.tracedLine);
+        const std::size_t step = app::wantedStep(page, narration);
+        const auto& variables = narration.steps[step].variables;
         const auto p = std::ranges::find(variables, QStringLiteral("p"), &app::Variable::name);
         QVERIFY(p != variables.end() && p->value == 0);
-        QCOMPARE(rightOf(app::questionOf(page, walk, step)), "It rejects the line");
-        QCOMPARE(walk.moments.back().cost.divisions, walk.moments[step].cost.divisions);
+        QCOMPARE(rightOf(app::questionOf(page, narration, step)), "It rejects the line");
+        QCOMPARE(narration.steps.back().cost.divisions, narration.steps[step].cost.divisions);
     }
     void answersAreWhatBooksSay() // by hand
     {
@@ -334,7 +334,7 @@ private slots:
         const QRegularExpression person(QStringLiteral("\\b(some|no)body\\b"),
                                         QRegularExpression::CaseInsensitiveOption);
         int files = 0;
-        for (const char* folder : {"lessons", "algorithms", "zoo"}) {
+        for (const char* folder : {"lessons", "algorithms", "hard_cases"}) {
             const QDir texts(SOURCE_DIR "/resources/" + QString(folder));
             for (const QFileInfo& info : texts.entryInfoList({"*.md", "*.json"}, QDir::Files)) {
                 QFile file(info.filePath());
@@ -350,10 +350,10 @@ private slots:
     void stepsAreFoundByTheirMark()
     {
         app::LessonPage page = pageAbout(crossing, {"visible"});
-        const app::Walk walk = app::walkOf(page.specimen);
+        const app::Narration narration = app::narrationOf(page.tracedLine);
         const auto markAt = [&](const char* step) {
             page.step = QString::fromLatin1(step);
-            return walk.moments[app::wantedStep(page, walk)].mark;
+            return narration.steps[app::wantedStep(page, narration)].mark;
         };
         QCOMPARE(markAt("cut"), app::Mark::Cut);
         QCOMPARE(markAt("cut-2"), app::Mark::Cut);
@@ -361,7 +361,7 @@ private slots:
         QCOMPARE(markAt("999"), app::Mark::Accept);
         QCOMPARE(markAt("reject"), app::Mark::Accept); // there is none: the last
         page.step = QStringLiteral("2");
-        QCOMPARE(app::wantedStep(page, walk), 1U);
+        QCOMPARE(app::wantedStep(page, narration), 1U);
     }
 };
 

@@ -48,8 +48,9 @@ class CutsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// An end of what is visible that was cut is marked, and the edge that it lies on is lit.
-    void newEndsAreMarkedOnLitEdges()
+    /// An end of what is visible that was cut is marked, and the edge that it lies on is
+    /// highlighted.
+    void newEndsAreMarkedOnHighlightedEdges()
     {
         Cases some(31);
         int cut = 0;
@@ -69,10 +70,12 @@ private slots:
                                                      })
                                      || step.segment == line,
                                  said(variant, w, line));
-                const auto lit = std::ranges::count_if(overlay.lines, [](const OverlayLine& l) {
-                    return l.kind == OverlayLine::Kind::Border && l.emphasis == Emphasis::Lit;
-                });
-                QVERIFY2((lit > 0) == !marks.empty(), said(variant, w, line));
+                const auto highlighted =
+                    std::ranges::count_if(overlay.lines, [](const OverlayLine& l) {
+                        return l.kind == OverlayLine::Kind::Border
+                               && l.emphasis == Emphasis::Highlighted;
+                    });
+                QVERIFY2((highlighted > 0) == !marks.empty(), said(variant, w, line));
                 QVERIFY2(overlay.table.has_value() == !marks.empty(), said(variant, w, line));
                 if (!marks.empty())
                     QCOMPARE(overlay.table->rows.size(), marks.size());

@@ -54,13 +54,17 @@ private slots:
                 clipping::Clipped piece[1];
                 const bool visible = app::clipAll(variant, {&line, 1}, w, piece) == 1;
                 const auto areas = pointed(of(variant, w, {line.a, line.a}, line.b));
-                const auto lit = of(variant, w, line).areas;
-                const auto isLit = [](const OverlayArea& a) { return a.emphasis == Emphasis::Lit; };
+                const auto highlighted = of(variant, w, line).areas;
+                const auto isHighlighted = [](const OverlayArea& a) {
+                    return a.emphasis == Emphasis::Highlighted;
+                };
                 QVERIFY2(areas.size() == (visible ? 1 : 0), what);
-                QVERIFY2(std::ranges::count_if(lit, isLit) == (visible ? 1 : 0), what);
+                QVERIFY2(std::ranges::count_if(highlighted, isHighlighted) == (visible ? 1 : 0),
+                         what);
                 if (!visible)
                     continue;
-                QVERIFY2(std::ranges::find_if(lit, isLit)->label == areas[0].label, what);
+                QVERIFY2(std::ranges::find_if(highlighted, isHighlighted)->label == areas[0].label,
+                         what);
                 const auto& [a, b] = piece[0].segment;
                 if (isCorner(a, w) || isCorner(b, w) || w.min.x == w.max.x
                     || w.min.y == w.max.y) // two are right
@@ -160,7 +164,7 @@ private slots:
         }
     }
 
-    // The corners' signs against whole numbers; the lit row against the trace.
+    // The corners' signs against whole numbers; the highlighted row against the trace.
     void signsAreTheLibrarys()
     {
         Cases some(5);
@@ -175,7 +179,7 @@ private slots:
             for (const Variant& variant : formsOf({"Skala"})) {
                 const auto patterns = valuesNamed(traceOf(variant, line, w), "c");
                 const Overlay overlay = of(variant, w, line);
-                QVERIFY2(overlay.table->lit.has_value() == !patterns.empty(),
+                QVERIFY2(overlay.table->highlighted.has_value() == !patterns.empty(),
                          said(variant, w, line));
                 std::vector<OverlayMark> signs = overlay.marks;
                 std::erase_if(signs, [](const OverlayMark& m) { return !m.label.startsWith('x'); });
@@ -183,7 +187,7 @@ private slots:
                 if (patterns.empty())
                     continue;
                 ++asked;
-                QVERIFY2(*overlay.table->lit == std::size_t(patterns.back()),
+                QVERIFY2(*overlay.table->highlighted == std::size_t(patterns.back()),
                          said(variant, w, line));
                 bool allLeft = true, allOnLine = true;
                 const Point d = line.b - line.a;
@@ -305,7 +309,7 @@ private slots:
             QCOMPARE(nowhere.lines.size(), without.lines.size());
         }
         for (const Variant& variant : app::variants())
-            if (variant.exhibit)
+            if (variant.misprint)
                 QVERIFY(!of(variant, w, {{0, 0}, {9, 9}}).caption.isEmpty());
     }
 

@@ -52,7 +52,7 @@ inline std::vector<app::Variant> everyForm()
 {
     std::vector<app::Variant> all;
     for (const app::Variant& variant : app::variants())
-        if (!variant.exhibit)
+        if (!variant.misprint)
             all.push_back(variant);
     return all;
 }

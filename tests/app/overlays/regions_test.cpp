@@ -203,7 +203,7 @@ private slots:
         }
     }
 
-    void theCellsOfAWalkAreLit()
+    void theCellsOfATraceAreHighlighted()
     {
         Cases some(5);
         for (int i = 0; i < cases; ++i) {
@@ -218,7 +218,7 @@ private slots:
                     app::overlayOf({variant, w, line, std::nullopt, everything});
                 for (const OverlayArea& area : overlay.areas)
                     if (area.ground == OverlayArea::Ground::Clear)
-                        QVERIFY2((area.emphasis == Emphasis::Lit)
+                        QVERIFY2((area.emphasis == Emphasis::Highlighted)
                                      == (std::ranges::count(cells, area.label.toDouble()) > 0),
                                  said(variant, w, line));
             }
@@ -254,9 +254,9 @@ private slots:
         const auto table = [&](const Segment& line) {
             return *app::overlayOf({cs, w, line, std::nullopt, everything, YAxis::Up}).table;
         };
-        QCOMPARE(*table({{1, 1}, {2, 2}}).lit, std::size_t(3));
-        QCOMPARE(*table({{-1, 5}, {2, 6}}).lit, std::size_t(2));
-        QVERIFY(!table({{-1, 1}, {2, 6}}).lit);
+        QCOMPARE(*table({{1, 1}, {2, 2}}).highlightedRow, std::size_t(3));
+        QCOMPARE(*table({{-1, 5}, {2, 6}}).highlightedRow, std::size_t(2));
+        QVERIFY(!table({{-1, 1}, {2, 6}}).highlightedRow);
         QCOMPARE(table({{-1, 5}, {2, 6}}).rows[2], (QStringList{"AND", "1000"}));
         QCOMPARE(table({{-1, 5}, {2, 6}}).rows[3], (QStringList{"OR", "1001"}));
     }

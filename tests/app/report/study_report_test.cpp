@@ -11,7 +11,7 @@
 namespace {
 
 /// What `clearcut bench` makes of these arguments.
-app::Given benchGiven(const QStringList& arguments)
+app::ParsedArguments parsedBench(const QStringList& arguments)
 {
     for (const app::Command& command : app::commands())
         if (command.key == "bench")
@@ -21,8 +21,8 @@ app::Given benchGiven(const QStringList& arguments)
 
 app::Plan planOf(const QStringList& arguments)
 {
-    const app::Given given = benchGiven(arguments);
-    return app::planGiven(given, app::wantedGiven(given, QStringLiteral("clip")));
+    const app::ParsedArguments given = parsedBench(arguments);
+    return app::parsedPlan(given, app::parsedWanted(given, QStringLiteral("clip")));
 }
 
 app::Study studyOf(const QStringList& arguments)

@@ -42,12 +42,12 @@ private slots:
         drawn.look();
         QVERIFY(session.microscope.isOpen());
         QCOMPARE(drawn.line(), std::size_t(2));
-        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.microscope.tracedLine().line, across);
         QCOMPARE(session.inspected(), std::size_t(2));
         session.microscope.close();
         session.inspect(0);
         drawn.look();
-        QCOMPARE(session.microscope.specimen().line, inside);
+        QCOMPARE(session.microscope.tracedLine().line, inside);
     }
     void itPassesOverLockedLayers()
     {
@@ -59,12 +59,12 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({app::documentOf(sheet), {}});
         drawn.look();
-        QCOMPARE(session.microscope.specimen().line, half);
+        QCOMPARE(session.microscope.tracedLine().line, half);
         session.microscope.close();
         sheet.layers[1].locked = true; // all are
         session.load({app::documentOf(sheet), {}});
         drawn.look();
-        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.microscope.tracedLine().line, across);
     }
     void ofTheNineRegionsItIsNoLineOfTheGrid()
     {
@@ -75,9 +75,9 @@ private slots:
         app::DrawnLine drawn(session);
         session.load(*read.value);
         drawn.look();
-        const auto& [a, b] = session.microscope.specimen().line;
+        const auto& [a, b] = session.microscope.tracedLine().line;
         QVERIFY(a.x != b.x && a.y != b.y);
-        const auto piece = session.microscope.walk().visible;
+        const auto piece = session.microscope.narration().visible;
         QVERIFY(piece && piece->a != a && piece->b != b); // cut at both ends
     }
     void anEmptyDrawingHasALineToo()
@@ -88,7 +88,7 @@ private slots:
         drawn.look();
         QVERIFY(session.microscope.isOpen());
         QVERIFY(!drawn.line());
-        QVERIFY(session.microscope.walk().visible);
+        QVERIFY(session.microscope.narration().visible);
         drawn.go(1); // nowhere to go
         QVERIFY(!drawn.line());
     }
@@ -99,17 +99,17 @@ private slots:
         session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(0);
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
-        QCOMPARE(session.microscope.specimen().window, (clipping::Window{{0, 0}, {8, 8}}));
+        QCOMPARE(session.microscope.tracedLine().window, (clipping::Window{{0, 0}, {8, 8}}));
         session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
-        QCOMPARE(session.microscope.specimen().line, (clipping::Segment{{-4, 5}, {16, 6}}));
+        QCOMPARE(session.microscope.tracedLine().line, (clipping::Segment{{-4, 5}, {16, 6}}));
         session.history.undo();
-        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.microscope.tracedLine().line, across);
         app::Display display = session.display();
         display.variant.algorithm = clipping::findAlgorithm("skala");
         session.setDisplay(display);
-        QCOMPARE(session.microscope.specimen().variant.algorithm, display.variant.algorithm);
+        QCOMPARE(session.microscope.tracedLine().variant.algorithm, display.variant.algorithm);
         session.inspect(1);
-        QCOMPARE(session.microscope.specimen().line, half);
+        QCOMPARE(session.microscope.tracedLine().line, half);
     }
     void whatIsChangedByHandStays()
     {
@@ -118,19 +118,19 @@ private slots:
         session.load({app::documentOf(sheetOf({across, half})), {}});
         const app::Document before = session.now();
         drawn.look(0);
-        app::Specimen specimen = session.microscope.specimen();
-        specimen.line.a = {-7, 3};
-        session.microscope.setSpecimen(specimen);
+        app::TracedLine tracedLine = session.microscope.tracedLine();
+        tracedLine.line.a = {-7, 3};
+        session.microscope.setTracedLine(tracedLine);
         QVERIFY(drawn.changed());
         QVERIFY(session.now() == before);
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
-        QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
-        QCOMPARE(session.microscope.specimen().window.max, app::Point(8, 8));
+        QCOMPARE(session.microscope.tracedLine().line.a, app::Point(-7, 3));
+        QCOMPARE(session.microscope.tracedLine().window.max, app::Point(8, 8));
         session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
-        QCOMPARE(session.microscope.specimen().line.a, app::Point(-7, 3));
+        QCOMPARE(session.microscope.tracedLine().line.a, app::Point(-7, 3));
         drawn.back();
         QVERIFY(!drawn.changed());
-        QCOMPARE(session.microscope.specimen().line, (clipping::Segment{{-4, 5}, {16, 6}}));
+        QCOMPARE(session.microscope.tracedLine().line, (clipping::Segment{{-4, 5}, {16, 6}}));
     }
     void aLineThatGoesStaysUnderTheMicroscope()
     {
@@ -139,32 +139,32 @@ private slots:
         session.load({app::documentOf(sheetOf({across})), {}});
         drawn.look(0);
         session.history.push(new app::RemoveObjects(session.document, {0}));
-        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.microscope.tracedLine().line, across);
         QVERIFY(!drawn.line());
         drawn.back(); // nowhere
-        QCOMPARE(session.microscope.specimen().line, across);
+        QCOMPARE(session.microscope.tracedLine().line, across);
     }
-    void aLessonsSpecimenIsLeftAlone()
+    void aLessonsLineIsLeftAlone()
     {
         app::Session session;
         app::DrawnLine drawn(session);
         session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(0);
-        const app::Specimen lesson{.variant = {clipping::findAlgorithm("cs")},
-                                   .line = {{0, 0}, {3, 3}},
-                                   .window = {{1, 1}, {2, 2}},
-                                   .y = app::YAxis::Up};
-        session.microscope.setSpecimen(lesson);
+        const app::TracedLine lesson{.variant = {clipping::findAlgorithm("cs")},
+                                     .line = {{0, 0}, {3, 3}},
+                                     .window = {{1, 1}, {2, 2}},
+                                     .y = app::YAxis::Up};
+        session.microscope.setTracedLine(lesson);
         QVERIFY(!drawn.line());
         session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
         session.inspect(1);
         app::Display display = session.display();
         display.variant.algorithm = clipping::findAlgorithm("skala");
         session.setDisplay(display);
-        QCOMPARE(session.microscope.specimen(), lesson);
+        QCOMPARE(session.microscope.tracedLine(), lesson);
         drawn.choose({clipping::findAlgorithm("lb")});
         QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("skala"));
-        QCOMPARE(session.microscope.specimen().variant.algorithm, clipping::findAlgorithm("lb"));
+        QCOMPARE(session.microscope.tracedLine().variant.algorithm, clipping::findAlgorithm("lb"));
     }
     void choosingClipsTheDrawingToo()
     {
@@ -175,7 +175,7 @@ private slots:
         drawn.choose({clipping::findAlgorithm("cs"), clipping::Form::Published});
         QCOMPARE(session.display().variant.algorithm, clipping::findAlgorithm("cs"));
         QCOMPARE(session.display().variant.form, clipping::Form::Published);
-        QCOMPARE(session.microscope.specimen().variant.form, clipping::Form::Published);
+        QCOMPARE(session.microscope.tracedLine().variant.form, clipping::Form::Published);
     }
     void linesGoRoundAndRound()
     {
@@ -194,9 +194,9 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(1);
-        const app::Specimen specimen = session.microscope.specimen();
+        const app::TracedLine tracedLine = session.microscope.tracedLine();
         session.microscope.close();
-        session.microscope.open(specimen);
+        session.microscope.open(tracedLine);
         QCOMPARE(drawn.line(), std::size_t(1));
     }
 };

@@ -191,7 +191,7 @@ private slots:
         session.differences.ask(std::nullopt);
         QCOMPARE(app::verdictText(app::inspect(session, 1)), "exact: visible, 100.0 %");
     }
-    void anExhibitHasNoSteps()
+    void aMisprintHasNoSteps()
     {
         app::Session session;
         session.load(
@@ -201,7 +201,7 @@ private slots:
         session.differences.finish();
         QVERIFY(!session.differences.found().list.empty());
         const auto line = app::inspect(session, session.differences.found().list[0].source);
-        QVERIFY(line.variant.exhibit);
+        QVERIFY(line.variant.misprint);
         QVERIFY(stepTexts(line).front().contains("not recorded"));
         QVERIFY(app::verdictText(line).startsWith("MD with Step 2 as printed: "));
     }

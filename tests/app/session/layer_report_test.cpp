@@ -11,7 +11,7 @@ using namespace app;
 
 namespace {
 
-using Ink = std::optional<Colour>;
+using MaybeColour = std::optional<Colour>;
 
 const Style bare{};
 const Style thinBare{.width = 0.5};
@@ -32,13 +32,13 @@ Document layersOf(const std::vector<std::vector<Style>>& layers)
     return builder.take({});
 }
 
-Ink inkOfLayer(const Document& document, std::size_t layer)
+MaybeColour colourOfLayer(const Document& document, std::size_t layer)
 {
-    return inkOf(document, document.containers().childrenOf(0).at(layer));
+    return strokeColourOf(document, document.containers().childrenOf(0).at(layer));
 }
 
 /// One object after the other.
-Ink firstInk(const Document& document, ContainerId container)
+MaybeColour firstColour(const Document& document, ContainerId container)
 {
     const ObjectRange range = document.containers().rangeOf(container);
     for (std::size_t i = range.first; i < range.end; ++i)
@@ -61,15 +61,15 @@ class LayerReportTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theFirstInkStandsForALayer()
+    void theFirstStrokeColourStandsForALayer()
     {
         const Document document = layersOf(
             {{red}, {bare, areaInGreen, red}, {}, {thinBare, bare}, {bare, thinBare, red, bare}});
-        QCOMPARE(inkOfLayer(document, 0), red.stroke);
-        QCOMPARE(inkOfLayer(document, 1), areaInGreen.fill);
-        QCOMPARE(inkOfLayer(document, 2), Ink());
-        QCOMPARE(inkOfLayer(document, 3), Ink());
-        QCOMPARE(inkOfLayer(document, 4), red.stroke);
+        QCOMPARE(colourOfLayer(document, 0), red.stroke);
+        QCOMPARE(colourOfLayer(document, 1), areaInGreen.fill);
+        QCOMPARE(colourOfLayer(document, 2), MaybeColour());
+        QCOMPARE(colourOfLayer(document, 3), MaybeColour());
+        QCOMPARE(colourOfLayer(document, 4), red.stroke);
     }
     void itIsThatOfTheFirstObjectWithOne()
     {
@@ -84,16 +84,16 @@ private slots:
             }
             const Document document = layersOf(layers);
             for (const ContainerId id : document.containers().childrenOf(0))
-                QCOMPARE(inkOf(document, id), firstInk(document, id));
+                QCOMPARE(strokeColourOf(document, id), firstColour(document, id));
         }
     }
-    void aMillionObjectsWithoutInkCostNothing_data()
+    void aMillionObjectsWithoutColourCostNothing_data()
     {
         QTest::addColumn<std::vector<Style>>("styles");
         QTest::addRow("all alike") << std::vector{bare};
         QTest::addRow("by turns") << std::vector{bare, thinBare};
     }
-    void aMillionObjectsWithoutInkCostNothing()
+    void aMillionObjectsWithoutColourCostNothing()
     {
         QFETCH(std::vector<Style>, styles);
         std::vector<Style> layer;
@@ -101,11 +101,11 @@ private slots:
             layer.push_back(styles[i % styles.size()]);
         const Document document = layersOf({layer});
         const ContainerId id = document.containers().childrenOf(0).front();
-        Ink ink = Colour{}, first = Colour{};
-        const double quick = milliseconds([&] { ink = inkOf(document, id); });
-        const double whole = milliseconds([&] { first = firstInk(document, id); });
-        QCOMPARE(ink, Ink());
-        QCOMPARE(first, Ink());
+        MaybeColour colour = Colour{}, first = Colour{};
+        const double quick = milliseconds([&] { colour = strokeColourOf(document, id); });
+        const double whole = milliseconds([&] { first = firstColour(document, id); });
+        QCOMPARE(colour, MaybeColour());
+        QCOMPARE(first, MaybeColour());
         QVERIFY2(quick < whole / 20, qPrintable(QString("%1 of %2 ms").arg(quick).arg(whole)));
     }
 };

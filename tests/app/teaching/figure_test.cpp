@@ -25,13 +25,13 @@ QFont font()
     return font;
 }
 
-Specimen specimen(std::string_view key, const clipping::Segment& line,
-                  const clipping::Window& w = window, YAxis y = YAxis::Up)
+TracedLine tracedLine(std::string_view key, const clipping::Segment& line,
+                      const clipping::Window& w = window, YAxis y = YAxis::Up)
 {
     return {{clipping::findAlgorithm(key), clipping::Form::Corrected}, line, w, y, {}};
 }
 
-QByteArray told(const Specimen& s, std::size_t step)
+QByteArray told(const TracedLine& s, std::size_t step)
 {
     const auto& [a, b] = s.line;
     return QStringLiteral("%1 %2,%3,%4,%5 window %6,%7,%8,%9 step %10")
@@ -63,11 +63,12 @@ bool meets(const QLineF& line, const QRectF& box)
            && std::min(line.y1(), line.y2()) <= box.bottom();
 }
 
-QImage painted(const Specimen& s, std::size_t step, Ground ground)
+QImage painted(const TracedLine& s, std::size_t step, Ground ground)
 {
     QImage image(size.toSize(), QImage::Format_RGB32);
     QPainter painter(&image);
-    paintStep(painter, {s, walkOf(s), step}, figureFrame(s, size, font()), figureColours(ground));
+    paintStep(painter, {s, narrationOf(s), step}, figureFrame(s, size, font()),
+              figureColours(ground));
     return image;
 }
 
@@ -102,12 +103,12 @@ class FigureTest : public QObject {
 
     /// Random lines: some long, some short, some parallel to an axis, some a point, some with ends
     /// on edges, and a third with a window that is thin or a point.
-    Specimen anySpecimen(const Variant& variant)
+    TracedLine anyTracedLine(const Variant& variant)
     {
         std::uniform_real_distribution<double> anywhere(-250, 250);
         std::uniform_int_distribution<int> kind(0, 8), onGrid(-3, 3);
         const auto point = [&] { return Point(anywhere(random_), anywhere(random_)); };
-        Specimen s{
+        TracedLine s{
             variant, {point(), point()}, window, kind(random_) % 2 ? YAxis::Up : YAxis::Down, {}};
         switch (kind(random_)) {
         case 0:
@@ -142,12 +143,12 @@ class FigureTest : public QObject {
 private slots:
     void whatIsClippedAtThePageIsCalledPage()
     {
-        const Specimen s = specimen("exact", {{-150, -20}, {150, 30}});
-        const Walk walk = walkOf(s);
+        const TracedLine s = tracedLine("exact", {{-150, -20}, {150, 30}});
+        const Narration narration = narrationOf(s);
         FigureFrame frame = figureFrame(s, size, font());
         const auto names = [&](const QString& name) {
-            return std::ranges::count(figureLabels(s, walk, stepScene(s, walk, 0), frame), name,
-                                      &FigureLabel::head);
+            return std::ranges::count(figureLabels(s, narration, stepScene(s, narration, 0), frame),
+                                      name, &FigureLabel::head);
         };
         QCOMPARE(names("Clip window"), 1);
         frame.windowIsPage = true;
@@ -156,10 +157,11 @@ private slots:
     }
     void marksAreWhereTheNumbersAre()
     {
-        const Specimen s = specimen("matthes-drakopoulos", {{-160, -30}, {70, 130}});
-        const Walk walk = walkOf(s);
+        const TracedLine s = tracedLine("matthes-drakopoulos", {{-160, -30}, {70, 130}});
+        const Narration narration = narrationOf(s);
         const FigureFrame frame = figureFrame(s, size, font());
-        const auto marks = figureMarks(s, stepScene(s, walk, walk.moments.size() - 1), frame);
+        const auto marks =
+            figureMarks(s, stepScene(s, narration, narration.steps.size() - 1), frame);
         QCOMPARE(marks.size(), 4);
         // One scale on both axes, y up, the middle of window and line in the picture's middle.
         const double scale = size.width() / (frame.seen.max.x - frame.seen.min.x);
@@ -188,34 +190,36 @@ private slots:
         QFETCH(bool, dark);
         const Ground ground = dark ? Ground::Dark : Ground::Light;
         const FigureColours colours = figureColours(ground);
-        const Specimen s = specimen("matthes-drakopoulos", {{-160, -30}, {70, 130}});
-        const Walk walk = walkOf(s);
+        const TracedLine s = tracedLine("matthes-drakopoulos", {{-160, -30}, {70, 130}});
+        const Narration narration = narrationOf(s);
         const FigureFrame frame = figureFrame(s, size, font());
-        std::size_t cut = walk.moments.size() - 1;
-        while (walk.moments[cut].mark != Mark::Cut || walk.moments[cut].edge != clipping::Edge::Top)
+        std::size_t cut = narration.steps.size() - 1;
+        while (narration.steps[cut].mark != Mark::Cut
+               || narration.steps[cut].edge != clipping::Edge::Top)
             --cut;
         const QImage at = painted(s, cut, ground),
-                     end = painted(s, walk.moments.size() - 1, ground);
-        QVERIFY(hasColour(at, frame, {-9.0625, 75}, colours.lit)); // the new diamond
-        QVERIFY(hasColour(at, frame, {90, 75}, colours.lit));      // the edge of this step
-        QVERIFY(hasColour(end, frame, {90, 75}, colours.window));  // and of no step
-        QVERIFY(hasColour(at, frame, {100, 20}, colours.window));  // the window
+                     end = painted(s, narration.steps.size() - 1, ground);
+        QVERIFY(hasColour(at, frame, {-9.0625, 75}, colours.highlight)); // the new diamond
+        QVERIFY(hasColour(at, frame, {90, 75}, colours.highlight));      // the edge of this step
+        QVERIFY(hasColour(end, frame, {90, 75}, colours.window));        // and of no step
+        QVERIFY(hasColour(at, frame, {100, 20}, colours.window));        // the window
         QVERIFY(hasColour(at, frame, {-54.53125, 43.369565}, colours.text));  // what is left
         QVERIFY(hasColour(at, frame, {-160, -30}, colours.paper));            // End 1: hollow, ...
         QVERIFY(hasColour(at, frame, {-160, -30}, colours.muted, {-5.5, 0})); // discarded, so grey
-        QVERIFY(hasColour(at, frame, {70, 130}, colours.lit, {5.5, 0})); // End 2: discarded now
+        QVERIFY(
+            hasColour(at, frame, {70, 130}, colours.highlight, {5.5, 0})); // End 2: discarded now
         QVERIFY(hasColour(end, frame, {20, -20}, colours.paper));
     }
 
     void rejectedLinesAreGrey()
     {
-        const Specimen s = specimen("cohen-sutherland", {{-160, 90}, {70, 130}});
+        const TracedLine s = tracedLine("cohen-sutherland", {{-160, 90}, {70, 130}});
         const FigureColours colours = figureColours(Ground::Light);
-        const Walk walk = walkOf(s);
-        const QImage image = painted(s, walk.moments.size() - 1, Ground::Light);
+        const Narration narration = narrationOf(s);
+        const QImage image = painted(s, narration.steps.size() - 1, Ground::Light);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x)
-                if (image.pixelColor(x, y) == colours.lit)
+                if (image.pixelColor(x, y) == colours.highlight)
                     QFAIL("blue where nothing is chosen");
         QVERIFY(hasColour(image, figureFrame(s, size, font()), {-45, 110}, colours.muted)); // cross
     }
@@ -225,15 +229,15 @@ private slots:
         for (const auto& algorithm : clipping::algorithms()) {
             int visible = 0;
             for (int i = 0; i < 300; ++i) {
-                const Specimen s = anySpecimen({&algorithm, clipping::Form::Corrected});
-                const Walk walk = walkOf(s);
-                if (!walk.visible)
+                const TracedLine s = anyTracedLine({&algorithm, clipping::Form::Corrected});
+                const Narration narration = narrationOf(s);
+                if (!narration.visible)
                     continue;
                 ++visible;
-                const std::size_t last = walk.moments.size() - 1;
-                const StepScene scene = stepScene(s, walk, last);
+                const std::size_t last = narration.steps.size() - 1;
+                const StepScene scene = stepScene(s, narration, last);
                 QCOMPARE(scene.state, StepScene::State::Accepted);
-                QVERIFY2(scene.left == *walk.visible, told(s, last));
+                QVERIFY2(scene.left == *narration.visible, told(s, last));
                 double sum = length(scene.left);
                 for (const auto& piece : scene.discarded)
                     sum += length(piece);
@@ -252,9 +256,9 @@ private slots:
 
     void goingBackIsNoCut() // halving looks for one end after the other, each from the whole line
     {
-        const Specimen s = specimen("midpoint-subdivision", {{-160, -30}, {70, 130}});
-        const Walk walk = walkOf(s);
-        const StepScene scene = stepScene(s, walk, walk.moments.size() - 1);
+        const TracedLine s = tracedLine("midpoint-subdivision", {{-160, -30}, {70, 130}});
+        const Narration narration = narrationOf(s);
+        const StepScene scene = stepScene(s, narration, narration.steps.size() - 1);
         std::vector<clipping::Edge> edges;
         for (const CutPoint& cut : scene.cuts)
             if (cut.stands)
@@ -269,16 +273,17 @@ private slots:
     {
         std::size_t wanted = 0, placed = 0;
         for (const Variant& variant : variants()) {
-            if (variant.exhibit)
+            if (variant.misprint)
                 continue;
             for (int i = 0; i < 150; ++i) {
-                const Specimen s = anySpecimen(variant);
-                const Walk walk = walkOf(s);
+                const TracedLine s = anyTracedLine(variant);
+                const Narration narration = narrationOf(s);
                 const FigureFrame frame =
                     i % 2 ? figureFrame(s, size, font()) : nearFrame(s, size, font());
-                for (const std::size_t step : {walk.moments.size() / 2, walk.moments.size() - 1}) {
-                    const StepScene scene = stepScene(s, walk, step);
-                    const auto labels = figureLabels(s, walk, scene, frame);
+                for (const std::size_t step :
+                     {narration.steps.size() / 2, narration.steps.size() - 1}) {
+                    const StepScene scene = stepScene(s, narration, step);
+                    const auto labels = figureLabels(s, narration, scene, frame);
                     const auto marks = figureMarks(s, scene, frame);
                     wanted += 6, placed += labels.size(); // two ends, four edges
                     const auto part = frame.part(s.line);
@@ -301,11 +306,11 @@ private slots:
     void keepsClearOfWhatIsReserved()
     {
         for (int i = 0; i < 300; ++i) {
-            const Specimen s = anySpecimen(exactVariant());
+            const TracedLine s = anyTracedLine(exactVariant());
             FigureFrame frame = figureFrame(s, size, font());
             frame.reserved = QRectF(10, 10, 180, 140);
-            const Walk walk = walkOf(s);
-            for (const auto& label : figureLabels(s, walk, stepScene(s, walk, 0), frame))
+            const Narration narration = narrationOf(s);
+            for (const auto& label : figureLabels(s, narration, stepScene(s, narration, 0), frame))
                 QVERIFY(!label.box.intersects(frame.reserved));
         }
     }
@@ -317,9 +322,9 @@ private slots:
                                               {{3e5, 2e6}, {10, 10}},
                                               {{1e6, 2e6}, {3e6, 1e6}},
                                               {{-1e12, 0}, {1e12, 0.5}}}) {
-            const Specimen s = specimen("exact", line);
+            const TracedLine s = tracedLine("exact", line);
             const FigureFrame frame = figureFrame(s, size, font());
-            const auto marks = figureMarks(s, stepScene(s, walkOf(s), 0), frame);
+            const auto marks = figureMarks(s, stepScene(s, narrationOf(s), 0), frame);
             int arrows = 0;
             for (const FigureMark& mark : marks) {
                 if (mark.shape != FigureMark::Shape::FarEnd)
@@ -345,7 +350,7 @@ private slots:
     void frameShowsTheWindowAndNearLines()
     {
         for (int i = 0; i < 2000; ++i) {
-            const Specimen s = anySpecimen(exactVariant());
+            const TracedLine s = anyTracedLine(exactVariant());
             const FigureFrame frame = figureFrame(s, size, font());
             QVERIFY2(frame.shows(s.window.min) && frame.shows(s.window.max), told(s, 0));
             const Point span = s.window.max - s.window.min;
@@ -367,14 +372,14 @@ private slots:
 
     void shortLinesAreEnlarged()
     {
-        const Specimen crossing = specimen("exact", {{99, 10}, {102, 12}});
+        const TracedLine crossing = tracedLine("exact", {{99, 10}, {102, 12}});
         const FigureFrame near = nearFrame(crossing, size, font());
         const auto& [a, b] = crossing.line;
         QVERIFY(QLineF(near.at(a), near.at(b)).length() > 0.3 * size.height());
         QVERIFY(near.shows({100, 11}));
         for (const clipping::Segment& line : // far from every edge; long; a point
              {clipping::Segment{{10, 10}, {11, 11}}, {{-90, 0}, {90, 20}}, {{100, 3}, {100, 3}}}) {
-            const Specimen s = specimen("exact", line);
+            const TracedLine s = tracedLine("exact", line);
             QCOMPARE(nearFrame(s, size, font()).seen, figureFrame(s, size, font()).seen);
         }
     }
@@ -383,29 +388,29 @@ private slots:
     {
         const double big = std::numeric_limits<double>::max(),
                      least = std::numeric_limits<double>::denorm_min();
-        const std::vector<Specimen> all{
-            specimen("exact", {{-big, -big}, {big, big}}, {{-big, -big}, {big, big}}),
-            specimen("exact", {{-big, 0}, {big, 1}}),
-            specimen("exact", {{0, 0}, {least, least}}, {{0, 0}, {least, 2 * least}}),
-            specimen("exact", {{-1e-200, 0}, {2e-200, 1e-200}}, {{0, 0}, {1e-200, 1e-200}}),
-            specimen("exact", {{1e15, 1e15}, {1e15 + 3, 1e15 + 5}},
-                     {{1e15, 1e15}, {1e15 + 2, 1e15 + 2}}),
-            specimen("exact", {{5, 5}, {5, 5}}, {{5, 5}, {5, 5}}),
-            specimen("exact", {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}),
-            specimen("exact", {{std::nan(""), 0}, {1, 1}}),
-            specimen("exact", {{0, -INFINITY}, {1, 1}}),
-            specimen("exact", {{0, 0}, {1, 1}}, {{5, 5}, {0, 0}}),
-            specimen("exact", {{0, 0}, {1, 1}}, {{std::nan(""), 5}, {INFINITY, 0}})};
-        for (const Specimen& s : all)
+        const std::vector<TracedLine> all{
+            tracedLine("exact", {{-big, -big}, {big, big}}, {{-big, -big}, {big, big}}),
+            tracedLine("exact", {{-big, 0}, {big, 1}}),
+            tracedLine("exact", {{0, 0}, {least, least}}, {{0, 0}, {least, 2 * least}}),
+            tracedLine("exact", {{-1e-200, 0}, {2e-200, 1e-200}}, {{0, 0}, {1e-200, 1e-200}}),
+            tracedLine("exact", {{1e15, 1e15}, {1e15 + 3, 1e15 + 5}},
+                       {{1e15, 1e15}, {1e15 + 2, 1e15 + 2}}),
+            tracedLine("exact", {{5, 5}, {5, 5}}, {{5, 5}, {5, 5}}),
+            tracedLine("exact", {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}),
+            tracedLine("exact", {{std::nan(""), 0}, {1, 1}}),
+            tracedLine("exact", {{0, -INFINITY}, {1, 1}}),
+            tracedLine("exact", {{0, 0}, {1, 1}}, {{5, 5}, {0, 0}}),
+            tracedLine("exact", {{0, 0}, {1, 1}}, {{std::nan(""), 5}, {INFINITY, 0}})};
+        for (const TracedLine& s : all)
             for (const QSizeF& picture : {size, QSizeF(60, 40), QSizeF(1, 1)}) {
-                const Walk walk = walkOf(s);
+                const Narration narration = narrationOf(s);
                 QImage image(picture.toSize(), QImage::Format_RGB32);
                 QPainter painter(&image);
                 const FigureFrame frame = figureFrame(s, picture, font());
-                paintStep(painter, {s, walk, walk.moments.size()}, frame,
+                paintStep(painter, {s, narration, narration.steps.size()}, frame,
                           figureColours(Ground::Light));
-                if (!walk.moments.empty())
-                    paintStep(painter, {s, walk, walk.moments.size() - 1}, frame,
+                if (!narration.steps.empty())
+                    paintStep(painter, {s, narration, narration.steps.size() - 1}, frame,
                               figureColours(Ground::Dark));
                 for (const Point& p : {s.line.a, s.line.b, s.window.min, s.window.max}) {
                     const QPointF place = frame.at(p);
@@ -427,9 +432,10 @@ private slots:
     {
         for (const auto& algorithm : clipping::algorithms()) {
             const PageFigure figure = teachingOf(algorithm).figure;
-            const Walk walk = walkOf(pageSpecimen(algorithm));
-            QVERIFY2(walk.visible, algorithm.key.data());
-            QVERIFY2(walk.moments[stepOf(figure, walk)].mark == figure.mark, algorithm.key.data());
+            const Narration narration = narrationOf(pageTracedLine(algorithm));
+            QVERIFY2(narration.visible, algorithm.key.data());
+            QVERIFY2(narration.steps[stepOf(figure, narration)].mark == figure.mark,
+                     algorithm.key.data());
             const QString address = "figure:" + QString::fromUtf8(algorithm.key.data());
             const QImage light = pageFigure(address, Ground::Light, 600, 2);
             QCOMPARE(light.size(), QSize(1200, 674));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of an algorithm that has no sentences of its own: the lit line of its pseudo-code
-// with the numbers of its variables, worked out by hand.
+// What is said of an algorithm that has no sentences of its own: the highlighted line of its
+// pseudo-code with the numbers of its variables, worked out by hand.
+#include "app/teaching/sentences/code_values.h"
 #include "app/teaching/teaching.h"
-#include "app/teaching/tellers/code_values.h"
 
 #include <QLocale>
 #include <QTest>
@@ -15,16 +15,17 @@ constexpr clipping::Segment across{{-160, -30}, {70, 130}};
 /// "7: Is x[i] < ...", y up.
 QStringList told(const char* key, const clipping::Segment& line = across)
 {
-    const app::Specimen specimen{
+    const app::TracedLine tracedLine{
         *app::findVariant(QLatin1StringView(key)), line, window, app::YAxis::Up, {}};
-    const auto& variant = specimen.variant;
+    const auto& variant = tracedLine.variant;
     const auto trace = clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
-    const app::Walk walk = app::walkOf(specimen);
+    const app::Narration narration = app::narrationOf(tracedLine);
     QStringList all;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-        const app::Telling telling{specimen, trace.steps[i], i > 0 ? &trace.steps[i - 1] : nullptr,
-                                   walk.moments[i].variables};
-        all << QStringLiteral("%1: %2").arg(trace.steps[i].line).arg(app::generalSentence(telling));
+        const app::SentenceContext context{tracedLine, trace.steps[i],
+                                           i > 0 ? &trace.steps[i - 1] : nullptr,
+                                           narration.steps[i].variables};
+        all << QStringLiteral("%1: %2").arg(trace.steps[i].line).arg(app::generalSentence(context));
     }
     return all;
 }
@@ -114,12 +115,12 @@ private slots:
     /// "x[k]" is the coordinate of the end that k numbers.
     void indexedNames()
     {
-        const app::Specimen specimen{app::exactVariant(), across, window, app::YAxis::Up, {}};
+        const app::TracedLine tracedLine{app::exactVariant(), across, window, app::YAxis::Up, {}};
         const clipping::Step step{};
         const std::vector<app::Variable> variables{
             {"i", 1}, {"k", 2}, {"x[1]", 5}, {"x[2]", 7}, {"X[k]", 9}};
-        const app::Telling telling{specimen, step, nullptr, variables};
-        const app::CodeValues values(telling, {});
+        const app::SentenceContext context{tracedLine, step, nullptr, variables};
+        const app::CodeValues values(context, {});
         QCOMPARE(app::filledIn("x[k] - x[i] < X[k] + y[n] * xi", values),
                  "7 − 5 < 9 + y[n] * (−160)");
     }

@@ -70,26 +70,27 @@ QString seen(const Point& p)
     return words.isEmpty() ? QStringLiteral("inside") : words.join(u' ');
 }
 
-QString variable(const app::Moment& moment, const char* name)
+QString variable(const app::NarratedStep& narrated, const char* name)
 {
-    for (const app::Variable& v : moment.variables)
+    for (const app::Variable& v : narrated.variables)
         if (v.name == QLatin1StringView(name))
             return app::valueText(v);
     return {};
 }
 
 /// The one of these variables that a form has.
-QString variableAmong(const app::Moment& moment, std::initializer_list<const char*> names)
+QString variableAmong(const app::NarratedStep& narrated, std::initializer_list<const char*> names)
 {
     for (const char* name : names)
-        if (QString value = variable(moment, name); !value.isEmpty())
+        if (QString value = variable(narrated, name); !value.isEmpty())
             return value;
     return {};
 }
 
-app::Walk walkOf(std::string_view algorithm, clipping::Form form, const Point& a, const Point& b)
+app::Narration narrationOf(std::string_view algorithm, clipping::Form form, const Point& a,
+                           const Point& b)
 {
-    return app::walkOf(
+    return app::narrationOf(
         {{clipping::findAlgorithm(algorithm), form}, {a, b}, window, app::YAxis::Down, {}});
 }
 
@@ -120,8 +121,8 @@ private slots:
             for (const clipping::Form form : {clipping::Form::Corrected, clipping::Form::Published})
                 for (const Point& a : points())
                     for (const Point& b : points()) {
-                        const app::Walk walk = walkOf(key, form, a, b);
-                        const app::Moment& first = walk.moments.front();
+                        const app::Narration narration = narrationOf(key, form, a, b);
+                        const app::NarratedStep& first = narration.steps.front();
                         QCOMPARE(variableAmong(first, {"code1", "code[1]"}), codeByThePage(a));
                         QCOMPARE(variableAmong(first, {"code2", "code[2]"}), codeByThePage(b));
                         QVERIFY2(first.sentence.contains(codeByThePage(a)),
@@ -134,8 +135,8 @@ private slots:
     {
         for (const Point& a : points()) {
             const QString sentence =
-                walkOf("cohen-sutherland", clipping::Form::Corrected, a, {4, 3})
-                    .moments.front()
+                narrationOf("cohen-sutherland", clipping::Form::Corrected, a, {4, 3})
+                    .steps.front()
                     .sentence;
             const QString end = QStringLiteral("End 1 has %1 (%2)").arg(codeByThePage(a), seen(a));
             QVERIFY2(sentence.contains(end), qPrintable(sentence + " | " + end));
@@ -152,19 +153,19 @@ private slots:
         for (const clipping::Form form : {clipping::Form::Corrected, clipping::Form::Published})
             for (const Point& a : points())
                 for (const Point& b : points()) {
-                    const app::Walk walk = walkOf("cohen-sutherland", form, a, b);
-                    for (const app::Moment& moment : walk.moments) {
-                        const auto asked = asks.match(walk.code.value(moment.line - 1));
-                        if (!moment.answer || !asked.hasMatch())
+                    const app::Narration narration = narrationOf("cohen-sutherland", form, a, b);
+                    for (const app::NarratedStep& narrated : narration.steps) {
+                        const auto asked = asks.match(narration.code.value(narrated.line - 1));
+                        if (!narrated.answer || !asked.hasMatch())
                             continue;
                         const QString bit = bits[asked.captured(1)];
                         const auto digit = bitsOfThePage().indexOf(bit);
                         QVERIFY2(digit >= 0, qPrintable(asked.captured(1)));
-                        const QString i = variable(moment, "i");
-                        const QString code = variable(moment, i.isEmpty() ? "codeOut"
-                                                              : i == u'1' ? "code[1]"
-                                                                          : "code[2]");
-                        QCOMPARE(code[digit] == u'1', *moment.answer);
+                        const QString i = variable(narrated, "i");
+                        const QString code = variable(narrated, i.isEmpty() ? "codeOut"
+                                                                : i == u'1' ? "code[1]"
+                                                                            : "code[2]");
+                        QCOMPARE(code[digit] == u'1', *narrated.answer);
                         ++tests;
                     }
                 }

@@ -38,9 +38,9 @@ std::vector<PaintedText> textsOn(const TraceExport& trace)
 
 TraceExport traceOf(const Variant& variant, const clipping::Segment& line)
 {
-    TraceExport trace{.specimen = {variant, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
-                      .walk = {}};
-    trace.walk = walkOf(trace.specimen);
+    TraceExport trace{.tracedLine = {variant, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
+                      .narration = {}};
+    trace.narration = narrationOf(trace.tracedLine);
     return trace;
 }
 
@@ -64,7 +64,7 @@ private slots:
         std::size_t slides = 0;
         for (const Variant& variant : variants()) {
             TraceExport trace = traceOf(variant, lines[0]);
-            for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+            for (std::size_t step = 0; step < trace.narration.steps.size(); ++step) {
                 trace.only = step;
                 QString written;
                 for (const PaintedText& text : textsOn(trace)) {
@@ -74,8 +74,8 @@ private slots:
                                             .arg(text.size)));
                     written += text.text.simplified() + u' ';
                 }
-                const int line = trace.walk.moments[step].line;
-                const QString code = trace.walk.code.value(line - 1).simplified();
+                const int line = trace.narration.steps[step].line;
+                const QString code = trace.narration.code.value(line - 1).simplified();
                 QVERIFY2(written.contains(code),
                          qPrintable(keyOf(variant) + ": " + code + " | " + written));
                 ++slides;
@@ -89,10 +89,10 @@ private slots:
         for (const Variant& variant : variants())
             for (const clipping::Segment& line : lines) {
                 TraceExport trace = traceOf(variant, line);
-                for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+                for (std::size_t step = 0; step < trace.narration.steps.size(); ++step) {
                     QFont font = QGuiApplication::font();
                     font.setPixelSize(18);
-                    const QString sentence = slideSentence(trace.walk, step);
+                    const QString sentence = slideSentence(trace.narration, step);
                     const QRectF area = sentenceArea();
                     const double height =
                         QFontMetricsF(font).boundingRect(area, Qt::TextWordWrap, sentence).height();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of a line's way through the algorithms that ask about regions, corners and cells,
 // worked out by hand from what their authors print.
-#include "app/teaching/walk.h"
+#include "app/teaching/narration.h"
 
 #include <QLocale>
 #include <QTest>
@@ -16,9 +16,10 @@ QStringList told(const char* key, const clipping::Segment& s = line,
                  const clipping::Window& w = window)
 {
     QStringList all;
-    for (const auto& moment :
-         app::walkOf({*app::findVariant(QLatin1StringView(key)), s, w, app::YAxis::Up, {}}).moments)
-        all << QStringLiteral("%1: %2").arg(moment.line).arg(moment.sentence);
+    for (const auto& narrated :
+         app::narrationOf({*app::findVariant(QLatin1StringView(key)), s, w, app::YAxis::Up, {}})
+             .steps)
+        all << QStringLiteral("%1: %2").arg(narrated.line).arg(narrated.sentence);
     return all;
 }
 
@@ -90,10 +91,10 @@ private slots:
     {
         const auto variant = app::findVariant(QStringLiteral("nln"));
         QStringList all;
-        for (const auto& moment :
-             app::walkOf({*variant, line, window, app::YAxis::Up, {}}).moments) {
+        for (const auto& narrated :
+             app::narrationOf({*variant, line, window, app::YAxis::Up, {}}).steps) {
             const auto value = [&](const char* name) {
-                const auto& known = moment.variables;
+                const auto& known = narrated.variables;
                 const auto found =
                     std::ranges::find(known, QLatin1StringView(name), &app::Variable::name);
                 return found == known.end() ? QStringLiteral("-") : app::shortText(found->value);
@@ -101,7 +102,7 @@ private slots:
             QStringList values;
             for (const char* name : {"y1", "x2", "y2", "ymin"})
                 values << value(name);
-            all << QStringLiteral("%1: %2").arg(moment.line).arg(values.join(u' '));
+            all << QStringLiteral("%1: %2").arg(narrated.line).arg(values.join(u' '));
         }
         compare(all, {"2: −30 70 130 -", "8: −30 70 130 -", "9: −30 70 130 -", "10: −30 70 130 -",
                       "33: −30 70 130 -", "34: −30 70 130 -", "35: −30 70 130 -",

@@ -19,13 +19,13 @@ namespace {
 /// A trace with cuts and an end.
 TraceExport sample(std::string_view key = "matthes-drakopoulos")
 {
-    TraceExport trace{.specimen = {{clipping::findAlgorithm(key), clipping::Form::Corrected},
-                                   {{-160, -30}, {70, 130}},
-                                   {{-100, -75}, {100, 75}},
-                                   YAxis::Up,
-                                   {}},
-                      .walk = {}};
-    trace.walk = walkOf(trace.specimen);
+    TraceExport trace{.tracedLine = {{clipping::findAlgorithm(key), clipping::Form::Corrected},
+                                     {{-160, -30}, {70, 130}},
+                                     {{-100, -75}, {100, 75}},
+                                     YAxis::Up,
+                                     {}},
+                      .narration = {}};
+    trace.narration = narrationOf(trace.tracedLine);
     return trace;
 }
 
@@ -75,7 +75,7 @@ private slots:
         const TraceExport trace = sample();
         const QString name = folder_.filePath("talk.svg");
         const QStringList paths = tracePaths(trace, format("svg"), name);
-        QCOMPARE(paths.size(), qsizetype(trace.walk.moments.size()));
+        QCOMPARE(paths.size(), qsizetype(trace.narration.steps.size()));
         QCOMPARE(paths[1], folder_.filePath("talk-02.svg"));
         QCOMPARE(tracePaths(trace, format("pdf"), folder_.filePath("talk.pdf")),
                  QStringList{folder_.filePath("talk.pdf")});
@@ -115,16 +115,16 @@ private slots:
         const QString pdf = written(trace, "pdf").front();
         const Ended info = runProgram("pdfinfo", {pdf});
         QVERIFY2(info.out.contains(
-                     "Pages:           " + QByteArray::number(trace.walk.moments.size()) + "\n"),
+                     "Pages:           " + QByteArray::number(trace.narration.steps.size()) + "\n"),
                  info.out);
         QVERIFY2(info.out.contains("960 x 540 pts"), info.out); // 16:9
-        for (std::size_t step = 0; step < trace.walk.moments.size(); ++step) {
+        for (std::size_t step = 0; step < trace.narration.steps.size(); ++step) {
             const QString page = QString::number(step + 1);
             const QString words = QString::fromUtf8(
                 runProgram("pdftotext", {"-raw", "-f", page, "-l", page, pdf, "-"}).out);
             QString flat = words;
             flat.replace(u'\n', u' ');
-            QVERIFY2(flat.contains(trace.walk.moments[step].sentence), qPrintable(words));
+            QVERIFY2(flat.contains(trace.narration.steps[step].sentence), qPrintable(words));
             QVERIFY2(flat.contains(QStringLiteral("Step %1 of ").arg(page)), qPrintable(words));
             QVERIFY(flat.contains("End 1") && flat.contains("xmin = \u2212100"));
         }
@@ -141,7 +141,7 @@ private slots:
     void everyWidthShowsTheWholePicture()
     {
         TraceExport trace = sample();
-        trace.only = trace.walk.moments.size() - 1;
+        trace.only = trace.narration.steps.size() - 1;
         const QImage whole(written(trace, "png").front());
         for (const int width : {64, 320, 640, 900, 1279, 1920}) {
             trace.scale = width / double(whole.width());
@@ -164,7 +164,7 @@ private slots:
         TraceExport trace = sample();
         trace.scale = 0.5;
         QImageReader reader(written(trace, "gif").front());
-        QCOMPARE(reader.imageCount(), int(trace.walk.moments.size()));
+        QCOMPARE(reader.imageCount(), int(trace.narration.steps.size()));
         QCOMPARE(reader.size(), QSize(640, 360));
         QCOMPARE(reader.loopCount(), -1); // for ever
         const QStringList png = written(trace, "png");
@@ -188,19 +188,19 @@ private slots:
             QCOMPARE(all["format"], "clearcut-trace-1");
             QCOMPARE(all["algorithm"].toString().toStdString(), std::string(algorithm.key));
             QCOMPARE(all["line"].toArray(), (QJsonArray{-160, -30, 70, 130}));
-            const auto& visible = *trace.walk.visible;
+            const auto& visible = *trace.narration.visible;
             QCOMPARE(all["visible"].toArray(),
                      (QJsonArray{visible.a.x, visible.a.y, visible.b.x, visible.b.y})); // each bit
             const QJsonArray steps = all["steps"].toArray();
-            QCOMPARE(steps.size(), qsizetype(trace.walk.moments.size()));
+            QCOMPARE(steps.size(), qsizetype(trace.narration.steps.size()));
             for (qsizetype i = 0; i < steps.size(); ++i) {
-                const Moment& moment = trace.walk.moments[std::size_t(i)];
+                const NarratedStep& narrated = trace.narration.steps[std::size_t(i)];
                 const QJsonObject step = steps[i].toObject();
-                QCOMPARE(step["sentence"].toString(), moment.sentence);
-                QCOMPARE(step["left"].toArray()[3].toDouble(), moment.left.b.y);
-                QCOMPARE(step["variables"].toArray().size(), qsizetype(moment.variables.size()));
+                QCOMPARE(step["sentence"].toString(), narrated.sentence);
+                QCOMPARE(step["left"].toArray()[3].toDouble(), narrated.left.b.y);
+                QCOMPARE(step["variables"].toArray().size(), qsizetype(narrated.variables.size()));
                 QCOMPARE(step["operations"]["comparisons"].toInteger(),
-                         qint64(moment.cost.comparisons));
+                         qint64(narrated.cost.comparisons));
             }
         }
     }
@@ -208,26 +208,26 @@ private slots:
     void whatIsNoNumberIsAWordInJson()
     {
         TraceExport trace = sample();
-        trace.walk.moments.front().left.a = {std::nan(""), -INFINITY};
-        trace.walk.moments.front().sentence = QStringLiteral("\"quoted\" \\ \n");
+        trace.narration.steps.front().left.a = {std::nan(""), -INFINITY};
+        trace.narration.steps.front().sentence = QStringLiteral("\"quoted\" \\ \n");
         const auto all = QJsonDocument::fromJson(traceBytes(trace, format("json"))->front());
         const QJsonValue step = all["steps"][0];
         QCOMPARE(step["left"][0], "nan");
         QCOMPARE(step["left"][1], "-inf");
-        QCOMPARE(step["sentence"].toString(), trace.walk.moments.front().sentence);
+        QCOMPARE(step["sentence"].toString(), trace.narration.steps.front().sentence);
     }
 
-    void theWalksOfAllRowsBecomeSlides() // published endless ones too
+    void theTracesOfAllRowsBecomeSlides() // published endless ones too
     {
         for (const Variant& variant : variants()) {
-            if (variant.exhibit)
+            if (variant.misprint)
                 continue;
             TraceExport trace = sample();
-            trace.specimen.variant = variant;
-            trace.specimen.window = {{0.1, 0.1}, {3, 3}};
-            trace.specimen.line = {{1, 1}, {-1, -1}};
-            trace.walk = walkOf(trace.specimen);
-            trace.only = trace.walk.moments.size() - 1;
+            trace.tracedLine.variant = variant;
+            trace.tracedLine.window = {{0.1, 0.1}, {3, 3}};
+            trace.tracedLine.line = {{1, 1}, {-1, -1}};
+            trace.narration = narrationOf(trace.tracedLine);
+            trace.only = trace.narration.steps.size() - 1;
             trace.ground = Ground::Dark;
             QVERIFY(traceBytes(trace, format("png")));
             QVERIFY(!traceBytes(trace, format("text"))->front().isEmpty());
@@ -237,8 +237,8 @@ private slots:
     void refusedLinesAreShownWithTheReason()
     {
         TraceExport trace = sample();
-        trace.specimen.line.a.x = std::nan("");
-        trace.walk = walkOf(trace.specimen);
+        trace.tracedLine.line.a.x = std::nan("");
+        trace.narration = narrationOf(trace.tracedLine);
         for (const TraceFormat& row : traceFormats())
             QCOMPARE(traceBytes(trace, row)->size(), 1);
         QVERIFY(traceBytes(trace, format("text"))->front().contains("x1 is not a finite number"));

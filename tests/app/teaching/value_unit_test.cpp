@@ -36,7 +36,7 @@ std::vector<Variant> toldVariants()
 {
     auto all = app::variants();
     std::erase_if(all, [](const Variant& variant) {
-        return variant.exhibit != nullptr
+        return variant.misprint != nullptr
                || std::ranges::count(app::teachings(), variant.algorithm->key, &app::Teaching::key)
                       == 0;
     });

@@ -49,7 +49,7 @@ QImage summed(const Contours& contours, const QRect& pixels, app::FillRule rule,
     app::Coverage coverage(pixels);
     for (const auto& contour : contours)
         coverage.add(contour);
-    return coverage.inked(rule, colour);
+    return coverage.coloured(rule, colour);
 }
 
 } // namespace

@@ -2,9 +2,9 @@
 #include "app/document/document_builder.h"
 #include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
-#include "app/view/ink.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
+#include "app/view/visible_colour.h"
 
 #include <QTest>
 
@@ -58,10 +58,10 @@ struct Stage {
     app::PictureOptions options;
 };
 
-std::size_t fillsIn(const app::Plate& plate)
+std::size_t fillsIn(const app::DrawList& drawList)
 {
-    return std::size_t(
-        std::ranges::count_if(plate.coats, [](const auto& coat) { return !coat.stroke; }));
+    return std::size_t(std::ranges::count_if(drawList.commands,
+                                             [](const auto& command) { return !command.stroke; }));
 }
 
 } // namespace
@@ -94,12 +94,12 @@ private slots:
     void aProjectorGetsWiderStrokesAndGhostsThatCanBeSeen()
     {
         Stage stage({filledSquare({40, 10}, 20)});
-        const double width = stage.picture().kept.coats.front().stroke->width;
+        const double width = stage.picture().kept.commands.front().stroke->width;
         stage.options.strokes = 2;
         stage.options.ghosting = app::Ghosting{{255, 255, 255}, 0.32};
         const app::Picture picture = stage.picture();
-        QCOMPARE(picture.kept.coats.front().stroke->width, 2 * width);
-        QVERIFY(app::contrast(picture.ghost.coats.front().stroke->colour, {255, 255, 255}) >= 3);
+        QCOMPARE(picture.kept.commands.front().stroke->width, 2 * width);
+        QVERIFY(app::contrast(picture.ghost.commands.front().stroke->colour, {255, 255, 255}) >= 3);
     }
     void theOutsideCanBeKept()
     {
@@ -114,19 +114,19 @@ private slots:
         area.style.stroke.reset();
         Stage stage({area});
         const app::Picture picture = stage.picture();
-        QCOMPARE(picture.kept.coats.size(), std::size_t(1));
-        QCOMPARE(picture.kept.coats[0].stroke->colour, (app::Colour{200, 0, 0}));
+        QCOMPARE(picture.kept.commands.size(), std::size_t(1));
+        QCOMPARE(picture.kept.commands[0].stroke->colour, (app::Colour{200, 0, 0}));
     }
-    void oneStrokeIsOneChainAndCutEndsAreButt()
+    void oneStrokeIsOnePolylineAndCutEndsAreButt()
     {
         Stage stage({object({{10, 10}, {{{30, 12}}, {{30, 40}}, {{80, 40}}}, false},
                             {.stroke = app::Colour{}, .cap = app::Cap::Round})});
         const app::Picture picture = stage.picture();
-        QCOMPARE(picture.kept.chains.size(), std::size_t(1));
-        QCOMPARE(picture.kept.chains[0].count, 4U);
-        QVERIFY(picture.kept.chains[0].capAtStart && !picture.kept.chains[0].capAtEnd);
-        QCOMPARE(picture.ghost.chains.size(), std::size_t(1));
-        QVERIFY(!picture.ghost.chains[0].capAtStart && picture.ghost.chains[0].capAtEnd);
+        QCOMPARE(picture.kept.polylines.size(), std::size_t(1));
+        QCOMPARE(picture.kept.polylines[0].count, 4U);
+        QVERIFY(picture.kept.polylines[0].capAtStart && !picture.kept.polylines[0].capAtEnd);
+        QCOMPARE(picture.ghost.polylines.size(), std::size_t(1));
+        QVERIFY(!picture.ghost.polylines[0].capAtStart && picture.ghost.polylines[0].capAtEnd);
         QCOMPARE(picture.kept.points.back(), QPointF(50, 40));
     }
     void deepZoomHandsOutNoHugeNumbers()
@@ -152,15 +152,15 @@ private slots:
             if ((x - 5) % 10 != 0 && (x - 5) % 10 != 9 && std::abs(x - 50) > 1)
                 QCOMPARE(image.pixelColor(x, 50).alpha() > 0, (x - 5) % 20 < 10);
     }
-    void theSelectionIsLitWhole()
+    void theSelectionIsHighlightedWhole()
     {
         Stage stage({filledSquare({40, 10}, 20)});
         const app::ObjectRanges selected{0};
         stage.options.selection = selected.ranges();
         stage.options.light = {0, 0, 255};
         const app::Picture picture = stage.picture();
-        QCOMPARE(picture.lit.chains.size(), std::size_t(1));
-        QCOMPARE(picture.lit.chains[0].count, 5U);
+        QCOMPARE(picture.selected.polylines.size(), std::size_t(1));
+        QCOMPARE(picture.selected.polylines[0].count, 5U);
     }
     void bandsTogetherAreTheWhole()
     {
@@ -198,10 +198,10 @@ private slots:
                                                     {{{10, 80}, {40, 80}}, 99, 0}};
         stage.options.differing = pieces;
         stage.options.marked = {200, 0, 150};
-        const app::Plate marks = stage.picture().differing;
-        for (const app::Coat& coat : marks.coats) {
-            QVERIFY(coat.stroke && coat.stroke->width >= 2.25); // its own is 1
-            QCOMPARE(coat.stroke->colour, stage.options.marked);
+        const app::DrawList marks = stage.picture().differing;
+        for (const app::DrawCommand& command : marks.commands) {
+            QVERIFY(command.stroke && command.stroke->width >= 2.25); // its own is 1
+            QCOMPARE(command.stroke->colour, stage.options.marked);
         }
         const auto magenta = [&](int x, int y) {
             const QColor pixel = stage.image().pixelColor(x, y);
@@ -216,9 +216,9 @@ private slots:
         QVERIFY(!magenta(25, 80));
         // Always thicker than the line itself.
         stage.options.view.zoom = 4;
-        QCOMPARE(stage.picture().differing.coats.front().stroke->width, 4 + 1.5);
+        QCOMPARE(stage.picture().differing.commands.front().stroke->width, 4 + 1.5);
         stage.options.differing = {};
-        QVERIFY(stage.picture().differing.coats.empty());
+        QVERIFY(stage.picture().differing.commands.empty());
     }
     // A file may hold the same line a hundred thousand times.
     void opaqueLinesThatLieOnOneAnotherArePaintedOnce()
@@ -229,22 +229,22 @@ private slots:
         const app::Object nearly = object({{5, 5 + 1e-12}, {{{45, 60}}}, false}, line.style);
         app::Object wider = line;
         wider.style.width = 3;
-        const auto chainsOf = [](const std::vector<app::Object>& objects) {
-            return Stage(objects).picture().kept.chains.size();
+        const auto polylinesOf = [](const std::vector<app::Object>& objects) {
+            return Stage(objects).picture().kept.polylines.size();
         };
-        QCOMPARE(chainsOf({line}), 1u);
-        QCOMPARE(chainsOf(std::vector(1000, line)), 1u);
-        QCOMPARE(chainsOf({line, other, line, other, line}), 2u);
-        QCOMPARE(chainsOf({line, wider, line}), 3u); // the last one is over the wider one
-        QCOMPARE(chainsOf({line, nearly}), 2u);      // two lines, whatever is painted before them
-        QCOMPARE(chainsOf({other, line, nearly}), 3u);
+        QCOMPARE(polylinesOf({line}), 1u);
+        QCOMPARE(polylinesOf(std::vector(1000, line)), 1u);
+        QCOMPARE(polylinesOf({line, other, line, other, line}), 2u);
+        QCOMPARE(polylinesOf({line, wider, line}), 3u); // the last one is over the wider one
+        QCOMPARE(polylinesOf({line, nearly}), 2u); // two lines, whatever is painted before them
+        QCOMPARE(polylinesOf({other, line, nearly}), 3u);
         line.style.stroke->alpha = 128;
-        QCOMPARE(chainsOf(std::vector(1000, line)), 1000u); // they add up
+        QCOMPARE(polylinesOf(std::vector(1000, line)), 1000u); // they add up
         line.style.stroke->alpha = 255;
         line.style.dashes = {4, 2};
-        const auto dashes = chainsOf({line});
+        const auto dashes = polylinesOf({line});
         QVERIFY(dashes > 5);
-        QCOMPARE(chainsOf(std::vector(1000, line)), dashes);
+        QCOMPARE(polylinesOf(std::vector(1000, line)), dashes);
     }
 };
 

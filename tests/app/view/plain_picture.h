@@ -3,17 +3,17 @@
 
 #include "app/document/document.h"
 #include "app/scene/scene_lines.h"
-#include "app/view/plating.h"
+#include "app/view/draw_list_builder.h"
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
 
-/// The plates of a drawing that is clipped to one window, made the long way: all lines in one row,
-/// all pieces of them in another, object by object.
-class PlainPlates {
+/// The draw lists of a drawing that is clipped to one window, made the long way: all lines in one
+/// row, all pieces of them in another, object by object.
+class PlainDrawLists {
 public:
-    PlainPlates(const app::Document& document, const app::SceneLines& lines)
+    PlainDrawLists(const app::Document& document, const app::SceneLines& lines)
         : document_(document), lines_(lines)
     {
         for (const auto& run : lines.runs())
@@ -38,18 +38,21 @@ public:
             return glm::dot(piece.segment.b - piece.segment.a, line.b - line.a) < 0;
         });
     }
-    app::Plate all(const app::PictureOptions& options) const
+    app::DrawList all(const app::PictureOptions& options) const
     {
-        return plate(app::untouched(all_), options);
+        return drawList(app::untouched(all_), options);
     }
-    app::Plate inside(const app::PictureOptions& options) const { return plate(inside_, options); }
-    app::Plate outside(const app::PictureOptions& options) const
+    app::DrawList inside(const app::PictureOptions& options) const
     {
-        return plate(outside_, options);
+        return drawList(inside_, options);
     }
-    app::Plate lit(const app::PictureOptions& options) const
+    app::DrawList outside(const app::PictureOptions& options) const
     {
-        app::Plating plating(options, 0);
+        return drawList(outside_, options);
+    }
+    app::DrawList selected(const app::PictureOptions& options) const
+    {
+        app::DrawListBuilder builder(options, 0);
         app::ObjectRanges selected;
         for (const app::ObjectRange& range : options.selection)
             selected.insert(range);
@@ -60,9 +63,9 @@ public:
             style.width = std::max(style.width, 1.5 / options.view.zoom);
             const auto whole = linesOf(object);
             if (!whole.empty())
-                plating.add(style, whole, 0, app::untouched(whole));
+                builder.add(style, whole, 0, app::untouched(whole));
         }
-        return plating.take();
+        return builder.take();
     }
 
 private:
@@ -70,20 +73,20 @@ private:
     {
         return std::span(all_).subspan(first_[object], first_[object + 1] - first_[object]);
     }
-    app::Plate plate(std::span<const clipping::Clipped> pieces,
-                     const app::PictureOptions& options) const
+    app::DrawList drawList(std::span<const clipping::Clipped> pieces,
+                           const app::PictureOptions& options) const
     {
-        app::Plating plating(options, 0);
+        app::DrawListBuilder builder(options, 0);
         for (std::size_t object = 0; object + 1 < first_.size(); ++object) {
             std::size_t count = 0;
             while (count < pieces.size() && pieces[count].source < first_[object + 1])
                 ++count;
             if (count > 0)
-                plating.add(document_.objects()[object].style(), linesOf(object), first_[object],
+                builder.add(document_.objects()[object].style(), linesOf(object), first_[object],
                             pieces.first(count));
             pieces = pieces.subspan(count);
         }
-        return plating.take();
+        return builder.take();
     }
 
     const app::Document& document_;

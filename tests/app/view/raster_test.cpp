@@ -29,33 +29,36 @@ std::vector<QPointF> scribble(std::size_t points, double step)
     return path;
 }
 
-app::Picture stroked(std::vector<QPointF> points, const app::Chain& ends, const app::Ink& ink)
+app::Picture stroked(std::vector<QPointF> points, const app::Polyline& ends,
+                     const app::StrokeStyle& strokeStyle)
 {
     app::Picture picture;
     picture.kept.points = std::move(points);
-    picture.kept.chains = {{0, std::uint32_t(picture.kept.points.size()), ends.closed,
-                            ends.capAtStart, ends.capAtEnd}};
-    picture.kept.coats = {{ink, {}, {}, 0, 1}};
+    picture.kept.polylines = {{0, std::uint32_t(picture.kept.points.size()), ends.closed,
+                               ends.capAtStart, ends.capAtEnd}};
+    picture.kept.commands = {{strokeStyle, {}, {}, 0, 1}};
     return picture;
 }
 
 // As QPainter paints the whole path at once, with round caps, which both ends get.
-QImage atOnce(std::span<const QPointF> points, bool closed, const app::Ink& ink, double ratio)
+QImage atOnce(std::span<const QPointF> points, bool closed, const app::StrokeStyle& strokeStyle,
+              double ratio)
 {
     QPainterPath path(points[0]);
     for (const QPointF& p : points.subspan(1, points.size() - (closed ? 2 : 1)))
         path.lineTo(p);
     if (closed)
         path.closeSubpath();
-    QPen pen(QColor(ink.colour.red, ink.colour.green, ink.colour.blue, ink.colour.alpha), ink.width,
-             Qt::SolidLine,
-             ink.cap == app::Cap::Butt    ? Qt::FlatCap
-             : ink.cap == app::Cap::Round ? Qt::RoundCap
-                                          : Qt::SquareCap,
-             ink.join == app::Join::Miter   ? Qt::SvgMiterJoin
-             : ink.join == app::Join::Round ? Qt::RoundJoin
-                                            : Qt::BevelJoin);
-    pen.setMiterLimit(ink.miterLimit);
+    QPen pen(QColor(strokeStyle.colour.red, strokeStyle.colour.green, strokeStyle.colour.blue,
+                    strokeStyle.colour.alpha),
+             strokeStyle.width, Qt::SolidLine,
+             strokeStyle.cap == app::Cap::Butt    ? Qt::FlatCap
+             : strokeStyle.cap == app::Cap::Round ? Qt::RoundCap
+                                                  : Qt::SquareCap,
+             strokeStyle.join == app::Join::Miter   ? Qt::SvgMiterJoin
+             : strokeStyle.join == app::Join::Round ? Qt::RoundJoin
+                                                    : Qt::BevelJoin);
+    pen.setMiterLimit(strokeStyle.miterLimit);
     QImage image(int(side * ratio), int(side * ratio), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
@@ -100,13 +103,14 @@ private slots:
                     for (const int alpha : {255, 90}) {
                         if (cap == app::Cap::Round && width * ratio < 3)
                             continue; // painted as square, see raster.cpp
-                        const app::Ink ink{{20, 60, 200, std::uint8_t(alpha)}, width, cap, join};
+                        const app::StrokeStyle strokeStyle{
+                            {20, 60, 200, std::uint8_t(alpha)}, width, cap, join};
                         auto points = scribble(600, step);
                         if (closed)
                             points.push_back(points.front());
-                        const QImage expected = atOnce(points, closed, ink, ratio);
-                        const QImage found =
-                            painted(stroked(points, {0, 0, closed, !closed, !closed}, ink), ratio);
+                        const QImage expected = atOnce(points, closed, strokeStyle, ratio);
+                        const QImage found = painted(
+                            stroked(points, {0, 0, closed, !closed, !closed}, strokeStyle), ratio);
                         const QString where =
                             QStringLiteral("join %1, cap %2, closed %3, alpha %4: %5 of 255, "
                                            "%6 % of the bytes")
@@ -127,13 +131,14 @@ private slots:
     {
         const auto points = scribble(60'000, 80);
         for (const int alpha : {255, 128}) {
-            const app::Ink ink{{0, 0, 0, std::uint8_t(alpha)}, 2};
-            const QImage image = painted(stroked(points, {0, 0, false, true, true}, ink), 8);
+            const app::StrokeStyle strokeStyle{{0, 0, 0, std::uint8_t(alpha)}, 2};
+            const QImage image =
+                painted(stroked(points, {0, 0, false, true, true}, strokeStyle), 8);
             QCOMPARE(image.pixelColor(4 * side, 4 * side).alpha(), alpha); // covered once, or often
             QCOMPARE(image.pixelColor(5, 5).alpha(), 0);
         }
         app::Picture area = stroked(points, {0, 0, true, false, false}, {});
-        area.kept.coats[0] = {std::nullopt, {200, 0, 0, 255}, app::FillRule::EvenOdd, 0, 1};
+        area.kept.commands[0] = {std::nullopt, {200, 0, 0, 255}, app::FillRule::EvenOdd, 0, 1};
         const QImage image = painted(area, 8);
         QVERIFY(qAlpha(image.pixel(4 * side, 4 * side)) > 0
                 || qAlpha(image.pixel(4 * side, 4 * side + 1)) > 0);

@@ -45,37 +45,39 @@ bool same(const QPointF& a, const QPointF& b)
     return equal(a.x(), b.x()) && equal(a.y(), b.y());
 }
 
-bool same(const app::Chain& a, const app::Chain& b)
+bool same(const app::Polyline& a, const app::Polyline& b)
 {
     return a.first == b.first && a.count == b.count && a.closed == b.closed
            && a.capAtStart == b.capAtStart && a.capAtEnd == b.capAtEnd;
 }
 
-bool same(const app::Coat& a, const app::Coat& b)
+bool same(const app::DrawCommand& a, const app::DrawCommand& b)
 {
     return a.stroke == b.stroke && a.fill == b.fill && a.rule == b.rule
-           && a.firstChain == b.firstChain && a.chains == b.chains;
+           && a.firstPolyline == b.firstPolyline && a.polylines == b.polylines;
 }
 
-bool same(const app::Plate& a, const app::Plate& b)
+bool same(const app::DrawList& a, const app::DrawList& b)
 {
     const auto equal = [](const auto& x, const auto& y) {
         return std::ranges::equal(x, y, [](const auto& p, const auto& q) { return same(p, q); });
     };
-    return equal(a.coats, b.coats) && equal(a.chains, b.chains) && equal(a.points, b.points);
+    return equal(a.commands, b.commands) && equal(a.polylines, b.polylines)
+           && equal(a.points, b.points);
 }
 
-/// As it looks: without coats that have no chains, and coats of the same ink as one.
-app::Plate joined(app::Plate plate)
+/// As it looks: without empty draw commands; draw commands of one stroke style are joined.
+app::DrawList joined(app::DrawList drawList)
 {
-    std::vector<app::Coat> coats;
-    for (const app::Coat& coat : plate.coats)
-        if (coat.chains > 0 && coat.stroke && !coats.empty() && coats.back().stroke == coat.stroke)
-            coats.back().chains += coat.chains;
-        else if (coat.chains > 0)
-            coats.push_back(coat);
-    plate.coats = std::move(coats);
-    return plate;
+    std::vector<app::DrawCommand> commands;
+    for (const app::DrawCommand& command : drawList.commands)
+        if (command.polylines > 0 && command.stroke && !commands.empty()
+            && commands.back().stroke == command.stroke)
+            commands.back().polylines += command.polylines;
+        else if (command.polylines > 0)
+            commands.push_back(command);
+    drawList.commands = std::move(commands);
+    return drawList;
 }
 
 } // namespace
@@ -107,7 +109,7 @@ private slots:
                                        : file.isEmpty() ? random.document()
                                                         : app::readFile(file).value->document;
         const app::SceneLines lines = app::linesOf(document);
-        PlainPlates plain(document, lines);
+        PlainDrawLists plain(document, lines);
         const auto all = forms();
         for (int round = 0; round < (isLong ? 2 : 4); ++round) {
             const OneForm form = round == 0 ? all.front() : all[random.below(all.size())];
@@ -143,14 +145,14 @@ private slots:
                 app::picture(document.styles(), lines, clips.clip(lines, region, clipAll), options);
             QVERIFY(same(joined(inside.ghost), joined(outside.kept)));
             QVERIFY(same(joined(inside.kept), joined(outside.ghost)));
-            ghosts += inside.ghost.chains.size();
+            ghosts += inside.ghost.polylines.size();
         }
         QVERIFY(ghosts > 1000);
     }
 
 private:
     void check(RandomDrawing& random, const app::Document& document, const app::SceneLines& lines,
-               const PlainPlates& plain, const OneForm& form, const Window& window, Keep keep)
+               const PlainDrawLists& plain, const OneForm& form, const Window& window, Keep keep)
     {
         const app::ClipRegion region{{{window, app::WindowOperation::Add}}, keep};
         app::SceneClipping clips;
@@ -172,17 +174,17 @@ private:
             QVERIFY(same(picture.kept, all      ? plain.all(options)
                                        : inside ? plain.inside(options)
                                                 : plain.outside(options)));
-            QVERIFY(same(picture.lit, plain.lit(options)));
+            QVERIFY(same(picture.selected, plain.selected(options)));
             // What an algorithm leaves cannot be told exactly from what it does not leave: a piece
-            // of a single point shows nothing, but begins a coat; and the published form of Skala
-            // turns pieces.
+            // of a single point shows nothing, but begins a draw command; and the published form of
+            // Skala turns pieces.
             if (removed == RemovedPart::Ghosted && inside)
                 QVERIFY(same(picture.ghost, plain.outside(options)));
             else if (removed == RemovedPart::Ghosted)
                 QVERIFY(plain.hasTurned()
                         || same(joined(picture.ghost), joined(plain.inside(options))));
             else
-                QVERIFY(picture.ghost.coats.empty());
+                QVERIFY(picture.ghost.commands.empty());
         }
     }
 };

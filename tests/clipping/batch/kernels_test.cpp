@@ -78,11 +78,11 @@ template <class T>
 Scene<T> spoilt(Scene<T> scene)
 {
     const T bad[] = {T(NAN), T(INFINITY), -T(INFINITY)};
-    Dice dice(7);
+    Random random(7);
     for (auto& s : scene.segments) {
         T* const numbers[] = {&s.a.x, &s.a.y, &s.b.x, &s.b.y};
-        if (dice.integer(0, 2) == 0)
-            *numbers[dice.integer(0, 3)] = bad[dice.integer(0, 2)];
+        if (random.integer(0, 2) == 0)
+            *numbers[random.integer(0, 3)] = bad[random.integer(0, 2)];
     }
     scene.name += ", spoilt";
     return scene;

@@ -23,53 +23,53 @@ constexpr std::array windows{
 
 double size(const Window& w) { return std::max({w.max.x - w.min.x, w.max.y - w.min.y, 1.0}); }
 
-Segment ofAnySize(Dice& dice, const Window& w)
+Segment ofAnySize(Random& random, const Window& w)
 {
-    const double reach = size(w) * std::exp2(dice.uniform(-3, 3));
-    const double far = dice.integer(0, 9) == 0 ? std::exp2(dice.uniform(0, 60)) : 1;
+    const double reach = size(w) * std::exp2(random.uniform(-3, 3));
+    const double far = random.integer(0, 9) == 0 ? std::exp2(random.uniform(0, 60)) : 1;
     const auto point = [&] {
-        const double x = (w.min.x + w.max.x) / 2 + dice.uniform(-reach, reach) * far;
-        return Point{x, (w.min.y + w.max.y) / 2 + dice.uniform(-reach, reach) * far};
+        const double x = (w.min.x + w.max.x) / 2 + random.uniform(-reach, reach) * far;
+        return Point{x, (w.min.y + w.max.y) / 2 + random.uniform(-reach, reach) * far};
     };
     const Point a = point();
     return {a, point()};
 }
 
 /// Ends on a grid of 7 x 7 points, where lines 2 and 4 are the window's edges.
-Point onGrid(Dice& dice, const Window& w)
+Point onGrid(Random& random, const Window& w)
 {
     const auto at = [&](double low, double high) {
         const double step = high > low ? (high - low) / 2 : 1;
-        const int k = dice.integer(0, 6);
+        const int k = random.integer(0, 6);
         return k == 2 ? low : k == 4 ? high : low + (k - 2) * step;
     };
     const double x = at(w.min.x, w.max.x);
     return {x, at(w.min.y, w.max.y)};
 }
-Segment betweenGridPoints(Dice& dice, const Window& w)
+Segment betweenGridPoints(Random& random, const Window& w)
 {
-    const Point a = onGrid(dice, w);
-    return {a, onGrid(dice, w)};
+    const Point a = onGrid(random, w);
+    return {a, onGrid(random, w)};
 }
 
 /// Through a corner by small whole numbers, and mostly a few ulps beside it.
-Segment throughCorner(Dice& dice, const Window& w)
+Segment throughCorner(Random& random, const Window& w)
 {
-    const Point corner{dice.integer(0, 1) ? w.max.x : w.min.x,
-                       dice.integer(0, 1) ? w.max.y : w.min.y};
-    const double unit = size(w) / 4, dx = unit * dice.integer(-5, 5);
-    const Point d{dx, unit * dice.integer(-5, 5)};
-    Segment s{corner - double(dice.integer(1, 4)) * d, corner + double(dice.integer(1, 4)) * d};
+    const Point corner{random.integer(0, 1) ? w.max.x : w.min.x,
+                       random.integer(0, 1) ? w.max.y : w.min.y};
+    const double unit = size(w) / 4, dx = unit * random.integer(-5, 5);
+    const Point d{dx, unit * random.integer(-5, 5)};
+    Segment s{corner - double(random.integer(1, 4)) * d, corner + double(random.integer(1, 4)) * d};
     for (double* x : {&s.a.x, &s.a.y, &s.b.x, &s.b.y})
-        if (dice.integer(0, 2) == 0)
-            *x = nudged(*x, dice.integer(-2, 2));
+        if (random.integer(0, 2) == 0)
+            *x = nudged(*x, random.integer(-2, 2));
     return s;
 }
 
-Segment alongAnAxis(Dice& dice, const Window& w)
+Segment alongAnAxis(Random& random, const Window& w)
 {
-    Segment s = dice.integer(0, 1) ? ofAnySize(dice, w) : betweenGridPoints(dice, w);
-    const bool isPoint = dice.integer(0, 4) == 0, isHorizontal = dice.integer(0, 1) == 0;
+    Segment s = random.integer(0, 1) ? ofAnySize(random, w) : betweenGridPoints(random, w);
+    const bool isPoint = random.integer(0, 4) == 0, isHorizontal = random.integer(0, 1) == 0;
     if (isPoint || isHorizontal)
         s.b.y = s.a.y;
     if (isPoint || !isHorizontal)
@@ -83,12 +83,12 @@ constexpr std::array kinds{ofAnySize, betweenGridPoints, throughCorner, alongAnA
 
 std::vector<Input> inputs()
 {
-    Dice dice(12);
+    Random random(12);
     std::vector<Input> all;
     for (std::size_t i = 0; i < 10'000; ++i) {
         // Most windows have extent; every window meets every kind.
         const Window& window = windows[i / kinds.size() % windows.size()];
-        all.push_back({kinds[i % kinds.size()](dice, window), window});
+        all.push_back({kinds[i % kinds.size()](random, window), window});
     }
     return all;
 }

@@ -105,41 +105,42 @@ void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
 }
 
 /// A segment that has to do with the polygon: through it, by a corner, along an edge, to a corner.
-Segment someSegment(Dice& dice, const ConvexPolygon& polygon, double size)
+Segment someSegment(Random& random, const ConvexPolygon& polygon, double size)
 {
     const auto& c = polygon.corners;
-    const auto index = std::size_t(dice.integer(0, int(c.size()) - 1));
+    const auto index = std::size_t(random.integer(0, int(c.size()) - 1));
     const auto &corner = c[index], &next = c[(index + 1) % c.size()];
     const auto anywhere = [&](double far) {
-        const double x = dice.uniform(-far, far);
-        return glm::dvec2{x * size, dice.uniform(-far, far) * size};
+        const double x = random.uniform(-far, far);
+        return glm::dvec2{x * size, random.uniform(-far, far) * size};
     };
     const auto nudged = [&](glm::dvec2 p) {
         for (double* x : {&p.x, &p.y})
-            for (int i = dice.integer(-2, 2); i != 0; i += i < 0 ? 1 : -1)
+            for (int i = random.integer(-2, 2); i != 0; i += i < 0 ? 1 : -1)
                 *x = std::nextafter(*x, i < 0 ? -INFINITY : INFINITY);
         return p;
     };
     const auto between = [&](double t) { return corner + t * (next - corner); };
     const auto d = anywhere(1);
-    switch (dice.integer(0, 7)) {
+    switch (random.integer(0, 7)) {
     case 0:
-        return {nudged(corner - dice.uniform(0, 4) * d), nudged(corner + dice.uniform(0, 4) * d)};
+        return {nudged(corner - random.uniform(0, 4) * d),
+                nudged(corner + random.uniform(0, 4) * d)};
     case 1:
-        return {nudged(between(dice.uniform(-2, 2))), nudged(between(dice.uniform(-2, 2)))};
+        return {nudged(between(random.uniform(-2, 2))), nudged(between(random.uniform(-2, 2)))};
     case 2:
         return {anywhere(2), nudged(corner)};
     case 3:
-        return {nudged(between(dice.uniform(0, 1))), anywhere(2)};
+        return {nudged(between(random.uniform(0, 1))), anywhere(2)};
     case 4:
-        return {corner - std::exp2(dice.uniform(0, 40)) * d,
-                corner + std::exp2(dice.uniform(0, 40)) * d};
+        return {corner - std::exp2(random.uniform(0, 40)) * d,
+                corner + std::exp2(random.uniform(0, 40)) * d};
     case 5: {
-        const auto p = nudged(between(dice.uniform(-1, 2)));
-        return {p, dice.integer(0, 1) ? p : nudged(p)};
+        const auto p = nudged(between(random.uniform(-1, 2)));
+        return {p, random.integer(0, 1) ? p : nudged(p)};
     }
     case 6:
-        return {corner, c[std::size_t(dice.integer(0, int(c.size()) - 1))]};
+        return {corner, c[std::size_t(random.integer(0, int(c.size()) - 1))]};
     default:
         return {anywhere(2), anywhere(2)};
     }
@@ -155,11 +156,11 @@ struct RandomInputs {
 void checkRandom(const PolygonUses& uses, bool decidesExactly, const RandomInputs& inputs)
 {
     const auto& [polygons, segments, corners, size, seed] = inputs;
-    Dice dice(seed);
+    Random random(seed);
     for (int i = 0; i < polygons && !QTest::currentTestFailed(); ++i) {
-        const auto polygon = somePolygon(dice, dice.integer(1, corners), size);
+        const auto polygon = somePolygon(random, random.integer(1, corners), size);
         for (int j = 0; j < segments; ++j) {
-            const Segment s = someSegment(dice, polygon, size);
+            const Segment s = someSegment(random, polygon, size);
             const auto wrong = fault(clipOne(uses, s, polygon), s, polygon, decidesExactly);
             QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
@@ -249,9 +250,10 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Dice dice(4);
-        const auto number = [&dice] {
-            return dice.integer(0, 2) == 0 ? dice.anyFinite<double>() : double(dice.integer(-4, 4));
+        Random random(4);
+        const auto number = [&random] {
+            return random.integer(0, 2) == 0 ? random.anyFinite<double>()
+                                             : double(random.integer(-4, 4));
         };
         const auto point = [&] {
             const double x = number();
@@ -259,10 +261,10 @@ private slots:
         };
         for (int i = 0; i < 5'000; ++i) {
             std::vector<glm::dvec2> points;
-            for (int j = dice.integer(1, 6); j > 0; --j)
+            for (int j = random.integer(1, 6); j > 0; --j)
                 points.push_back(point());
             const auto polygon = hullOf(points);
-            const Segment s{point(), dice.integer(0, 2) ? point() : points[0]};
+            const Segment s{point(), random.integer(0, 2) ? point() : points[0]};
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
             QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
@@ -274,9 +276,9 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Dice dice(8);
-        const auto whole = [&dice] { return double(dice.integer(-3, 3)); };
-        const auto any = [&dice] { return dice.uniform(-3, 3); };
+        Random random(8);
+        const auto whole = [&random] { return double(random.integer(-3, 3)); };
+        const auto any = [&random] { return random.uniform(-3, 3); };
         const auto point = [](const auto& number) {
             const double x = number();
             return glm::dvec2(x, number());
@@ -285,10 +287,10 @@ private slots:
             const auto way = point(whole);
             const double digit = i % 2 == 0 ? 0x1p-1074 : 0x1p-60;
             std::vector<glm::dvec2> points{way * digit}; // a corner on the segment, mostly
-            for (int j = dice.integer(0, 4); j > 0; --j)
+            for (int j = random.integer(0, 4); j > 0; --j)
                 points.push_back((i % 4 == 3 ? point(any) : point(whole)) * digit);
             const auto polygon = hullOf(points);
-            const Segment s{way * -2.75, dice.integer(0, 1) ? way * 2.75 : glm::dvec2(0, 0)};
+            const Segment s{way * -2.75, random.integer(0, 1) ? way * 2.75 : glm::dvec2(0, 0)};
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
             QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
@@ -300,13 +302,13 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Dice dice(9);
+        Random random(9);
         for (int i = 0; i < 2'000; ++i) {
-            const double at = dice.uniform(0.5, 2), width = std::exp2(dice.integer(-54, -50));
-            const auto side = [&] { return at + width * dice.integer(-6, 6); };
-            const double low = side(), beyond = 1 + std::exp2(dice.uniform(-52, 2));
+            const double at = random.uniform(0.5, 2), width = std::exp2(random.integer(-54, -50));
+            const auto side = [&] { return at + width * random.integer(-6, 6); };
+            const double low = side(), beyond = 1 + std::exp2(random.uniform(-52, 2));
             std::vector<glm::dvec2> points{{1, at}, {0, low}, {0, side()}};
-            Segment s{{beyond, at + dice.uniform(0.1, 2)}, {beyond, at - dice.uniform(0.1, 2)}};
+            Segment s{{beyond, at + random.uniform(0.1, 2)}, {beyond, at - random.uniform(0.1, 2)}};
             if (i % 2 == 0)
                 std::swap(s.a, s.b);
             if (i % 4 < 2)
@@ -346,21 +348,21 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Dice dice(7);
-        const auto point = [&dice](int most) {
-            const int x = dice.integer(-most, most);
-            return glm::dvec2(x, dice.integer(-most, most));
+        Random random(7);
+        const auto point = [&random](int most) {
+            const int x = random.integer(-most, most);
+            return glm::dvec2(x, random.integer(-most, most));
         };
         for (int i = 0; i < 5'000; ++i) {
             const auto origin = point(250);
             std::vector<glm::dvec2> points;
-            for (int j = dice.integer(2, 6); j > 0; --j)
+            for (int j = random.integer(2, 6); j > 0; --j)
                 points.push_back(origin + 12.0 * point(20));
             const auto polygon = hullOf(points);
             const auto& c = polygon.corners;
             for (std::size_t j = 0; j < c.size(); ++j) {
                 const auto step = (c[(j + 1) % c.size()] - c[j]) / 12.0;
-                const auto end = c[j] + double(dice.integer(1, 11)) * step, other = point(500);
+                const auto end = c[j] + double(random.integer(1, 11)) * step, other = point(500);
                 const Segment s = i % 2 == 0 ? Segment{end, other} : Segment{other, end};
                 const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
                 QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
@@ -380,7 +382,7 @@ private slots:
                 const auto& [s, w] = inputs[i];
                 const ConvexPolygon polygon{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
                 const auto result = uses->clip(s, polygon);
-                const auto truth = truthOf(inputs[i]);
+                const auto truth = exactnessOf(inputs[i]);
                 const auto wrong = !decidesExactly ? ::fault(result, inputs[i], truth, polygonUlps)
                                    : result.has_value() != truth.has_value()
                                        ? "seen, or not, wrongly"
@@ -413,11 +415,11 @@ private slots:
     void clipAndTraceAndCountAreOne()
     {
         QFETCH(const PolygonUses*, uses);
-        Dice dice(5);
+        Random random(5);
         for (int i = 0; i < 2'000; ++i) {
             const double size = i % 5 == 0 ? 0x1p900 : 1;
-            const auto polygon = somePolygon(dice, dice.integer(1, 20), size);
-            const Segment s = someSegment(dice, polygon, size);
+            const auto polygon = somePolygon(random, random.integer(1, 20), size);
+            const Segment s = someSegment(random, polygon, size);
             const auto text = exactly(s, polygon);
             const auto piece = uses->clip(s, polygon);
             const auto one = clipOne(*uses, s, polygon);
@@ -437,14 +439,14 @@ private slots:
     void searchedIsOneByOne()
     {
         const Algorithm* skala = findAlgorithm("skala");
-        Dice dice(6);
+        Random random(6);
         for (int i = 0; i < 3'000; ++i) {
             const double size = i % 10 == 0 ? 0x1p-600 : 1;
             const auto polygon =
-                somePolygon(dice, dice.integer(1, i % 100 == 0 ? 1'000 : 12), size);
+                somePolygon(random, random.integer(1, i % 100 == 0 ? 1'000 : 12), size);
             std::vector<Segment> segments;
             for (int j = 0; j < 100; ++j)
-                segments.push_back(someSegment(dice, polygon, size));
+                segments.push_back(someSegment(random, polygon, size));
             std::vector<Clipped> one(segments.size()), two(segments.size());
             one.resize(skala->polygon->clipAll(segments, polygon, one));
             two.resize(skala->searchedPolygon->clipAll(segments, polygon, two));

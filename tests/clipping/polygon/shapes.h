@@ -24,13 +24,13 @@ inline void everyPolygonForm()
 
 /// A convex polygon of up to n corners near the origin, as large as `size`; one of four is slim, to
 /// a width of 2^-40.
-inline clipping::ConvexPolygon somePolygon(Dice& dice, int n, double size)
+inline clipping::ConvexPolygon somePolygon(Random& random, int n, double size)
 {
-    const double turn = dice.uniform(0, 6.3), centreX = dice.uniform(-1, 1);
-    const double width = dice.integer(0, 3) == 0 ? std::exp2(-dice.uniform(0, 40)) : 1;
+    const double turn = random.uniform(0, 6.3), centreX = random.uniform(-1, 1);
+    const double width = random.integer(0, 3) == 0 ? std::exp2(-random.uniform(0, 40)) : 1;
     std::vector<glm::dvec2> points;
     for (int i = 0; i < n; ++i) {
-        const double angle = dice.uniform(0, 6.283185307179586);
+        const double angle = random.uniform(0, 6.283185307179586);
         const double x = std::cos(angle) + centreX, y = std::sin(angle) * width;
         points.push_back({size * (x * std::cos(turn) - y * std::sin(turn)),
                           size * (x * std::sin(turn) + y * std::cos(turn))});

@@ -92,14 +92,14 @@ private slots:
         Stage stage(ui::Backend::Raster, steepLines());
         const app::Variant variant{&counted(), published};
         stage.session.differences.ask(app::Comparison{variant});
-        stage.session.truth.ask(app::LiveTruth::Question{variant});
-        QTRY_VERIFY(stage.session.differences.upToDate() && stage.session.truth.upToDate());
+        stage.session.exactness.ask(app::LiveExactness::Question{variant});
+        QTRY_VERIFY(stage.session.differences.upToDate() && stage.session.exactness.upToDate());
         stage.canvas->settle();
         forget();
         int marked = 0;
         atPaint = [&] {
             marked += stage.session.differences.at(stage.session.window()) != nullptr
-                      && !stage.session.truth.piecesAt(stage.session.window()).empty();
+                      && !stage.session.exactness.piecesAt(stage.session.window()).empty();
         };
         dragCorner(stage, 8);
         QVERIFY(stage.session.preview().window);

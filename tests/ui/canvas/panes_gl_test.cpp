@@ -20,7 +20,8 @@ private slots:
         stage.send(2, QEvent::MouseButtonPress, from, Qt::LeftButton);
         stage.send(2, QEvent::MouseMove, from + by / 2, Qt::LeftButton);
         stage.send(2, QEvent::MouseMove, from + by, Qt::LeftButton);
-        QCOMPARE(stage.orange(0).center(), before.center() + by.toPoint()); // lit: it is thicker
+        QCOMPARE(stage.orange(0).center(),
+                 before.center() + by.toPoint()); // highlighted: it is thicker
         QCOMPARE(stage.orange(1), stage.orange(0));
         QCOMPARE(stage.orange(3), stage.orange(0));
         QCOMPARE(stage.shot(1), stage.shot(3)); // two corrected forms

@@ -56,7 +56,7 @@ private slots:
         QCOMPARE(stage.canvas->panes().active(), std::size_t(2));
         QCOMPARE(stage.session.history.count(), 0);
         QCOMPARE(stage.orange(0).center(),
-                 before.center() + by.toPoint()); // it may be lit: thicker
+                 before.center() + by.toPoint()); // it may be highlighted, and thicker then
         QCOMPARE(stage.orange(1), stage.orange(0));
         QCOMPARE(stage.orange(3), stage.orange(0));
         stage.send(2, QEvent::MouseButtonRelease, from + by, hold);

@@ -122,15 +122,15 @@ private slots:
             }
     }
 
-    void exhibitsHaveTimesAlone()
+    void misprintsHaveTimesAlone()
     {
         Stage stage;
-        const int exhibit = stage.algorithm->count() - 1;
-        QVERIFY(!(stage.algorithm->model()->flags(stage.algorithm->model()->index(exhibit, 0))
+        const int misprint = stage.algorithm->count() - 1;
+        QVERIFY(!(stage.algorithm->model()->flags(stage.algorithm->model()->index(misprint, 0))
                   & Qt::ItemIsEnabled));
         stage.measure->setCurrentIndex(stage.measure->count() - 1);
-        stage.algorithm->setCurrentIndex(exhibit);
-        QCOMPARE(stage.algorithm->currentIndex(), exhibit);
+        stage.algorithm->setCurrentIndex(misprint);
+        QCOMPARE(stage.algorithm->currentIndex(), misprint);
         stage.measure->setCurrentIndex(0); // which it has not
         QCOMPARE(stage.algorithm->currentIndex(), 0);
     }

@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(stage.session.differences.asked()->allowed(), contract);
     }
 
-    void anExhibitIsExplained()
+    void aMisprintIsExplained()
     {
         Stage stage;
         stage.show();
@@ -345,8 +345,8 @@ private slots:
         t.action("misprint")->trigger();
         QVERIFY(t.window->showsPanel("difference"));
         const auto& asked = t.window->session().differences.asked();
-        QVERIFY(asked && asked->a.exhibit && asked->b == app::exactVariant());
-        QCOMPARE(asked->a.exhibit->key, "md-step-2");
+        QVERIFY(asked && asked->a.misprint && asked->b == app::exactVariant());
+        QCOMPARE(asked->a.misprint->key, "md-step-2");
     }
 
     void theNextLineIsBroughtIntoTheView()

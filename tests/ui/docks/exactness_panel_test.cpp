@@ -55,7 +55,7 @@ struct Stage {
     /// The panel shows what was found after the next frame.
     void settle()
     {
-        QTRY_VERIFY(session.truth.upToDate());
+        QTRY_VERIFY(session.exactness.upToDate());
         QTest::qWait(1);
     }
     void choose(const QString& key)
@@ -88,14 +88,14 @@ private slots:
     {
         Stage stage;
         QTest::qWait(30);
-        QVERIFY(!stage.session.truth.asked());
+        QVERIFY(!stage.session.exactness.asked());
         stage.show();
-        QCOMPARE(stage.session.truth.found().list.size(), std::size_t(10));
-        QVERIFY(!stage.session.truth.piecesAt(window).empty());
+        QCOMPARE(stage.session.exactness.found().list.size(), std::size_t(10));
+        QVERIFY(!stage.session.exactness.piecesAt(window).empty());
         stage.panel.hide();
-        QVERIFY(!stage.session.truth.asked());
-        QVERIFY(stage.session.truth.piecesAt(window).empty());
-        QVERIFY(stage.session.truth.found().list.empty());
+        QVERIFY(!stage.session.exactness.asked());
+        QVERIFY(stage.session.exactness.piecesAt(window).empty());
+        QVERIFY(stage.session.exactness.found().list.empty());
     }
 
     void itSaysWhatIsWrongAndListsTheWorstFirst()
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(stage.table->model()->rowCount(), 10);
         for (int row = 0; row < 3; ++row)
             QVERIFY2(stage.cell(row, 1).startsWith("lost: "), qPrintable(stage.cell(row, 1)));
-        const auto& last = stage.session.truth.piecesAt(window).back();
+        const auto& last = stage.session.exactness.piecesAt(window).back();
         QCOMPARE(last.size(), std::size_t(3)); // painted as what differs
         QVERIFY(
             stage.panel.findChild<ErrorHistogram*>()->accessibleDescription().endsWith("wrong: 3"));
@@ -126,7 +126,7 @@ private slots:
         for (QToolButton* button : stage.panel.findChildren<QToolButton*>())
             if (button->text() == "its own")
                 QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_COMPARE(stage.session.truth.asked()->yardstick, app::Yardstick::Own);
+        QTRY_COMPARE(stage.session.exactness.asked()->yardstick, app::Yardstick::Own);
         QTRY_VERIFY(stage.panel.summary() != before);
     }
 
@@ -151,12 +151,12 @@ private slots:
         QTest::mouseDClick(stage.table->viewport(), Qt::LeftButton, {}, stage.place(0));
         QVERIFY(stage.panel.magnifies());
         const std::size_t line = *stage.session.inspected();
-        const auto truth = app::truthOf(*app::findVariant("lb:published"),
-                                        stage.session.scene.lines()[line], window);
+        const auto exactness = app::exactnessOf(*app::findVariant("lb:published"),
+                                                stage.session.scene.lines()[line], window);
         const app::Magnified& seen = stage.panel.magnifier().seen();
-        QVERIFY(seen.returned && seen.truth);
-        const double off = std::max(std::abs(seen.truth->x), std::abs(seen.truth->y));
-        QCOMPARE(off / seen.largestUlp, app::errorOf(*truth, app::Yardstick::Largest));
+        QVERIFY(seen.returned && seen.exactness);
+        const double off = std::max(std::abs(seen.exactness->x), std::abs(seen.exactness->y));
+        QCOMPARE(off / seen.largestUlp, app::errorOf(*exactness, app::Yardstick::Largest));
         QTest::keyClick(&stage.panel.magnifier(), Qt::Key_Escape);
         QVERIFY(!stage.panel.magnifies());
     }
@@ -216,10 +216,10 @@ private slots:
         test.window->files().open(test.twoLines());
         QTRY_COMPARE(test.window->session().scene.lines().size(), std::size_t(2));
         QTest::keyClick(test.window.get(), Qt::Key_F3, Qt::ShiftModifier);
-        QTRY_VERIFY(test.window->session().truth.asked());
+        QTRY_VERIFY(test.window->session().exactness.asked());
         QTRY_VERIFY(test.window->exactnessPanel().summary().startsWith("exact is right"));
         QTest::keyClick(test.window.get(), Qt::Key_F3, Qt::ShiftModifier);
-        QTRY_VERIFY(!test.window->session().truth.asked());
+        QTRY_VERIFY(!test.window->session().exactness.asked());
     }
 
     void linesAreColouredByTheirError()
@@ -241,7 +241,7 @@ private slots:
             app::errorColour(0, app::Ground::Light, lookOf(qApp->palette()).differs).rgb();
         QVERIFY(!colours().contains(exact));
         test.action("exactness")->trigger();
-        QTRY_VERIFY(test.window->session().truth.upToDate());
+        QTRY_VERIFY(test.window->session().exactness.upToDate());
         QTRY_VERIFY(colours().contains(exact));
     }
 };

@@ -9,7 +9,7 @@
 #include "ui/explanation/page_view.h"
 #include "ui/hard_cases/case_list.h"
 #include "ui/hard_cases/case_view.h"
-#include "ui/hard_cases/zoo_window.h"
+#include "ui/hard_cases/hard_cases_window.h"
 
 #include <QMenu>
 #include <QScrollBar>
@@ -134,8 +134,8 @@ private slots:
     {
         Reader reader;
         auto& session = reader.test.window->session();
-        session.microscope.open(
-            *app::specimenOf(QUrl(QStringLiteral("clearcut:trace?a=NLN&line=-1,0,3,1&w=0,0,2,2"))));
+        session.microscope.open(*app::tracedLineOf(
+            QUrl(QStringLiteral("clearcut:trace?a=NLN&line=-1,0,3,1&w=0,0,2,2"))));
         reader.test.action("about-algorithm")->trigger();
         QCOMPARE(reader.page->algorithm(), &row("NLN"));
     }
@@ -183,7 +183,7 @@ private slots:
             const bool good =
                 link.scheme() == QStringLiteral("https")
                 || (link.scheme().isEmpty() && app::algorithmOfPage(link.path()))
-                || app::specimenOf(link) || app::findHardCase(after)
+                || app::tracedLineOf(link) || app::findHardCase(after)
                 || (link.path().startsWith(QStringLiteral("fails/")) && app::findVariant(after));
             QVERIFY2(good, qPrintable(text));
         }
@@ -207,18 +207,18 @@ private slots:
         QCOMPARE(reader.page->algorithm(), &clipping::algorithms().front());
     }
 
-    void linksToTheZoo()
+    void linksToTheHardCases()
     {
         Reader reader;
         reader.window->show(row("CS"));
         reader.click(QStringLiteral("clearcut:case/plotink-40"));
-        auto* zoo = reader.test.window->findChild<ZooWindow*>();
-        QVERIFY(zoo);
-        QCOMPARE(zoo->view().hardCase(), app::findHardCase(QStringLiteral("plotink-40")));
+        auto* casesWindow = reader.test.window->findChild<HardCasesWindow*>();
+        QVERIFY(casesWindow);
+        QCOMPARE(casesWindow->view().hardCase(), app::findHardCase(QStringLiteral("plotink-40")));
         reader.window->show(row("KWC"));
         reader.click(QStringLiteral("clearcut:fails/kodituwakku-wijeweera-chamikara:published"));
-        QVERIFY(zoo->list().model()->rowCount() < int(app::hardCases().size()));
-        QVERIFY(zoo->list().model()->rowCount() > 10);
+        QVERIFY(casesWindow->list().model()->rowCount() < int(app::hardCases().size()));
+        QVERIFY(casesWindow->list().model()->rowCount() > 10);
     }
 
     void readsLinksToTheMicroscope_data()
@@ -240,10 +240,10 @@ private slots:
     {
         QFETCH(QString, link);
         QFETCH(bool, good);
-        const auto specimen = app::specimenOf(QUrl(link));
-        QCOMPARE(specimen.has_value(), good);
-        if (specimen)
-            QCOMPARE(specimen->y, app::YAxis::Up);
+        const auto tracedLine = app::tracedLineOf(QUrl(link));
+        QCOMPARE(tracedLine.has_value(), good);
+        if (tracedLine)
+            QCOMPARE(tracedLine->y, app::YAxis::Up);
     }
 
     // The very same numbers, through the text of a link and back.
@@ -251,13 +251,13 @@ private slots:
     {
         int links = 0;
         for (const app::HardCase& hard : app::hardCases()) {
-            const auto there = app::specimenOf(hard, {&row("CS"), clipping::Form::Published});
+            const auto there = app::tracedLineOf(hard, {&row("CS"), clipping::Form::Published});
             const auto link = app::traceLink(there);
             QVERIFY2(link.has_value() == isFinite(hard), qPrintable(hard.key));
             if (!link)
                 continue;
             ++links;
-            const auto back = app::specimenOf(QUrl(*link));
+            const auto back = app::tracedLineOf(QUrl(*link));
             QVERIFY2(back, qPrintable(*link));
             QVERIFY(back->line == there.line && back->window == there.window);
             QCOMPARE(app::keyOf(back->variant), QStringLiteral("cohen-sutherland:published"));
@@ -271,11 +271,11 @@ private slots:
         reader.window->show(row("CS"));
         const app::HardCase& hard = *app::findHardCase(QStringLiteral("plotink-40"));
         reader.click(
-            *app::traceLink(app::specimenOf(hard, {&row("CS"), clipping::Form::Published})));
+            *app::traceLink(app::tracedLineOf(hard, {&row("CS"), clipping::Form::Published})));
         const auto& microscope = reader.test.window->session().microscope;
         QVERIFY(microscope.isOpen());
-        QCOMPARE(microscope.specimen().line, hard.line);
-        QVERIFY(microscope.walk().outcome == clipping::Outcome::DidNotEnd);
+        QCOMPARE(microscope.tracedLine().line, hard.line);
+        QVERIFY(microscope.narration().outcome == clipping::Outcome::DidNotEnd);
     }
 
     void findsOnThePage()

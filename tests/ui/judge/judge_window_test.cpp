@@ -131,12 +131,12 @@ private slots:
         QTest::mouseClick(findings->viewport(), Qt::LeftButton, {}, at);
         QTest::mouseDClick(findings->viewport(), Qt::LeftButton, {}, at);
         QVERIFY(microscope.isOpen());
-        QCOMPARE(microscope.specimen().line, verdict.findings[2].question.line);
-        QCOMPARE(microscope.specimen().window, verdict.findings[2].question.window);
-        QCOMPARE(microscope.specimen().variant, app::exactVariant());
+        QCOMPARE(microscope.tracedLine().line, verdict.findings[2].question.line);
+        QCOMPARE(microscope.tracedLine().window, verdict.findings[2].question.window);
+        QCOMPARE(microscope.tracedLine().variant, app::exactVariant());
         findings->selectRow(1);
         stage.click("Look at the line in the microscope");
-        QCOMPARE(microscope.specimen().line, verdict.findings[1].question.line);
+        QCOMPARE(microscope.tracedLine().line, verdict.findings[1].question.line);
     }
 
     void whatCannotBeLoadedSaysWhy()

@@ -57,7 +57,7 @@ struct Stage {
     ui::MicroscopePage page{session, drawn};
 };
 
-app::Specimen specimen(const clipping::Segment& line)
+app::TracedLine tracedLine(const clipping::Segment& line)
 {
     return {{clipping::findAlgorithm("cohen-sutherland")},
             line,
@@ -70,9 +70,9 @@ const clipping::Segment whole{{-60, -40}, {70, 50}}, cut{{-160, -30}, {70, 130}}
     passing{{-170, 40}, {-20, 150}};
 
 /// "of 20", how many steps there are; not "of 2019".
-QRegularExpression countOf(const app::Walk& walk)
+QRegularExpression countOf(const app::Narration& narration)
 {
-    return QRegularExpression(QStringLiteral("of %1\\b").arg(walk.moments.size()));
+    return QRegularExpression(QStringLiteral("of %1\\b").arg(narration.steps.size()));
 }
 
 } // namespace
@@ -91,12 +91,13 @@ private slots:
             for (course.begin(i);; course.next()) {
                 if (const auto question = course.question()) {
                     ++asked;
-                    const app::Walk all = app::walkOf(stage.session.microscope.specimen());
+                    const app::Narration all =
+                        app::narrationOf(stage.session.microscope.tracedLine());
                     const QStringList texts = stage.texts();
                     const QString where = course.lesson()->key + QString::number(course.page() + 1);
-                    const std::size_t shown = stage.session.microscope.walk().moments.size();
-                    for (std::size_t k = shown; k < all.moments.size(); ++k)
-                        QVERIFY2(!texts.contains(all.moments[k].sentence), qPrintable(where));
+                    const std::size_t shown = stage.session.microscope.narration().steps.size();
+                    for (std::size_t k = shown; k < all.steps.size(); ++k)
+                        QVERIFY2(!texts.contains(all.steps[k].sentence), qPrintable(where));
                     const QString right = question->choices[question->right];
                     for (const QString& text : texts) {
                         QVERIFY2(!text.contains(right), qPrintable(where + ": " + text));
@@ -104,7 +105,7 @@ private slots:
                     }
                     course.showAnswer();
                     QVERIFY(stage.texts().contains(
-                        stage.session.microscope.moment()->sentence)); // the test can see it
+                        stage.session.microscope.narrated()->sentence)); // the test can see it
                 }
                 if (course.atLastPage())
                     break;
@@ -115,15 +116,15 @@ private slots:
     {
         Stage stage;
         app::Microscope& microscope = stage.session.microscope;
-        microscope.openCovered(specimen(cut), 0);
+        microscope.openCovered(tracedLine(cut), 0);
         const auto first = stage.pictures();
         for (const auto& line : {whole, passing}) {
-            microscope.openCovered(specimen(line), 0);
+            microscope.openCovered(tracedLine(line), 0);
             const auto pictures = stage.pictures();
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 QVERIFY2(pictures[i] == first[i], qPrintable(QString::number(i)));
         }
-        microscope.open(specimen(cut));
+        microscope.open(tracedLine(cut));
         const auto open = stage.pictures();
         for (std::size_t i = 0; i < open.size(); ++i)
             QVERIFY2(open[i] != first[i], qPrintable(QString::number(i)));
@@ -133,20 +134,20 @@ private slots:
     {
         Stage stage;
         app::Microscope& microscope = stage.session.microscope;
-        app::Specimen other = specimen(cut);
+        app::TracedLine other = tracedLine(cut);
         other.variant = {clipping::findAlgorithm("liang-barsky")};
-        microscope.openCovered(specimen(cut), 0);
+        microscope.openCovered(tracedLine(cut), 0);
         const QImage one = stage.page.view().grab().toImage();
         microscope.openCovered(other, 0);
         QCOMPARE(stage.page.view().grab().toImage(), one);
-        microscope.open(specimen(cut), 1000);
+        microscope.open(tracedLine(cut), 1000);
         QVERIFY(stage.page.view().grab().toImage() != one);
     }
     void keysAndPlayingStayBeforeTheVeil()
     {
         Stage stage;
         app::Microscope& microscope = stage.session.microscope;
-        microscope.openCovered(specimen(cut), 1);
+        microscope.openCovered(tracedLine(cut), 1);
         for (const Qt::Key key : {Qt::Key_End, Qt::Key_Right, Qt::Key_Space, Qt::Key_Right}) {
             QTest::keyClick(&stage.page.view(), key);
             QCOMPARE(microscope.step(), 0U);

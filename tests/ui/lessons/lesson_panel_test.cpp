@@ -82,16 +82,16 @@ private slots:
         Stage stage;
         QTest::mouseClick(stage.list().buttons()[1], Qt::LeftButton);
         QVERIFY(stage.microscope.isOpen());
-        const auto first = stage.microscope.specimen();
-        QCOMPARE(first, app::lessons()[1].pages[0].specimen);
+        const auto first = stage.microscope.tracedLine();
+        QCOMPARE(first, app::lessons()[1].pages[0].tracedLine);
         stage.press(Qt::Key_PageDown); // its question is open
-        QCOMPARE(stage.microscope.specimen(), first);
+        QCOMPARE(stage.microscope.tracedLine(), first);
         QTest::mouseClick(stage.panel.findChild<QPushButton*>(QStringLiteral("show-answer")),
                           Qt::LeftButton);
         stage.press(Qt::Key_PageDown);
-        QCOMPARE(stage.microscope.specimen(), app::lessons()[1].pages[1].specimen);
+        QCOMPARE(stage.microscope.tracedLine(), app::lessons()[1].pages[1].tracedLine);
         stage.press(Qt::Key_PageUp);
-        QCOMPARE(stage.microscope.specimen(), first);
+        QCOMPARE(stage.microscope.tracedLine(), first);
     }
     void aWrongAnswerBringsAHintAndASecondTry()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/specimen.h"
+#include "app/session/first_traced_line.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/microscope/export_steps_dialog.h"
 
@@ -24,7 +24,8 @@ class ExportStepsTest : public QObject {
     app::Session& session() { return stage_.window->session(); }
     app::TraceExport trace()
     {
-        return {.specimen = session().microscope.specimen(), .walk = session().microscope.walk()};
+        return {.tracedLine = session().microscope.tracedLine(),
+                .narration = session().microscope.narration()};
     }
     static const app::TraceFormat& format(const char* key)
     {
@@ -35,7 +36,7 @@ private slots:
     void initTestCase()
     {
         stage_.show();
-        session().microscope.open(app::firstSpecimen(session()));
+        session().microscope.open(app::firstTracedLine(session()));
         session().microscope.next();
     }
     void init()
@@ -58,7 +59,7 @@ private slots:
             const auto files = QDir(folder_.path()).entryList({"steps*." + name});
             const bool several = row.files == app::TraceFormat::Files::OneAStep;
             QCOMPARE(files.size(),
-                     several ? qsizetype(session().microscope.walk().moments.size()) : 1);
+                     several ? qsizetype(session().microscope.narration().steps.size()) : 1);
         }
     }
 
@@ -74,7 +75,8 @@ private slots:
         own.close();
         QSignalSpy told(exports_.get(), &StepExports::told);
         exports_->write(format("svg"), trace()); // and the answer is no
-        QCOMPARE(answers_->existing.size(), qsizetype(session().microscope.walk().moments.size()));
+        QCOMPARE(answers_->existing.size(),
+                 qsizetype(session().microscope.narration().steps.size()));
         QVERIFY(told.isEmpty());
         QCOMPARE(QFileInfo(first).size(), 3);
         answers_->overwrite = true;

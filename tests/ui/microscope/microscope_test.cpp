@@ -134,11 +134,11 @@ private slots:
     void keysGoBothWaysToTheSame()
     {
         Stage s;
-        const auto last = s.microscope().walk().moments.size() - 1;
+        const auto last = s.microscope().narration().steps.size() - 1;
         QVERIFY(last > 1);
         QStringList forth, back;
         const auto now = [&] {
-            return s.page().steps().sentence() + QString::number(s.page().code().lit())
+            return s.page().steps().sentence() + QString::number(s.page().code().currentLine())
                    + s.page().steps().count();
         };
         forth << now();
@@ -198,62 +198,62 @@ private slots:
         s.key(Qt::Key_F2);
         QVERIFY(!s.page().steps().playback().playing());
     }
-    void aDraggedEndChangesTheWalkAlone()
+    void aDraggedEndChangesTheTraceAlone()
     {
         Stage s;
         const app::Document before = s.t.window->session().now();
         const int history = s.t.window->session().history.count();
-        const auto line = s.microscope().specimen().line;
-        const auto visible = s.microscope().walk().visible;
+        const auto line = s.microscope().tracedLine().line;
+        const auto visible = s.microscope().narration().visible;
         s.drag(line.b, s.screen({50, 50}) + QPoint(3, -31));
-        QVERIFY(s.microscope().specimen().line != line);
-        QCOMPARE(s.microscope().specimen().line.a, line.a);
-        QVERIFY(s.microscope().walk().visible != visible);
+        QVERIFY(s.microscope().tracedLine().line != line);
+        QCOMPARE(s.microscope().tracedLine().line.a, line.a);
+        QVERIFY(s.microscope().narration().visible != visible);
         QVERIFY(s.t.window->session().now() == before);
         QCOMPARE(s.t.window->session().history.count(), history);
         auto* back = s.page().findChild<QToolButton*>("back-to-line");
         QVERIFY(back->isVisible());
         QTest::mouseClick(back, Qt::LeftButton);
-        QCOMPARE(s.microscope().specimen().line, line);
+        QCOMPARE(s.microscope().tracedLine().line, line);
         QVERIFY(!back->isVisible());
     }
     void anEndSnapsToTheWindow()
     {
         Stage s;
         const QPoint corner = s.screen({75, 75}) + QPoint(3, -3);
-        s.drag(s.microscope().specimen().line.b, corner);
-        QCOMPARE(s.microscope().specimen().line.b, app::Point(75, 75));
+        s.drag(s.microscope().tracedLine().line.b, corner);
+        QCOMPARE(s.microscope().tracedLine().line.b, app::Point(75, 75));
         s.drag({75, 75}, s.screen({60, 60}));
-        s.drag(s.microscope().specimen().line.b, corner, Qt::ControlModifier);
-        QVERIFY(s.microscope().specimen().line.b != app::Point(75, 75));
+        s.drag(s.microscope().tracedLine().line.b, corner, Qt::ControlModifier);
+        QVERIFY(s.microscope().tracedLine().line.b != app::Point(75, 75));
     }
     void escapeTakesADragBack()
     {
         Stage s;
-        const auto line = s.microscope().specimen().line;
+        const auto line = s.microscope().tracedLine().line;
         QTest::mousePress(&s.view(), Qt::LeftButton, {}, s.screen(line.b));
         QMouseEvent move(QEvent::MouseMove, s.screen({50, 40}), QPointF(), Qt::NoButton,
                          Qt::LeftButton, {});
         QApplication::sendEvent(&s.view(), &move);
-        QVERIFY(s.microscope().specimen().line != line);
+        QVERIFY(s.microscope().tracedLine().line != line);
         s.key(Qt::Key_Escape);
-        QCOMPARE(s.microscope().specimen().line, line);
+        QCOMPARE(s.microscope().tracedLine().line, line);
         QVERIFY(s.microscope().isOpen());
     }
     void arrowKeysMoveTheChosenEnd()
     {
         Stage s;
-        const auto line = s.microscope().specimen().line;
+        const auto line = s.microscope().tracedLine().line;
         s.view().setFocus();
         s.key(Qt::Key_Tab);
         QCOMPARE(s.view().chosenEnd(), LineEnd::One);
         s.key(Qt::Key_Up);
-        QCOMPARE(s.microscope().specimen().line.b, line.b);
-        QVERIFY(s.microscope().specimen().line.a.y < line.a.y); // up, where y points down
+        QCOMPARE(s.microscope().tracedLine().line.b, line.b);
+        QVERIFY(s.microscope().tracedLine().line.a.y < line.a.y); // up, where y points down
         s.key(Qt::Key_Tab);
         QCOMPARE(s.view().chosenEnd(), LineEnd::Two);
         s.key(Qt::Key_Right, Qt::ShiftModifier);
-        QVERIFY(s.microscope().specimen().line.b.x > line.b.x);
+        QVERIFY(s.microscope().tracedLine().line.b.x > line.b.x);
         QCOMPARE(s.microscope().step(), std::size_t(0));
         s.key(Qt::Key_Escape);
         QVERIFY(s.microscope().isOpen());
@@ -270,21 +270,21 @@ private slots:
         field.selectAll();
         QTest::keyClicks(&field, "0, 10 -> 100.5, 90");
         QTest::keyClick(&field, Qt::Key_Return);
-        QCOMPARE(s.microscope().specimen().line, (clipping::Segment{{0, 10}, {100.5, 90}}));
+        QCOMPARE(s.microscope().tracedLine().line, (clipping::Segment{{0, 10}, {100.5, 90}}));
         field.selectAll();
         QTest::keyClicks(&field, "0, 10 -> what");
         QTest::keyClick(&field, Qt::Key_Return);
         QVERIFY2(s.t.window->message().contains("is not a line"),
                  qPrintable(s.t.window->message()));
-        QCOMPARE(s.microscope().specimen().line.b, app::Point(100.5, 90));
+        QCOMPARE(s.microscope().tracedLine().line.b, app::Point(100.5, 90));
         QTest::keyClick(&field, Qt::Key_Escape);
         QVERIFY(s.microscope().isOpen());
         QCOMPARE(field.text(), QString::fromUtf8("0, 10 → 100.5, 90"));
         field.selectAll();
         QTest::keyClicks(&field, "nan, 10 -> 5, 90");
         QTest::keyClick(&field, Qt::Key_Return);
-        QVERIFY(s.microscope().walk().moments.empty());
-        QCOMPARE(s.page().steps().sentence(), s.microscope().walk().refusal);
+        QVERIFY(s.microscope().narration().steps.empty());
+        QCOMPARE(s.page().steps().sentence(), s.microscope().narration().refusal);
         QVERIFY(!s.page().steps().sentence().isEmpty());
         s.page().grab(); // and can be painted
     }
@@ -311,7 +311,8 @@ private slots:
     {
         Stage s;
         auto* timeline = s.page().findChild<Timeline*>();
-        for (const std::size_t step : {s.microscope().walk().moments.size() - 1, std::size_t(1)}) {
+        for (const std::size_t step :
+             {s.microscope().narration().steps.size() - 1, std::size_t(1)}) {
             QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->placeOf(step).toPoint());
             QCOMPARE(s.microscope().step(), step);
         }
@@ -324,15 +325,16 @@ private slots:
                 if (!clipping::usesOf(algorithm, form))
                     continue;
                 s.t.window->drawnLine().choose({&algorithm, form});
-                QCOMPARE(s.microscope().specimen().variant.algorithm, &algorithm);
+                QCOMPARE(s.microscope().tracedLine().variant.algorithm, &algorithm);
                 s.key(Qt::Key_Home);
                 while (!s.microscope().atEnd()) {
                     QVERIFY(!s.page().steps().sentence().isEmpty());
                     s.key(Qt::Key_Right);
                 }
                 s.page().grab();
-                QCOMPARE(s.t.window->status().visibility(),
-                         QStringLiteral("step %1 of %1").arg(s.microscope().walk().moments.size()));
+                QCOMPARE(
+                    s.t.window->status().visibility(),
+                    QStringLiteral("step %1 of %1").arg(s.microscope().narration().steps.size()));
             }
     }
     void theDocksComeBackAsTheyWere()

@@ -417,8 +417,8 @@ private slots:
         Stage stage(raster);
         const QColor before = stage.colourAt({100, 50});
         stage.move({100, 51});
-        const QColor lit = stage.colourAt({100, 50});
-        QVERIFY2(lit != before, qPrintable(lit.name()));
+        const QColor hovered = stage.colourAt({100, 50});
+        QVERIFY2(hovered != before, qPrintable(hovered.name()));
     }
 
 private:

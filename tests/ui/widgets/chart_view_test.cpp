@@ -44,7 +44,7 @@ private slots:
         view_->show();
         QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
     }
-    void theRowUnderThePointerIsLit()
+    void theRowUnderThePointerIsHighlighted()
     {
         QVERIFY(!view_->currentRow());
         const QImage before = view_->grab().toImage();

@@ -12,14 +12,14 @@
 
 enum { DAEMONS = 3, LINKS = 3000 }; /* the chain ends in any case, after some seconds */
 
-static void become_daemon(int chain)
+static void become_daemon(int polyline)
 {
     if (fork() != 0)
         _exit(0);
     setsid();
     printf("%d\n", (int)getpid());
     fflush(stdout);
-    for (int link = 0; chain && link < LINKS; ++link) {
+    for (int link = 0; polyline && link < LINKS; ++link) {
         usleep(1000);
         if (fork() != 0)
             _exit(0);

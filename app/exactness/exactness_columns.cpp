@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exactness/exactness_columns.h"
+
+#include "app/base/numbers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace app {
+
+namespace {
+
+struct Rows {
+    Q_DECLARE_TR_FUNCTIONS(Exactness)
+};
+
+template <Yardstick yardstick>
+QString errorCell(const LineExactness& line)
+{
+    return line.fault == Fault::None ? errorText(errorOf(line, yardstick)) : QStringLiteral("–");
+}
+
+/// Faults rank above any error, by length.
+template <Yardstick yardstick>
+double errorKey(const LineExactness& line)
+{
+    constexpr double most = 1e100, fault = 1e150;
+    switch (line.fault) {
+    case Fault::None:
+        return std::min(errorOf(line, yardstick), most);
+    case Fault::NotFinite:
+        return std::numeric_limits<double>::max();
+    default:
+        return fault * (1 + std::min(line.lost, most));
+    }
+}
+
+double verdictKey(const LineExactness& line)
+{
+    return int(line.fault) * 4 + line.outside() * 2 + line.orderMatters;
+}
+
+} // namespace
+
+std::span<const ExactnessColumn> exactnessColumns()
+{
+    static const std::array columns{
+        ExactnessColumn{
+            Rows::tr("Line"), Rows::tr("The line's number"),
+            [](const LineExactness& line) { return countText(line.source + std::size_t(1)); },
+            [](const LineExactness& line) { return double(line.source); }, true},
+        ExactnessColumn{Rows::tr("Verdict"),
+                        Rows::tr("What is wrong with the line, and whether it depends on which end "
+                                 "comes first"),
+                        verdictText, verdictKey, false},
+        ExactnessColumn{Rows::tr("Error"),
+                        Rows::tr("How far the worse end is from the true one, in units in the last "
+                                 "place of the largest coordinate of line and window (ulps)"),
+                        errorCell<Yardstick::Largest>, errorKey<Yardstick::Largest>, true},
+        ExactnessColumn{Rows::tr("Of its own"),
+                        Rows::tr("The same in units in the last place of the coordinate itself"),
+                        errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true}};
+    return columns;
+}
+
+std::vector<std::uint32_t> sortedBy(std::span<const LineExactness> list,
+                                    const ExactnessColumn& column, Qt::SortOrder order)
+{
+    std::vector<double> keys(list.size());
+    std::ranges::transform(list, keys.begin(), column.key);
+    std::vector<std::uint32_t> rows(list.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    std::ranges::stable_sort(rows, [&](std::uint32_t one, std::uint32_t other) {
+        return order == Qt::AscendingOrder ? keys[one] < keys[other] : keys[other] < keys[one];
+    });
+    return rows;
+}
+
+} // namespace app

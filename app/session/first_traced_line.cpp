@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/first_traced_line.h"
+
+#include "app/base/numbers.h"
+
+#include <QCoreApplication>
+
+#include <glm/geometric.hpp>
+
+#include <tuple>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Microscope", text); }
+
+/// A line that crosses the infinite line of ymin, enters the window at xmin and leaves it at ymax.
+clipping::Segment across(const clipping::Window& window)
+{
+    const Point size = window.max - window.min;
+    return {window.min - 0.3 * size, window.max + Point(-0.15, 0.4) * size};
+}
+
+/// How interesting a line is; compared from the first member on.
+struct Ranked {
+    bool unlocked = false; ///< locked layers usually hold grids
+    int cutEnds = 0;
+    double length = 0;    ///< of a line with one end cut
+    std::size_t line = 0; ///< an index into the scene's lines
+
+    bool operator>(const Ranked& other) const
+    {
+        return std::tie(unlocked, cutEnds, length)
+               > std::tie(other.unlocked, other.cutEnds, other.length);
+    }
+};
+
+Ranked rankOf(const clipping::Segment& line, const clipping::Window& window)
+{
+    Ranked ranked;
+    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, window))
+        ranked.cutEnds = (piece->a != line.a) + (piece->b != line.b);
+    if (ranked.cutEnds == 1)
+        ranked.length = glm::distance(line.a, line.b);
+    return ranked;
+}
+
+/// The most interesting line; there must be at least one line.
+std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
+                      const ObjectRanges& locked)
+{
+    Ranked best;
+    for (const SceneLines::Run& run : lines.runs())
+        for (std::size_t i = 0; i < run.segments.size(); ++i) {
+            Ranked ranked = rankOf(run.segments[i], window);
+            ranked.line = run.firstLine + i;
+            ranked.unlocked = locked.empty() || !locked.contains(lines.objectOf(ranked.line));
+            if (ranked > best)
+                best = ranked;
+            if (best.unlocked && best.cutEnds == 2)
+                return best.line;
+        }
+    return best.line;
+}
+
+} // namespace
+
+TracedLine tracedLineOf(const Session& session, std::size_t segment)
+{
+    const SceneLines& lines = session.scene.lines();
+    return {.variant = session.variant(),
+            .line = lines[segment],
+            .window = session.window(),
+            .y = YAxis::Down,
+            .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()))};
+}
+
+std::optional<std::size_t> firstLine(const Session& session)
+{
+    const SceneLines& lines = session.scene.lines();
+    if (lines.size() == 0)
+        return std::nullopt;
+    if (const auto inspected = session.inspected(); inspected && *inspected < lines.size())
+        return inspected;
+    return mostToSee(lines, session.window(), session.now().containers().lockedRanges());
+}
+
+TracedLine firstTracedLine(const Session& session)
+{
+    if (const auto line = firstLine(session))
+        return tracedLineOf(session, *line);
+    const clipping::Window window = session.window();
+    return {.variant = session.variant(),
+            .line = across(window),
+            .window = window,
+            .y = YAxis::Down,
+            .origin = tr("A line of its own")};
+}
+
+} // namespace app

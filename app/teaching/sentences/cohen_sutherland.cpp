@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+
+using clipping::What;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+unsigned known(const SentenceContext& context, const char* name)
+{
+    return unsigned(context.known(name).value_or(0));
+}
+
+/// The current outcode of an end.
+unsigned codeOf(const SentenceContext& context, int number)
+{
+    if (words::isPublished(context))
+        return known(context, number == 1 ? "code1" : "code2");
+    return known(context, number == 1 ? "code[1]" : "code[2]");
+}
+
+QString codeText(const SentenceContext& context, int number)
+{
+    return outcodeText(codeOf(context, number));
+}
+QString codeAndRegion(const SentenceContext& context, int number)
+{
+    return words::codeAndRegion(codeOf(context, number), context.tracedLine.y);
+}
+
+/// The end that is cut: End 1 while it is outside.
+int endOutside(const SentenceContext& context)
+{
+    return words::isPublished(context) ? (codeOf(context, 1) != 0 ? 1 : 2)
+                                       : int(known(context, "i"));
+}
+
+QString outcodes(const SentenceContext& context)
+{
+    return tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+        .arg(codeAndRegion(context, 1), codeAndRegion(context, 2));
+}
+
+/// Whether any end is outside.
+QString anyOutside(const SentenceContext& context, bool outside)
+{
+    const unsigned either = codeOf(context, 1) | codeOf(context, 2);
+    return (outside ? tr("Not both ends are inside, for %1 | %2 = %3 is not 0000: the line cannot "
+                         "be accepted yet.")
+                    : tr("Both ends are inside, for %1 | %2 = %3: the line can be accepted."))
+        .arg(codeText(context, 1), codeText(context, 2), outcodeText(either));
+}
+
+/// Whether both ends are beyond one edge.
+QString bothBeyond(const SentenceContext& context)
+{
+    const unsigned common = codeOf(context, 1) & codeOf(context, 2);
+    if (!context.holds())
+        return tr("No edge has both ends beyond it, for %1 & %2 = %3: the line cannot be rejected "
+                  "yet.")
+            .arg(codeText(context, 1), codeText(context, 2), outcodeText(common));
+    return tr("Both ends lie %4, for %1 & %2 = %3 is not 0000.")
+        .arg(codeText(context, 1), codeText(context, 2), outcodeText(common),
+             words::beyond(words::edgeOf(common), context.tracedLine.y));
+}
+
+QString rejected(const SentenceContext& context)
+{
+    const unsigned common = codeOf(context, 1) & codeOf(context, 2);
+    return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+              "visible.")
+        .arg(words::beyond(words::edgeOf(common), context.tracedLine.y));
+}
+
+/// Which end is cut next.
+QString chosen(const SentenceContext& context)
+{
+    return codeOf(context, 1) != 0
+               ? tr("End 1 is outside, with %1: it is the one to be cut.")
+                     .arg(codeAndRegion(context, 1))
+               : tr("End 1 is inside, End 2 is outside, with %1: it is the one to be cut.")
+                     .arg(codeAndRegion(context, 2));
+}
+
+/// Whether the end is cut at the step's edge.
+QString cutThere(const SentenceContext& context)
+{
+    const int number = endOutside(context);
+    const QString code = codeText(context, number), end = words::end(number);
+    if (!context.holds())
+        return tr("The bit of %1 is not set in %2: %3 is not cut there now.")
+            .arg(context.edgeText(), code, end);
+    return tr("The bit of %1 is set in %2: %3 lies %4 and is cut there.")
+        .arg(context.edgeText(), code, end, words::beyond(context.edge(), context.tracedLine.y));
+}
+
+/// Published form: the point where the line meets the edge.
+QString meets(const SentenceContext& context)
+{
+    const int along = clipping::axisOf(context.edge());
+    const auto& window = context.tracedLine.window;
+    const double level = clipping::levelOf(context.edge(), window);
+    const double there = context.value(along == 0 ? "y" : "x").value_or(0);
+    if (!std::isfinite(there))
+        return tr("The numbers are too large: their product overflows, %1 becomes %2, and what "
+                  "comes of it means nothing any more.")
+            .arg(along == 0 ? QStringLiteral("y") : QStringLiteral("x"), words::number(there));
+    return tr("From End 1 to %1 it is %2 in %3. There the line is at %4.")
+        .arg(context.edgeText(), words::number(level - context.step.segment.a[along]),
+             words::axisName(context.edge()),
+             words::point(along == 0 ? Point{level, there} : Point{there, level}));
+}
+
+/// Corrected form: how far the end moves from its original place.
+QString way(const SentenceContext& context)
+{
+    const int number = endOutside(context);
+    const auto& line = context.tracedLine.line;
+    return words::way(context, words::end(number), number == 1 ? line.a : line.b,
+                      context.value(context.step.name).value_or(0));
+}
+
+QString moved(const SentenceContext& context)
+{
+    if (!words::isPublished(context))
+        return words::moved(context, endOutside(context));
+    const int number = context.value("code1") ? 1 : 2;
+    return words::moved(context, number) + u' '
+           + tr("Its outcode is now %1.").arg(codeAndRegion(context, number));
+}
+
+/// The corrected form's new outcode, before and after the bits of edges that have cut the end are
+/// cleared.
+QString newCode(const SentenceContext& context)
+{
+    const int number = endOutside(context);
+    if (context.edge() != clipping::Edge::None)
+        return tr("The way that %1 has moved, compared with the ways to the other edges, gives the "
+                  "outcode %2.")
+            .arg(words::end(number), codeAndRegion(context, number));
+    const unsigned done = known(context, number == 1 ? "done[1]" : "done[2]");
+    return tr("An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
+              "left "
+              "out, so the outcode is %3.")
+        .arg(words::end(number), outcodeText(done), codeAndRegion(context, number));
+}
+
+/// The tests without an edge.
+QString decided(const SentenceContext& context)
+{
+    const bool published = words::isPublished(context);
+    switch (context.step.line) {
+    case 3:
+        return anyOutside(context, !context.holds());
+    case 4:
+        return anyOutside(context, context.holds());
+    case 5:
+        return bothBeyond(context);
+    default:
+        return !published        ? chosen(context)
+               : context.holds() ? tr("The outcode is that of End 1, so End 1 is cut.")
+                                 : tr("The outcode is not that of End 1, so End 2 is cut.");
+    }
+}
+
+QString sentence(const SentenceContext& context)
+{
+    const auto what = context.step.what;
+    const auto& name = context.step.name;
+    if (what == What::Accept)
+        return words::acceptedIfInside(context);
+    if (what == What::Reject)
+        return rejected(context) + words::lost(context);
+    if (what == What::GiveUp)
+        return tr(
+            "After 64 cuts no end is in sight: rounding clears one bit and sets another, round and "
+            "round. The published form never ends here; it is stopped, and nothing is drawn.");
+    if (what == What::Cut)
+        return moved(context);
+    if (what == What::Test)
+        return context.edge() == clipping::Edge::None ? decided(context) : cutThere(context);
+    if (context.step.line == 1)
+        return outcodes(context);
+    if (name == "left")
+        return words::held(context);
+    if (name == "codeOut")
+        return chosen(context);
+    if (name == "i")
+        return tr("%1 is cut from where it was given, %2.")
+            .arg(words::end(endOutside(context)),
+                 words::point(endOutside(context) == 1 ? context.tracedLine.line.a
+                                                       : context.tracedLine.line.b));
+    if (name == "x" || name == "y")
+        return meets(context);
+    return name == "run" || name == "rise" ? way(context) : newCode(context);
+}
+
+} // namespace
+
+extern const Teaching cohenSutherlandTeaching;
+const Teaching cohenSutherlandTeaching{
+    .key = "cohen-sutherland",
+    .sentence = sentence,
+    .overlay = outcodeOverlay,
+    .figure = {.line = {{-170, -120}, {130, 60}}}, // an end is cut twice
+};
+
+} // namespace app

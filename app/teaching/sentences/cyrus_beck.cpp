@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/part.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+using words::knownCompared;
+using words::knownNumber;
+
+/// The corresponding line of the corrected form: in the published form, line 3 computes the normal.
+int lineOf(const SentenceContext& context)
+{
+    return context.step.line - (words::isPublished(context) ? 1 : 0);
+}
+
+/// Lines 5 to 12: the tests at one edge.
+QString asked(const SentenceContext& context)
+{
+    const QString edge = context.edgeText();
+    switch (lineOf(context)) {
+    case 5:
+        return (context.holds()
+                    ? tr("D = %2: the line runs along %1 and never crosses it.")
+                    : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
+            .arg(edge, knownNumber(context, "D"));
+    case 6:
+        return (context.holds()
+                    ? tr("The line runs along %1, beyond it (N = %2 is less than 0).")
+                    : tr("End 1 is not beyond %1 (N = %2, not less than 0), and neither is the "
+                         "rest of the line: this edge cuts nothing."))
+            .arg(edge, knownNumber(context, "N"));
+    case 9:
+        return (context.holds() ? tr("D = %1 is greater than 0: at %2 the line enters.")
+                                : tr("D = %1 is less than 0: at %2 the line leaves."))
+            .arg(knownNumber(context, "D"), edge);
+    case 10:
+        return (context.holds()
+                    ? tr("Of all entries so far, the one at %1 is the last (%2).")
+                    : tr("What is left begins no earlier than that (%2): %1 cuts nothing off."))
+            .arg(edge, knownCompared(context, "t", "tE"));
+    default:
+        return (context.holds()
+                    ? tr("Of all exits so far, the one at %1 is the first (%2).")
+                    : tr("What is left ends no later than that (%2): %1 cuts nothing off."))
+            .arg(edge, knownCompared(context, "t", "tL"));
+    }
+}
+
+/// Line 14: what remains after all edges.
+QString concluded(const SentenceContext& context)
+{
+    if (context.holds())
+        return tr("The line leaves before it enters (tE > tL: %1).")
+            .arg(knownCompared(context, "tE", "tL"));
+    return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): what lies "
+              "between them is visible.")
+        .arg(knownNumber(context, "tE"), knownNumber(context, "tL"));
+}
+
+/// The assignment of a variable at an edge.
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    const QString edge = context.edgeText();
+    const auto normal = [&](const QString& text) {
+        return text.arg(edge, knownNumber(context, "nx"), knownNumber(context, "ny"));
+    };
+    if (name == "ny")
+        return normal(tr("The inner normal of %1 is (%2, %3), which is as long as that edge."));
+    if (name == "D")
+        return normal(tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on "
+                         "its way from End 1 to End 2."))
+            .arg(knownNumber(context, "D"));
+    if (name == "N")
+        return tr("Along the same normal End 1 lies N = %1 inside %2 (less than 0: beyond it).")
+            .arg(knownNumber(context, "N"), edge);
+    if (name == "t")
+        return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
+            .arg(edge, knownNumber(context, "t"));
+    if (name == "tE")
+        return tr("What is left begins at %1, with tE = %2.").arg(edge, knownNumber(context, "tE"));
+    return tr("What is left ends at %1, with tL = %2.").arg(edge, knownNumber(context, "tL"));
+}
+
+QString accepted(const SentenceContext& context)
+{
+    const auto& [a, b] = context.step.segment;
+    const auto& window = context.tracedLine.window;
+    const bool flat = window.min.x == window.max.x || window.min.y == window.max.y;
+    if (flat && (words::isOutside(a, window) || words::isOutside(b, window)))
+        return tr(
+            "The window has no area, so two of its normals are (0, 0) and cut nothing. What is "
+            "left is taken for visible, and that is wrong: it reaches beyond the window.");
+    return words::acceptedIfInside(context);
+}
+
+QString sentence(const SentenceContext& context)
+{
+    const auto what = context.step.what;
+    const words::PartNames names{"tE", "tL", words::isPublished(context) ? 16 : 15};
+    if (what == clipping::What::Accept)
+        return accepted(context);
+    if (what == clipping::What::Reject)
+        return tr("Nothing of the line is visible.") + words::lost(context);
+    if (context.step.line >= names.line)
+        return words::endsOfPart(context, names);
+    if (what == clipping::What::Let)
+        return context.edge() == clipping::Edge::None ? words::wholeLine(context, names)
+                                                      : given(context);
+    return lineOf(context) == 14 ? concluded(context) : asked(context);
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"D", ValueUnit::Length},
+    {"N", ValueUnit::Length},
+    {"nx", ValueUnit::Bare},
+    {"ny", ValueUnit::Bare},
+    {"tE", ValueUnit::Bare},
+    {"tL", ValueUnit::Bare},
+    {"xv", ValueUnit::X},
+    {"yv", ValueUnit::Y},
+    {"xw", ValueUnit::X},
+    {"yw", ValueUnit::Y},
+});
+/// The normals of the published form are as long as the edges.
+constexpr auto publishedVariables = std::to_array<VariableUnit>({
+    {"nx", ValueUnit::Length},
+    {"ny", ValueUnit::Length},
+    {"D", ValueUnit::Area},
+    {"N", ValueUnit::Area},
+});
+
+} // namespace
+
+extern const Teaching cyrusBeckTeaching;
+const Teaching cyrusBeckTeaching{
+    .key = "cyrus-beck",
+    .sentence = sentence,
+    .parameter = "t",
+    .overlay = parameterOverlay,
+    .variables = variables,
+    .published = publishedVariables,
+};
+
+} // namespace app

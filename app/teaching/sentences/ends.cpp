@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/sentences/ends.h"
+
+#include "app/overlays/half_plane.h"
+#include "clipping/outcode.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app::words {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+/// The distance of a point outside a window; 0 if it is not outside.
+double outside(const Point& p, const clipping::Window& window)
+{
+    return std::max(
+        {window.min.x - p.x, p.x - window.max.x, window.min.y - p.y, p.y - window.max.y, 0.0});
+}
+
+/// An edge that both ends of the original line lie beyond.
+Edge commonEdge(const TracedLine& tracedLine)
+{
+    const unsigned common = clipping::outcodeOf(tracedLine.line.a, tracedLine.window)
+                            & clipping::outcodeOf(tracedLine.line.b, tracedLine.window);
+    return common & clipping::outcode::left     ? Edge::Left
+           : common & clipping::outcode::right  ? Edge::Right
+           : common & clipping::outcode::bottom ? Edge::Bottom
+                                                : Edge::Top;
+}
+
+/// The exact visible part.
+std::optional<clipping::Segment> exactPiece(const TracedLine& tracedLine)
+{
+    return clipping::exactAlgorithm().corrected.clip(tracedLine.line, tracedLine.window);
+}
+
+} // namespace
+
+Point endOf(int number, const SentenceContext& context)
+{
+    return number == 1 ? context.step.segment.a : context.step.segment.b;
+}
+
+bool isBeyond(const SentenceContext& context, int number, Edge edge)
+{
+    return edge != Edge::None
+           && app::isBeyond(endOf(number, context), edge, context.tracedLine.window);
+}
+
+QString whetherBeyond(const SentenceContext& context, int number)
+{
+    const QString side = beyond(context.edge(), context.tracedLine.y);
+    const QString relation =
+        compared(endOf(number, context), context.edge(), context.tracedLine.window);
+    return isBeyond(context, number, context.edge())
+               ? tr("%1 lies %2 (%3)").arg(end(number), side, relation)
+               : tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
+}
+
+bool asksTheWay(const SentenceContext& context)
+{
+    return context.known("moved") == 1 && clipping::axisOf(context.edge()) == 1;
+}
+
+QString whetherPassed(const SentenceContext& context, int number)
+{
+    const double rise = context.known("rise").value_or(0);
+    const double gap = clipping::levelOf(context.edge(), context.tracedLine.window)
+                       - context.known("yi").value_or(0);
+    return (context.holds()
+                ? tr("On its way %1 has passed %2: it has moved by %3 in y, and %2 was %4 away "
+                     "(%5). It lies %6.")
+                : tr("On its way %1 has not passed %2: it has moved by %3 in y, and %2 was %4 "
+                     "away (%5). It does not lie %6."))
+        .arg(end(number), context.edgeText(), words::number(rise), words::number(gap),
+             compared(rise, gap), beyond(context.edge(), context.tracedLine.y));
+}
+
+QString bothBeyond(const SentenceContext& context)
+{
+    const auto& [a, b] = context.tracedLine.line;
+    const Edge edge =
+        context.edge() != Edge::None ? context.edge() : commonEdge(context.tracedLine);
+    const auto& window = context.tracedLine.window;
+    return tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
+        .arg(beyond(edge, context.tracedLine.y), compared(a, edge, window),
+             compared(b, edge, window));
+}
+
+QString corner(Edge one, Edge other, YAxis y)
+{
+    static constexpr std::array<const char*, 4> corners{
+        "the bottom left corner", "the bottom right corner", "the top left corner",
+        "the top right corner"};
+    if (one > other)
+        std::swap(one, other);
+    if (one == Edge::None || one > Edge::Right || other < Edge::Bottom)
+        return {};
+    const bool top = (other == Edge::Top) == (y == YAxis::Up);
+    return tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
+}
+
+QString outcodes(const SentenceContext& context)
+{
+    const auto code = [&](const char* name) {
+        return outcodeText(unsigned(context.value(name).value_or(0)));
+    };
+    return tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
+        .arg(code("code1"), code("code2"), outcodeBits());
+}
+
+QString productsTooLarge(const QString& products, const QString& corner)
+{
+    return tr("The products are too large for a number (%1): what they say of %2 means nothing, "
+              "but it is believed.")
+        .arg(products, corner);
+}
+
+QString value(const SentenceContext& context, std::string_view name)
+{
+    const auto value = context.value(name);
+    return value ? number(*value) : QString();
+}
+
+QString held(const SentenceContext& context)
+{
+    return context.before && context.before->segment != context.step.segment
+               ? tr("Rounding had put an end just outside: it is moved back to the window.")
+               : tr("Rounding has put no end outside the window, so both stay where they are.");
+}
+
+QString acceptedIfInside(const SentenceContext& context)
+{
+    for (const int end : {1, 2})
+        if (const Point p = endOf(end, context); std::isnan(p.x) || std::isnan(p.y))
+            return tr("What is left is taken for visible, but %1 is no point any more: %2.")
+                .arg(words::end(end), point(p));
+    for (const int end : {1, 2})
+        if (const double far = outside(endOf(end, context), context.tracedLine.window); far > 0)
+            return (std::isfinite(far)
+                        ? tr("What is left is taken for visible, but rounding has left %1 outside "
+                             "the window, by %2.")
+                        : tr(
+                            "What is left is taken for visible, but numbers too large have left %1 "
+                            "outside the window, by %2."))
+                .arg(words::end(end), words::number(far));
+    if (!exactPiece(context.tracedLine))
+        return accepted(context) + QStringLiteral(" ")
+               + tr("That is wrong: the line misses the window, by less than rounding can tell.");
+    return accepted(context);
+}
+
+QString lost(const SentenceContext& context)
+{
+    if (!isPublished(context))
+        return {};
+    const auto piece = exactPiece(context.tracedLine);
+    if (!piece)
+        return {};
+    return QStringLiteral(" ")
+           + (piece->a == piece->b
+                  ? tr("That is wrong: the line touches the window at %1.").arg(point(piece->a))
+                  : tr("That is wrong: from %1 to %2 the line is inside.")
+                        .arg(point(piece->a), point(piece->b)));
+}
+
+} // namespace app::words

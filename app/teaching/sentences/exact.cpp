@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/overlays/half_plane.h"
+#include "app/teaching/sentences/words.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+/// An end of the line, and the edges that the line crosses near it.
+struct Side {
+    Edge x, y;             ///< the edges that the line passes there
+    bool beyondX, beyondY; ///< whether the end lies beyond them
+};
+
+Side sideOf(const Point& p, Edge x, Edge y, const clipping::Window& w)
+{
+    return {x, y, isBeyond(p, x, w), isBeyond(p, y, w)};
+}
+Side entryOf(const TracedLine& tracedLine)
+{
+    const auto& [a, b] = tracedLine.line;
+    return sideOf(a, a.x < b.x ? Edge::Left : Edge::Right, a.y < b.y ? Edge::Bottom : Edge::Top,
+                  tracedLine.window);
+}
+Side exitOf(const TracedLine& tracedLine)
+{
+    const auto& [a, b] = tracedLine.line;
+    return sideOf(b, a.x < b.x ? Edge::Right : Edge::Left, a.y < b.y ? Edge::Top : Edge::Bottom,
+                  tracedLine.window);
+}
+
+/// Lines 1 and 3: whether both ends are beyond the same edge of an axis.
+QString bothBeyond(const SentenceContext& context)
+{
+    const auto axis = context.step.line == 1 ? 0 : 1;
+    const auto beyond = [&](Edge edge) { return words::beyond(edge, context.tracedLine.y); };
+    if (context.holds())
+        return tr("Both ends lie %1, and so does all between them.").arg(beyond(context.edge()));
+    return tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
+        .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
+}
+
+/// Line 6: the direction of the line.
+QString direction(const SentenceContext& context)
+{
+    const auto& [a, b] = context.tracedLine.line;
+    const auto grows = [&](const char* name) {
+        return context.value(name) == 1.0 ? tr("grows") : tr("does not grow");
+    };
+    return tr("From End 1 to End 2 x %1 (%2) and y %3 (%4).")
+        .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
+}
+
+/// Lines 7 and 8: the near and the far edge of an axis.
+QString nearAndFar(const SentenceContext& context)
+{
+    const TracedLine& tracedLine = context.tracedLine;
+    const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
+    const bool isX = context.step.name == "xfar";
+    return tr("So %1 is near: the line can enter by it. And %2 is far: the line can leave by it.")
+        .arg(edgeWords(isX ? in.x : in.y, tracedLine.y),
+             edgeWords(isX ? out.x : out.y, tracedLine.y));
+}
+
+/// Lines 9 to 12: whether an end is beyond the near or the far edge of an axis.
+QString oneBeyond(const SentenceContext& context)
+{
+    const int number = context.step.line <= 10 ? 1 : 2;
+    const auto& end = number == 1 ? context.tracedLine.line.a : context.tracedLine.line.b;
+    return (context.value(context.step.name) == 1.0 ? tr("%1 is beyond %2 (%3).")
+                                                    : tr("%1 is not beyond %2 (%3)."))
+        .arg(words::end(number), context.edgeText(),
+             words::compared(end, context.edge(), context.tracedLine.window));
+}
+
+/// Lines 13 and 15: whether the line passes the corner between an entry and an exit on the outside.
+QString corner(const SentenceContext& context)
+{
+    const TracedLine& tracedLine = context.tracedLine;
+    const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
+    const bool first = context.step.line == 13;
+    const QString entry = edgeWords(first ? in.x : in.y, tracedLine.y);
+    const QString exit = edgeWords(first ? out.y : out.x, tracedLine.y);
+    if (context.holds())
+        return tr("The line has passed %1 before it reaches %2: it goes round the corner between "
+                  "them, outside. That is certain, whatever the rounding.")
+            .arg(exit, entry);
+    if (first ? in.beyondX && out.beyondY : in.beyondY && out.beyondX)
+        return tr("The line reaches %2 no later than %1: the corner between them does not keep it "
+                  "out. That is certain, whatever the rounding.")
+            .arg(exit, entry);
+    return tr("The line need not enter at %2 and leave at %1, so the corner between them cannot "
+              "keep "
+              "it out.")
+        .arg(exit, entry);
+}
+
+/// Lines 17, 19, 21 and 23: at which of two edges an end is cut.
+QString cutWhere(const SentenceContext& context)
+{
+    const TracedLine& tracedLine = context.tracedLine;
+    const bool entering = context.step.line < 21;
+    const Side side = entering ? entryOf(tracedLine) : exitOf(tracedLine);
+    const QString end = words::end(entering ? 1 : 2);
+    const QString x = edgeWords(side.x, tracedLine.y), y = edgeWords(side.y, tracedLine.y);
+    const bool asksX = context.step.line == 17 || context.step.line == 21;
+    if (!asksX)
+        return context.holds() ? tr("%1 is beyond %2: it is cut there.").arg(end, y)
+                               : tr("%1 is inside and stays as it is, bit for bit.").arg(end);
+    if (!side.beyondX)
+        return tr("%1 is not beyond %2.").arg(end, x);
+    if (!side.beyondY)
+        return tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
+    if (entering)
+        return (context.holds()
+                    ? tr("Of the two edges that the line enters by, it passes %1 no earlier than "
+                         "%2: End 1 is cut at %1.")
+                    : tr("Of the two edges that the line enters by, it passes %2 later than %1: "
+                         "End 1 is not cut at %1."))
+            .arg(x, y);
+    return (context.holds()
+                ? tr("Of the two edges that the line leaves by, it passes %1 no later than %2: "
+                     "End 2 is cut at %1.")
+                : tr("Of the two edges that the line leaves by, it passes %2 before %1: End 2 is "
+                     "not cut at %1."))
+        .arg(x, y);
+}
+
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    return name == "up"                       ? direction(context)
+           : name == "xfar" || name == "yfar" ? nearAndFar(context)
+                                              : oneBeyond(context);
+}
+
+QString sentence(const SentenceContext& context)
+{
+    const int line = context.step.line;
+    const int end = line <= 20 ? 1 : 2;
+    switch (context.step.what) {
+    case clipping::What::Accept:
+        return words::accepted(context);
+    case clipping::What::Reject:
+        return tr("Nothing of the line is visible, and that is certain.");
+    case clipping::What::Cut:
+        return tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
+            .arg(words::end(end), context.edgeText(),
+                 words::point(end == 1 ? context.step.segment.a : context.step.segment.b));
+    case clipping::What::Test:
+        return line <= 3 ? bothBeyond(context) : line <= 15 ? corner(context) : cutWhere(context);
+    default:
+        return given(context);
+    }
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"xnear", ValueUnit::X},
+    {"ynear", ValueUnit::Y},
+    {"xfar", ValueUnit::X},
+    {"yfar", ValueUnit::Y},
+});
+
+} // namespace
+
+extern const Teaching exactTeaching;
+const Teaching exactTeaching{
+    .key = "exact",
+    .sentence = sentence,
+    .overlay = turnOverlay,
+    .figure = {.line = {{-160, 10}, {-20, 120}}}, // close to a corner
+    .variables = variables,
+};
+
+} // namespace app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/part.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+using words::knownCompared;
+using words::knownNumber;
+
+words::PartNames namesIn(const SentenceContext& context)
+{
+    return {"u0", "u1", words::isPublished(context) ? 19 : 20};
+}
+
+/// Lines 2, 7 and 12: the direction of the line at one edge.
+QString direction(const SentenceContext& context)
+{
+    const QString edge = context.edgeText(), p = knownNumber(context, "p");
+    if (context.step.line == 12)
+        return (context.holds()
+                    ? tr("The line runs along %1, on the outer side of it (q = %2 is less than 0).")
+                    : tr("End 1 lies on the inner side of %1 (q = %2, not less than 0), and so "
+                         "does all of the line: this edge cuts nothing."))
+            .arg(edge, knownNumber(context, "q"));
+    if (context.step.line == 7)
+        return (context.holds() ? tr("p = %1 is greater than 0: at %2 the line leaves.")
+                                : tr("p = %1: the line runs along %2 and never crosses it."))
+            .arg(p, edge);
+    return (context.holds() ? tr("p = %1 is less than 0: at %2 the line enters.")
+                            : tr("p = %1 is not less than 0: at %2 the line does not enter."))
+        .arg(p, edge);
+}
+
+/// Lines 4, 5, 9 and 10: the effect of a crossing.
+QString crossing(const SentenceContext& context)
+{
+    const QString edge = context.edgeText();
+    const QString toStop = knownCompared(context, "r", "u1");
+    const QString toStart = knownCompared(context, "r", "u0");
+    switch (context.step.line) {
+    case 4:
+        return context.holds()
+                   ? tr("It would enter at %1 only after it has left at another edge (%2).")
+                         .arg(edge, toStop)
+                   : tr("It enters before it leaves (%1), so something may be visible.")
+                         .arg(toStop);
+    case 9:
+        return context.holds()
+                   ? tr("It has left at %1 before it enters at another edge (%2).")
+                         .arg(edge, toStart)
+                   : tr("It leaves after it has entered (%1), so something may be visible.")
+                         .arg(toStart);
+    case 5:
+        return (context.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
+                                : tr("The part that is left begins later than that (%2): %1 cuts "
+                                     "nothing off."))
+            .arg(edge, toStart);
+    default:
+        return (context.holds() ? tr("Of all exits so far, the one at %1 is the first (%2).")
+                                : tr("The part that is left ends before that (%2): %1 cuts nothing "
+                                     "off."))
+            .arg(edge, toStop);
+    }
+}
+
+/// The meaning of the signs of p and q for the line at an edge.
+QString atEdge(const SentenceContext& context)
+{
+    const double p = context.known("p").value_or(0), q = context.known("q").value_or(0);
+    const QString way = p < 0   ? tr("At %1, p = %2 < 0: the line enters.")
+                        : p > 0 ? tr("At %1, p = %2 > 0: the line leaves.")
+                                : tr("At %1, p = %2: the line runs along it.");
+    return way.arg(context.edgeText(), words::number(p)) + u' '
+           + (q < 0 ? tr("q = %1 < 0: End 1 is outside that edge.")
+                    : tr("q = %1: End 1 is inside that edge."))
+                 .arg(words::number(q));
+}
+
+/// The assignment of a variable at an edge, on lines 1 to 12 or at the calls.
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    const QString edge = context.edgeText();
+    if (name == "q")
+        return atEdge(context);
+    if (name == "u0")
+        return tr("What is left begins at %1, with u0 = %2.").arg(edge, knownNumber(context, "u0"));
+    if (name == "u1")
+        return tr("What is left ends at %1, with u1 = %2.").arg(edge, knownNumber(context, "u1"));
+    return (context.step.line == 3
+                ? tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
+                : tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
+        .arg(edge, knownNumber(context, "r"));
+}
+
+QString sentence(const SentenceContext& context)
+{
+    const auto what = context.step.what;
+    const int line = context.step.line;
+    const auto names = namesIn(context);
+    if (what == clipping::What::Accept)
+        return words::acceptedIfInside(context);
+    if (what == clipping::What::Reject)
+        return tr("Nothing of the line is visible.") + words::lost(context);
+    if (line >= names.line)
+        return words::endsOfPart(context, names);
+    if (what == clipping::What::Let)
+        return context.edge() == clipping::Edge::None ? words::wholeLine(context, names)
+                                                      : given(context);
+    return line == 2 || line == 7 || line == 12 ? direction(context) : crossing(context);
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"p", ValueUnit::Length},
+    {"q", ValueUnit::Length},
+    {"r", ValueUnit::Bare},
+    {"u0", ValueUnit::Bare},
+    {"u1", ValueUnit::Bare},
+});
+
+} // namespace
+
+extern const Teaching liangBarskyTeaching;
+const Teaching liangBarskyTeaching{
+    .key = "liang-barsky",
+    .sentence = sentence,
+    .parameter = "r",
+    .overlay = parameterOverlay,
+    .figure = {.mark = Mark::Divide}, // a parameter and its place on the line
+    .variables = variables,
+};
+
+} // namespace app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+/// Whether both ends are beyond the same edge of an axis.
+QString bothBeyond(const SentenceContext& context)
+{
+    const auto &a = context.step.segment.a, &b = context.step.segment.b;
+    const auto& window = context.tracedLine.window;
+    if (context.holds())
+        return tr("Both ends lie %1: %2 and %3.")
+            .arg(words::beyond(context.edge(), context.tracedLine.y),
+                 words::compared(a, context.edge(), window),
+                 words::compared(b, context.edge(), window));
+    const int axis = context.step.line == 3 ? 1 : 0;
+    const auto numbers = [&](const QString& text) {
+        return text.arg(words::number(a[axis]), words::number(b[axis]),
+                        words::number(window.min[axis]), words::number(window.max[axis]));
+    };
+    return axis == 0 ? numbers(tr("From x = %1 to x = %2 the line lies neither wholly left nor "
+                                  "wholly right of the window (%3 to %4): x does not rule it out."))
+                     : numbers(tr("From y = %1 to y = %2 the line lies neither wholly above nor "
+                                  "wholly below the window (%3 to %4): y does not rule it out."));
+}
+
+/// Whether one end is beyond an edge.
+QString oneBeyond(const SentenceContext& context, int number)
+{
+    const Edge edge = context.edge();
+    const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
+    if (words::asksTheWay(context))
+        return words::whetherPassed(context, number);
+    const QString where = words::beyond(edge, context.tracedLine.y), end = words::end(number);
+    const QString numbers = words::compared(p, edge, context.tracedLine.window);
+    return (context.holds() ? tr("%1 lies %2 (%3), so it has to move along the line to %4.")
+                            : tr("%1 does not lie %2 (%3), so %4 does not cut it."))
+        .arg(end, where, numbers, context.edgeText());
+}
+
+/// How far the line goes along the other axis on its way to the edge.
+QString wayTo(const SentenceContext& context, int number)
+{
+    const int from = words::isPublished(context) ? 1 : number;
+    const auto& line = context.tracedLine.line;
+    const auto [dx, dy] = std::pair(line.b.x - line.a.x, line.b.y - line.a.y);
+    const double slope = context.step.name == "rise" ? dy / dx : dx / dy;
+    return words::way(context, words::end(from), from == 1 ? line.a : line.b,
+                      context.value(context.step.name).value_or(0),
+                      words::isPublished(context) ? std::optional(slope) : std::nullopt);
+}
+
+/// After both axes, only x can still be outside, and only if the line misses the window.
+QString stillBeyond(const SentenceContext& context)
+{
+    const auto &a = context.step.segment.a, &b = context.step.segment.b;
+    const auto& window = context.tracedLine.window;
+    if (context.holds())
+        return tr("Both ends have arrived %1 (%2 and %3): the line is taken to pass the window by.")
+            .arg(words::beyond(context.edge(), context.tracedLine.y),
+                 words::compared(a, context.edge(), window),
+                 words::compared(b, context.edge(), window));
+    return tr("The ends are now at x = %1 and x = %2, neither both left nor both right of the "
+              "window: the line has met it.")
+        .arg(words::number(a.x), words::number(b.x));
+}
+
+/// The last test: on line 19 of the published form, on line 20 of the corrected one.
+bool isLastTest(const clipping::Step& step, const SentenceContext& context)
+{
+    return step.line == (words::isPublished(context) ? 19 : 20);
+}
+
+QString rejected(const SentenceContext& context)
+{
+    if (context.before && isLastTest(*context.before, context))
+        return tr(
+            "Had the line met the window, its ends would have arrived there. Nothing of it is "
+            "visible.");
+    return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+              "visible.")
+        .arg(words::beyond(context.edge(), context.tracedLine.y));
+}
+
+QString accepted(const SentenceContext& context)
+{
+    const auto& [a, b] = context.step.segment;
+    const auto& window = context.tracedLine.window;
+    if (words::isOutside(a, window) || words::isOutside(b, window))
+        return tr("%1 lies outside the window, at %2. The last test sees only ends that are out on "
+                  "the same side, so the line is drawn all the same: this is wrong.")
+            .arg(words::end(words::isOutside(a, window) ? 1 : 2),
+                 words::point(words::isOutside(a, window) ? a : b));
+    return words::acceptedIfInside(context);
+}
+
+QString sentence(const SentenceContext& context)
+{
+    const auto what = context.step.what;
+    const auto& name = context.step.name;
+    const int number = int(context.known("i").value_or(1));
+    if (what == clipping::What::Accept)
+        return accepted(context);
+    if (what == clipping::What::Reject)
+        return rejected(context) + words::lost(context);
+    if (what == clipping::What::Cut)
+        return words::moved(context, number);
+    if (name == "dy")
+        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+            .arg(words::value(context, "dx"), words::value(context, "dy"));
+    if (name == "moved")
+        return tr("%1 is where it was given, at %2: it has not been moved yet.")
+            .arg(words::end(number),
+                 words::point(number == 1 ? context.step.segment.a : context.step.segment.b));
+    if (name == "left")
+        return words::held(context);
+    if (name == "rise" || name == "run")
+        return wayTo(context, number);
+    if (context.step.line <= 3)
+        return bothBeyond(context);
+    return isLastTest(context.step, context) ? stillBeyond(context) : oneBeyond(context, number);
+}
+
+} // namespace
+
+extern const Teaching matthesDrakopoulosTeaching;
+const Teaching matthesDrakopoulosTeaching{
+    .key = "matthes-drakopoulos",
+    .sentence = sentence,
+    .overlay = pushOverlay,
+};
+
+} // namespace app

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+
+using clipping::What;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+unsigned bitsOf(const SentenceContext& context, const char* name)
+{
+    return unsigned(context.known(name).value_or(0));
+}
+QString codeText(const SentenceContext& context, const char* name)
+{
+    return outcodeText(bitsOf(context, name));
+}
+QString codeAndRegion(const SentenceContext& context, const char* name)
+{
+    return words::codeAndRegion(bitsOf(context, name), context.tracedLine.y);
+}
+QString numberOf(const SentenceContext& context, const char* name)
+{
+    return words::number(context.known(name).value_or(0));
+}
+
+QString outcodes(const SentenceContext& context)
+{
+    return tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+        .arg(codeAndRegion(context, "code1"), codeAndRegion(context, "code2"));
+}
+
+/// A common bit of two outcodes, as an edge that both points lie beyond.
+QString beyondBoth(const SentenceContext& context, const char* one, const char* other)
+{
+    return words::beyond(words::edgeOf(bitsOf(context, one) & bitsOf(context, other)),
+                         context.tracedLine.y);
+}
+
+/// Line 2: whether both ends are beyond the same edge.
+QString bothBeyond(const SentenceContext& context)
+{
+    const QString one = codeText(context, "code1"), two = codeText(context, "code2");
+    return context.holds()
+               ? tr("Both ends lie %3, for %1 & %2 is not 0000.")
+                     .arg(one, two, beyondBoth(context, "code1", "code2"))
+               : tr("No edge has both ends beyond it, for %1 & %2 = 0000: the line may meet the "
+                    "window.")
+                     .arg(one, two);
+}
+
+/// Whether an end is outside, so that a search for it is needed.
+QString sought(const SentenceContext& context, int number)
+{
+    const QString code = codeText(context, number == 1 ? "code1" : "code2");
+    if (context.holds())
+        return tr("%1 is outside (%2): the visible point nearest to it is sought, by halving.")
+            .arg(words::end(number), code);
+    return number == 1 && context.known("contact") == 1.0
+               ? tr("The line meets the window in one point, which is found.")
+               : tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
+}
+
+/// Whether the near and the far point share a bit.
+QString nearAndFar(const SentenceContext& context, bool share)
+{
+    const QString near = codeText(context, "near"), far = codeText(context, "far");
+    return share ? tr("The near point (%1) and the far point (%2) both lie %3.")
+                       .arg(near, far, beyondBoth(context, "near", "far"))
+                 : tr("The near point (%1) and the far point (%2) share no edge: the end that is "
+                      "sought lies between them.")
+                       .arg(near, far);
+}
+
+/// Which half is discarded.
+QString halved(const SentenceContext& context)
+{
+    const QString code = codeAndRegion(context, "M");
+    return (context.holds()
+                ? tr("The middle, with %1, and the far point lie beyond the same edge: the half "
+                     "between them holds nothing and is dropped.")
+                : tr("The middle, with %1, shares no edge with the far point: the end that is "
+                     "sought lies between them, and the near half is settled."))
+        .arg(code);
+}
+
+QString rejected(const SentenceContext& context)
+{
+    if (context.step.line == 3)
+        return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+                  "visible.")
+            .arg(beyondBoth(context, "code1", "code2"));
+    if (words::isPublished(context) && context.step.line == 20)
+        return tr("There is nothing left to halve, and the near point is still outside: nothing is "
+                  "visible.");
+    return tr("Between two points that lie %1 nothing is visible.")
+        .arg(beyondBoth(context, "near", "far"));
+}
+
+/// The result of the search for an end.
+QString found(const SentenceContext& context)
+{
+    const bool published = words::isPublished(context);
+    const int line = context.step.line;
+    const int number = published ? (line == 7 ? 2 : 1) : (line == 12 || line == 23 ? 2 : 1);
+    if (!published && (line == 14 || line == 23))
+        return tr("%1 is at the same point.").arg(words::end(number));
+    return tr("There is nothing left to halve: %1 is found at %2, at %3.")
+        .arg(words::end(number), words::point(words::endOf(number, context)), context.edgeText());
+}
+
+QString publishedTest(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 2:
+        return bothBeyond(context);
+    case 5:
+        return sought(context, 2);
+    case 8:
+        return sought(context, 1);
+    case 14:
+        return nearAndFar(context, context.holds());
+    case 18:
+        return context.holds()
+                   ? tr("The middle is one of the two points: there is nothing left to halve.")
+                   : tr("The middle lies between the two points: it halves what is between them.");
+    case 19:
+        return context.holds() ? tr("The near point is still outside, with %1.")
+                                     .arg(codeAndRegion(context, "near"))
+                               : tr("The near point is inside: it is the end that was sought.");
+    default:
+        return halved(context);
+    }
+}
+
+QString correctedTest(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 2:
+        return bothBeyond(context);
+    case 6:
+        return context.holds() ? tr("Not both ends are inside: the line has to be halved.")
+                               : tr("Both ends are inside: there is nothing to be sought.");
+    case 9:
+        return sought(context, 2);
+    case 13:
+        return context.holds()
+                   ? tr("The near point is outside, too, but beyond another edge (%1, not %2): the "
+                        "window lies between the two, and the line meets it in one point.")
+                         .arg(codeText(context, "near"), codeText(context, "far"))
+                   : tr("The near point is inside: it is the end that was sought.");
+    case 15:
+        return sought(context, 1);
+    case 18:
+        return context.holds()
+                   ? tr("The two ends are no more than one step apart: they are one "
+                        "point.")
+                   : tr("The two ends are not neighbours: more than a point is visible.");
+    case 22:
+        return context.holds() ? tr("The line meets the window in one point.")
+                               : tr("The line meets the window in more than one point.");
+    case 27:
+        return context.holds() || (bitsOf(context, "near") & bitsOf(context, "far")) != 0
+                   ? nearAndFar(context, !context.holds())
+                   : tr("After %1 halvings nothing is left to halve.")
+                         .arg(numberOf(context, "halvings"));
+    case 35:
+        return nearAndFar(context, context.holds());
+    default:
+        return halved(context);
+    }
+}
+
+/// The assignment of a variable.
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    const int line = context.step.line;
+    if (line == 1)
+        return outcodes(context);
+    if (name == "ym")
+        return tr("The middle of the near and the far point is %1.")
+            .arg(words::point({context.known("xm").value_or(0), context.known("ym").value_or(0)}));
+    if (name == "M")
+        return tr("The outcode of the middle is %1.").arg(codeAndRegion(context, "M"));
+    if (name == "contact")
+        return line == 5 ? tr("Nothing says yet that the line meets the window in one point only.")
+               : context.known("contact") == 1.0
+                   ? tr("The near point is outside, too: the line meets the window in one point.")
+                   : tr("The near point is inside: it is the end that was sought.");
+    if (name == "toRight" || name == "toTop")
+        return name == "toRight" ? tr("From End 1 it is %1 in x to End 2, %2 to xmin, %3 to xmax.")
+                                       .arg(numberOf(context, "dx"), numberOf(context, "toLeft"),
+                                            numberOf(context, "toRight"))
+                                 : tr("From End 1 it is %1 in y to End 2, %2 to ymin, %3 to ymax.")
+                                       .arg(numberOf(context, "dy"), numberOf(context, "toBottom"),
+                                            numberOf(context, "toTop"));
+    if (name == "halvings")
+        return context.value("t") ? tr("The middle lies at t = %1 of the way from End 1 to End 2.")
+                                        .arg(numberOf(context, "t"))
+                                  : tr("Nothing has been halved yet.");
+    if (name == "s")
+        return tr("The end lies at t = %1, on the edges that %2 names.")
+            .arg(numberOf(context, "t"), codeText(context, "s"));
+    if (name == "x" || name == "y")
+        return context.value("x") && context.value("y")
+                   ? tr("There the line is at %1.")
+                         .arg(words::point(
+                             {context.known("x").value_or(0), context.known("y").value_or(0)}))
+                   : tr("On its edge, or held inside the window, %1 is %2.")
+                         .arg(QLatin1StringView(name.data(), qsizetype(name.size())),
+                              words::number(context.value(name).value_or(0)));
+    if (context.value("near") && context.value("far"))
+        return tr("The near point has the outcode %1, the far point %2.")
+            .arg(codeAndRegion(context, "near"), codeAndRegion(context, "far"));
+    return name == "far"
+               ? tr("The middle is now the far point, with %1.").arg(codeAndRegion(context, "far"))
+               : tr("The middle is now the near point, with %1.")
+                     .arg(codeAndRegion(context, "near"));
+}
+
+QString sentence(const SentenceContext& context)
+{
+    switch (context.step.what) {
+    case What::Accept:
+        return words::acceptedIfInside(context);
+    case What::Reject:
+        return rejected(context) + words::lost(context);
+    case What::GiveUp:
+        return tr("Halving does not come to an end with these numbers: it is stopped, and nothing "
+                  "is visible.");
+    case What::Cut:
+        return found(context);
+    case What::Test:
+        return words::isPublished(context) ? publishedTest(context) : correctedTest(context);
+    default:
+        return given(context);
+    }
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"f", ValueUnit::Bare},
+    {"last", ValueUnit::Bare},
+    {"n", ValueUnit::Bare},
+    {"toLeft", ValueUnit::Length},
+    {"toRight", ValueUnit::Length},
+    {"toBottom", ValueUnit::Length},
+    {"toTop", ValueUnit::Length},
+    {"xf", ValueUnit::X},
+    {"yf", ValueUnit::Y},
+    {"xm", ValueUnit::X},
+    {"ym", ValueUnit::Y},
+    {"xn", ValueUnit::X},
+    {"yn", ValueUnit::Y},
+});
+
+} // namespace
+
+extern const Teaching midpointSubdivisionTeaching;
+const Teaching midpointSubdivisionTeaching{
+    .key = "midpoint-subdivision",
+    .sentence = sentence,
+    .parameter = "t",
+    .middle = {"xm", "ym"},
+    .overlay = midpointOverlay,
+    .figure = {.line = {{-40, -10}, {160, 110}}}, // halves without division
+    .variables = variables,
+};
+
+} // namespace app

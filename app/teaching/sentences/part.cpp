@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/sentences/part.h"
+
+#include "app/teaching/sentences/ends.h"
+
+#include <QCoreApplication>
+
+namespace app::words {
+
+using clipping::What;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+/// Whether an end has to move.
+QString needed(const SentenceContext& context, const PartNames& names)
+{
+    const bool isEnd2 = context.step.line == names.line;
+    const char* const name = isEnd2 ? names.stop : names.start;
+    const QString value =
+        QStringLiteral("%1 = %2").arg(QLatin1StringView(name), knownNumber(context, name));
+    if (!context.holds())
+        return tr("%1: %2 is inside and stays.").arg(value, end(isEnd2 ? 2 : 1));
+    return (isEnd2 ? tr("%1 is less than 1: %2 lies outside and has to move.")
+                   : tr("%1 is greater than 0: %2 lies outside and has to move."))
+        .arg(value, end(isEnd2 ? 2 : 1));
+}
+
+/// Whether only a single point remains of a line whose End 1 has moved.
+QString touches(const SentenceContext& context, const PartNames& names)
+{
+    const QString numbers = knownCompared(context, names.start, names.stop);
+    if (context.holds())
+        return tr("What is left begins where it ends (%1): the line only touches the window.")
+            .arg(numbers);
+    return context.known(names.start) == context.known(names.stop)
+               ? tr("What is left begins where it ends (%1), at End 2, which has not moved.")
+                     .arg(numbers)
+               : tr("What is left ends after it has begun (%1): it is more than one point.")
+                     .arg(numbers);
+}
+
+/// The corrected form clamps an end that no cut has moved to the window.
+QString held(const SentenceContext& context, int number)
+{
+    const bool stays = !context.before || context.before->segment == context.step.segment;
+    return (stays ? tr("%1 lies in the window, at %2: it stays where it is.")
+                  : tr("Rounding had left %1 just outside: it is moved into the window, to %2."))
+        .arg(end(number), point(endOf(number, context)));
+}
+
+} // namespace
+
+QString knownNumber(const SentenceContext& context, const char* name)
+{
+    return number(context.known(name).value_or(0));
+}
+
+QString knownCompared(const SentenceContext& context, const char* one, const char* other)
+{
+    return compared(context.known(one).value_or(0), context.known(other).value_or(0));
+}
+
+QString wholeLine(const SentenceContext& context, const PartNames& names)
+{
+    QStringList said;
+    if (context.value(names.stop))
+        said << tr("The whole line is left, from %1 = 0 (End 1) to %2 = 1 (End 2).")
+                    .arg(QLatin1StringView(names.start), QLatin1StringView(names.stop));
+    const auto way = [&](const char* name) {
+        return context.value(name) ? knownNumber(context, name) : QString();
+    };
+    const QString dx = way("dx"), dy = way("dy");
+    if (!dx.isEmpty() && !dy.isEmpty())
+        said << tr("From End 1 to End 2 it goes %1 in x and %2 in y.").arg(dx, dy);
+    else if (!dx.isEmpty())
+        said << tr("From End 1 to End 2 it goes %1 in x.").arg(dx);
+    else if (!dy.isEmpty())
+        said << tr("From End 1 to End 2 it goes %1 in y.").arg(dy);
+    return said.join(u' ');
+}
+
+QString endsOfPart(const SentenceContext& context, const PartNames& names)
+{
+    const int line = context.step.line - names.line;
+    switch (context.step.what) {
+    case What::Test:
+        return line == 6 ? touches(context, names) : needed(context, names);
+    case What::Cut:
+        return line == 7
+                   ? tr("End 1 becomes the same point as End 2, %1.").arg(point(endOf(1, context)))
+                   : moved(context, line == 1 ? 2 : 1);
+    default:
+        return held(context, line == 3 ? 2 : 1);
+    }
+}
+
+} // namespace app::words

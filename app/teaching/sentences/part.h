@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/teaching/sentences/words.h"
+
+// Sentences that Liang-Barsky and Cyrus-Beck share: about the remaining part of a line.
+
+namespace app::words {
+
+/// The names of the parameters at the start and the end of the part, and the pseudo-code line that
+/// tests whether End 2 moves.
+struct PartNames {
+    const char *start, *stop;
+    int line;
+};
+
+/// The current value of a variable with six significant digits.
+QString knownNumber(const SentenceContext& context, const char* name);
+/// "0.5 < 1": the comparison of two of them.
+QString knownCompared(const SentenceContext& context, const char* one, const char* other);
+
+/// The first steps: the whole line remains, and its extent along each axis.
+QString wholeLine(const SentenceContext& context, const PartNames& names);
+/// The steps from `names.line` on except the last one; they move the ends.
+QString endsOfPart(const SentenceContext& context, const PartNames& names);
+
+} // namespace app::words

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/corner_signs.h"
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/part.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+using clipping::What;
+using words::knownNumber;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+unsigned known(const SentenceContext& context, const char* name)
+{
+    return unsigned(context.known(name).value_or(0));
+}
+QString codeText(const SentenceContext& context, const char* name)
+{
+    return outcodeText(known(context, name));
+}
+QString edgeOfTable(const SentenceContext& context, unsigned k)
+{
+    return edgeWords(edgesFromCorners[k % 4], context.tracedLine.y);
+}
+
+/// "left" or "right" of the line's direction; if y points down, the sides are swapped.
+QString sideOfLine(const SentenceContext& context, bool positive)
+{
+    return positive == (context.tracedLine.y == YAxis::Up) ? tr("left") : tr("right");
+}
+
+/// The numbers that determine the side of a corner: positive if the first is greater.
+std::array<double, 2> numbersOf(const SentenceContext& context, unsigned corner)
+{
+    const auto value = [&](const char* name) { return context.known(name).value_or(0); };
+    if (words::isPublished(context))
+        return {value("F"), 0};
+    return {value(corner < 2 ? "f[0]" : "f[2]"),
+            value(corner == 0 || corner == 3 ? "f[3]" : "f[1]")};
+}
+
+QString cornerText(const SentenceContext& context, unsigned k)
+{
+    return words::corner(edgesFromCorners[k], edgesFromCorners[(k + 3) % 4], context.tracedLine.y);
+}
+
+/// The side of a corner: c[0] to c[3].
+QString cornerSide(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    const unsigned k = unsigned(name[2] - '0');
+    const QString corner = cornerText(context, k);
+    const auto [one, other] = numbersOf(context, k);
+    const bool isSet = context.value(name) == 1;
+    const QString relation = words::isPublished(context) ? tr("F = %1").arg(words::number(one))
+                                                         : words::compared(one, other);
+    const QString all =
+        tr("%1, so c[%2] = %3").arg(relation, QString::number(k), QString::number(isSet ? 1 : 0));
+    if (!std::isfinite(one) || !std::isfinite(other))
+        return words::productsTooLarge(all, corner);
+    if (one == other)
+        return (isSet ? tr("The line goes right through %1 (%2): counted as %3 of it.")
+                      : tr("Asked strictly: the line goes right through %1 (%2), so that corner "
+                           "does not count as %3 of it."))
+            .arg(corner, all, sideOfLine(context, true));
+    return tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
+        .arg(corner, sideOfLine(context, one > other), all);
+}
+
+/// The pattern of the corners.
+QString pattern(const SentenceContext& context)
+{
+    const unsigned c = known(context, "c");
+    const QString text = outcodeText(c);
+    if (!words::isPublished(context) && context.step.line == 21)
+        return tr("The line runs along a window without area: its direction tells the row of the "
+                  "table, c = %1.")
+            .arg(text);
+    QStringList crossed;
+    for (const clipping::Edge edge : crossedEdges(c))
+        crossed << edgeWords(edge, context.tracedLine.y);
+    if (crossed.size() != 2)
+        return tr("The four answers make c = %1: no edge of the window has its corners on "
+                  "different sides of the line.")
+            .arg(text);
+    return tr("The four answers make c = %1, row %2 of the table: the side changes along %3 and "
+              "%4. There, and only there, the line crosses the window.")
+        .arg(text, QString::number(c), crossed[0], crossed[1]);
+}
+
+/// The edges in the table.
+QString named(const SentenceContext& context)
+{
+    const unsigned i = known(context, "i"), j = known(context, "j");
+    if (!words::isPublished(context))
+        return tr("The table tells that the line enters at %1 and leaves at %2.")
+            .arg(edgeOfTable(context, i), edgeOfTable(context, j));
+    return tr("The table names both: edge %1 is %2, edge %3 is %4.")
+        .arg(QString::number(i), edgeOfTable(context, i), QString::number(j),
+             edgeOfTable(context, j));
+}
+
+/// Published form: at which of the two edges an end is cut.
+QString masked(const SentenceContext& context, int end)
+{
+    const QString code = codeText(context, end == 1 ? "code1" : "code2");
+    const QString mask = codeText(context, "MASK[c]");
+    if (context.holds())
+        return tr("The outcode of %1, %2, has the bit of %3 (MASK = %4): %1 lies beyond that edge.")
+            .arg(words::end(end), code, context.edgeText(), mask);
+    return tr("The outcode of %1, %2, does not have the bit of %3 (MASK = %4): %1 lies beyond the "
+              "other edge, %5.")
+        .arg(words::end(end), code, context.edgeText(), mask,
+             edgeOfTable(context, known(context, "j")));
+}
+
+/// Corrected form: whether an end has to move.
+QString isOutside(const SentenceContext& context, int end)
+{
+    const QString code = codeText(context, end == 1 ? "code1" : "code2");
+    return (context.holds() ? tr("%1 is outside, with %2, and has to move.")
+                            : tr("%1 is inside, with %2, and stays."))
+        .arg(words::end(end), code);
+}
+
+/// The tests that only one of the forms has, or has on another line.
+QString testOfPublished(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 14:
+        return context.holds() ? tr("Both ends are outside, so both have to move.")
+                               : tr("One end is inside and stays.");
+    case 19:
+        return context.holds() ? tr("End 1 is inside, so it is End 2 that has to move.")
+                               : tr("End 1 is outside, so it is the one that has to move.");
+    default:
+        return masked(context, context.step.line == 20 ? 2 : 1);
+    }
+}
+QString testOfCorrected(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 14:
+        return context.holds() ? tr("All four bits are set, which they also are where the line "
+                                    "goes through a corner: each corner is asked again, strictly.")
+                               : tr("Not all four bits are set: no corner is asked again.");
+    case 20:
+        return context.holds() ? tr("All four corners lie on the line: the window has no area.")
+                               : tr("Not all four corners lie on the line.");
+    default:
+        return isOutside(context, context.step.line == 25 ? 2 : 1);
+    }
+}
+
+QString test(const SentenceContext& context)
+{
+    const bool published = words::isPublished(context);
+    if (context.step.line == 2)
+        return context.holds() ? tr("Neither end has a bit: both are inside.")
+                               : tr("At least one end has a bit, so it is outside.");
+    if (context.step.line == 4)
+        return context.holds()
+                   ? tr("Both ends have a bit in common: they lie beyond one edge.")
+                   : tr("The ends have no bit in common: the line may meet the window.");
+    if (context.step.line == (published ? 11 : 22))
+        return context.holds()
+                   ? tr("With c = %1 all corners count as lying on one side of the line.")
+                         .arg(codeText(context, "c"))
+                   : tr("The corners do not all lie on one side, so the line meets the window.");
+    return published ? testOfPublished(context) : testOfCorrected(context);
+}
+
+/// The line before the corners are tested.
+QString line(const SentenceContext& context)
+{
+    return words::isPublished(context)
+               ? tr("The line through both ends as one vector, their cross product: "
+                    "px = %1, py = %2, pw = %3. It tells on which side of the line a point lies.")
+                     .arg(knownNumber(context, "px"), knownNumber(context, "py"),
+                          knownNumber(context, "pw"))
+               : tr("The line is measured from End 1, so that it has no third number that could "
+                    "lose its digits: dx = %1, dy = %2.")
+                     .arg(knownNumber(context, "dx"), knownNumber(context, "dy"));
+}
+
+/// Corrected form: f[0] and f[1], or f[2] and f[3].
+QString products(const SentenceContext& context)
+{
+    const bool first = context.step.name == "f[1]";
+    return tr("Each edge has a product, and a corner compares those of its two edges: that of %1 "
+              "is %2, that of %3 is %4.")
+        .arg(edgeOfTable(context, first ? 0 : 2), knownNumber(context, first ? "f[0]" : "f[2]"),
+             edgeOfTable(context, first ? 1 : 3), knownNumber(context, first ? "f[1]" : "f[3]"));
+}
+
+/// Published form: the intersection of the line with an edge.
+QString meeting(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    if (name == "n")
+        return tr("The next point to compute is where the line meets %1, edge %2 of the table.")
+            .arg(context.edgeText(), knownNumber(context, "n"));
+    if (name == "x")
+        return tr("The cross product of both is the point where the line meets %1, times w. Its x "
+                  "is %2.")
+            .arg(context.edgeText(), knownNumber(context, "x"));
+    if (name == "y")
+        return tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
+    if (name == "w")
+        return tr("The third number is w = %1. Dividing x and y by it gives the point.")
+            .arg(knownNumber(context, "w"));
+    return tr("A vector, like that of the line, stands for %1: (%2, %3, %4).")
+        .arg(context.edgeText(), knownNumber(context, "ex[n]"), knownNumber(context, "ey[n]"),
+             knownNumber(context, "ew[n]"));
+}
+
+QString cut(const SentenceContext& context)
+{
+    const auto& step = context.step;
+    const bool published = words::isPublished(context);
+    const bool two = published ? step.line == 18 || step.line == 22 : step.line == 26;
+    const int end = two ? 2 : 1;
+    const QString at = words::point(words::endOf(end, context));
+    const Point way = step.segment.b - step.segment.a;
+    const Point given = context.tracedLine.line.b - context.tracedLine.line.a;
+    if (published && step.line == 18 && glm::dot(way, given) < 0)
+        return tr("%1 goes to %2, to %3. The published table does not tell the edge where the line "
+                  "enters from the edge where it leaves: the two ends are exchanged now.")
+            .arg(words::end(end), context.edgeText(), at);
+    return tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
+        .arg(words::end(end), context.edgeText(), at);
+}
+
+QString reject(const SentenceContext& context)
+{
+    if (context.step.line == 5)
+        return words::bothBeyond(context);
+    return tr("The line misses the window: nothing of it is visible.") + words::lost(context);
+}
+
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    if (name == "code2")
+        return words::outcodes(context);
+    if (name == "pw" || name == "dy")
+        return line(context);
+    if (name == "F")
+        return tr("At %1 F is %2.")
+            .arg(cornerText(context, known(context, "k")), knownNumber(context, "F"));
+    if (name.starts_with("c["))
+        return cornerSide(context);
+    if (name == "c")
+        return pattern(context);
+    if (name == "j")
+        return named(context);
+    return name.starts_with("f[") ? products(context) : meeting(context);
+}
+
+QString sentence(const SentenceContext& context)
+{
+    switch (context.step.what) {
+    case What::Test:
+        return test(context);
+    case What::Let:
+        return given(context);
+    case What::Cut:
+        return cut(context);
+    case What::Reject:
+        return reject(context);
+    default:
+        return words::acceptedIfInside(context);
+    }
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"F", ValueUnit::Area},
+    {"f[0]", ValueUnit::Area},
+    {"f[1]", ValueUnit::Area},
+    {"f[2]", ValueUnit::Area},
+    {"f[3]", ValueUnit::Area},
+    {"px", ValueUnit::Length},
+    {"py", ValueUnit::Length},
+    {"X[k]", ValueUnit::X},
+    {"Y[k]", ValueUnit::Y},
+});
+/// Lines and points of the published form are vectors of three: x, y and w.
+constexpr auto publishedVariables = std::to_array<VariableUnit>({
+    {"ex[n]", ValueUnit::Bare},
+    {"ey[n]", ValueUnit::Bare},
+    {"ew[n]", ValueUnit::FixedLength},
+    {"pw", ValueUnit::FixedArea},
+    {"x", ValueUnit::FixedArea},
+    {"y", ValueUnit::FixedArea},
+    {"w", ValueUnit::Length},
+});
+
+} // namespace
+
+extern const Teaching skalaTeaching;
+const Teaching skalaTeaching{
+    .key = "skala",
+    .sentence = sentence,
+    .overlay = signOverlay,
+    .figure = {.line = {{-170, -20}, {60, 140}}}, // two intersections at once
+    .variables = variables,
+    .published = publishedVariables,
+};
+
+} // namespace app

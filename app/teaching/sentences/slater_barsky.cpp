@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+using clipping::Edge;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("slater-barsky", text); }
+
+/// The walk goes to the right, from End a to End b.
+int first(const SentenceContext& context) { return int(context.known("a").value_or(1)); }
+int last(const SentenceContext& context) { return int(context.known("b").value_or(2)); }
+
+int cellOf(const SentenceContext& context) { return int(context.known("c").value_or(4)); }
+bool isUp(const SentenceContext& context) { return context.known("dy").value_or(0) > 0; }
+
+QString order(const SentenceContext& context)
+{
+    const auto& [a, b] = context.tracedLine.line;
+    return (context.holds() ? tr("End 2 lies further left than End 1 (%1). The walk goes to the "
+                                 "right, so it begins at End 2: a is 2, and b is 1.")
+                            : tr("End 1 does not lie right of End 2 (%1): the walk begins at End "
+                                 "1, so a is 1, and b is 2."))
+        .arg(words::compared(a.x, b.x));
+}
+
+/// Whether both ends are to the right of the window, or both to its left.
+QString besideTheWindow(const SentenceContext& context)
+{
+    if (context.holds())
+        return tr("Both ends lie %1.").arg(words::beyond(context.edge(), context.tracedLine.y));
+    const auto relation = [&](int end, Edge edge) {
+        return words::compared(words::endOf(end, context), edge, context.tracedLine.window);
+    };
+    return tr("%1 does not lie right of the window (%2), and %3 does not lie left of it (%4).")
+        .arg(words::end(first(context)), relation(first(context), Edge::Right),
+             words::end(last(context)), relation(last(context), Edge::Left));
+}
+
+/// The current cell as a place: "the middle cell, which is the window", "the cell left of the
+/// window".
+QString place(const SentenceContext& context)
+{
+    const int cell = cellOf(context);
+    const int row = context.tracedLine.y == YAxis::Up ? cell / 3 : 2 - cell / 3;
+    const bool left = cell % 3 == 0;
+    if (cell == 4)
+        return tr("the middle cell, which is the window");
+    return row == 1   ? tr("the cell left of the window")
+           : row == 0 ? left ? tr("the cell below and left of the window")
+                             : tr("the cell below the window")
+           : left ? tr("the cell above and left of the window")
+                      : tr("the cell above the window");
+}
+
+QString errorTerm(const SentenceContext& context)
+{
+    if (std::isnan(context.known("e").value_or(0)))
+        return tr("The products are too large for a number: the error term e is not a number "
+                  "(NaN).");
+    return tr("The error term e = %1 tells on which side of the corner ahead the line passes, "
+              "without a division.")
+        .arg(words::value(context, "e"));
+}
+
+QString rising(const SentenceContext& context)
+{
+    const double dy = context.known("dy").value_or(0);
+    const QString relation = words::compared(dy, 0);
+    if (dy > 0 || dy < 0)
+        return ((dy > 0) == (context.tracedLine.y == YAxis::Up)
+                    ? tr("The walk goes upwards (dy: %1).")
+                    : tr("The walk goes downwards (dy: %1)."))
+            .arg(relation);
+    return tr("The walk goes neither up nor down (dy: %1).").arg(relation);
+}
+
+/// The edge whose infinite line contains the side at which the walk leaves its cell.
+Edge crossed(const SentenceContext& context)
+{
+    if (context.holds())
+        return context.edge();
+    const int row = cellOf(context) / 3;
+    return isUp(context) ? (row == 0 ? Edge::Bottom : Edge::Top)
+                         : (row == 2 ? Edge::Top : Edge::Bottom);
+}
+
+/// The side at which the walk leaves its cell: the right one if the test holds.
+QString leaving(const SentenceContext& context)
+{
+    const double e = context.known("e").value_or(0);
+    const QString relation = words::compared(e, 0);
+    const QString edge = edgeWords(crossed(context), context.tracedLine.y);
+    if (std::isnan(e))
+        return tr("The products are too large for a number: e is not a number (NaN), and the walk "
+                  "goes on over the line of %1 all the same.")
+            .arg(edge);
+    if (e == 0)
+        return tr("The line goes right through the corner ahead (e = 0): the walk goes on over the "
+                  "line of %1.")
+            .arg(edge);
+    if (!context.holds())
+        return tr("By the sign of e (%1) the line passes left of the corner ahead: the walk goes "
+                  "on over the line of %2.")
+            .arg(relation, edge);
+    return (isUp(context) == (context.tracedLine.y == YAxis::Up)
+                ? tr("By the sign of e (%1) the line passes below the corner ahead: the walk goes "
+                     "on to the right, over the line of %2.")
+                : tr("By the sign of e (%1) the line passes above the corner ahead: the walk goes "
+                     "on to the right, over the line of %2."))
+        .arg(relation, edge);
+}
+
+/// The meaning of a test of the current cell.
+enum class Fate : std::uint8_t { Misses, Enters, Leaves };
+
+QString inCell(const SentenceContext& context, const char* cells, Fate fate)
+{
+    if (!context.holds())
+        return (fate == Fate::Misses
+                    ? tr("The walk is not in cell %1, from where it would miss the window.")
+                : fate == Fate::Enters
+                    ? tr("Nor is it in cell %1, from where it would come into the window.")
+                    : tr("Nor is it in cell %1, from where it would leave the window."))
+            .arg(tr(cells));
+    return (fate == Fate::Misses
+                ? tr("The walk is in cell %1, %2: going on from there, it misses the window.")
+            : fate == Fate::Enters
+                ? tr("The walk is in cell %1, %2: from there it comes into the window.")
+                : tr("The walk is in cell %1, %2: from there it leaves the window."))
+        .arg(cellOf(context))
+        .arg(place(context));
+}
+
+QString insideTest(const SentenceContext& context)
+{
+    if (context.step.line == 17)
+        return context.holds()
+                   ? tr("The walk begins in the middle cell, and the other end is there, too.")
+                   : tr("Not both ends are inside the window: the walk finds the part that is.");
+    return context.holds() ? tr("%1 is inside: the walk is over.").arg(words::end(last(context)))
+                           : tr("%1 is not inside: the walk goes on, out of the window again.")
+                                 .arg(words::end(last(context)));
+}
+
+/// The tests of the published form only, from line 22 on.
+QString publishedTest(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 22:
+        return rising(context);
+    case 23:
+    case 42:
+        return leaving(context);
+    case 24:
+        return inCell(context, "1", Fate::Misses);
+    case 33:
+    case 52:
+        return inCell(context, "3", Fate::Misses);
+    case 43:
+        return inCell(context, "7", Fate::Misses);
+    case 25:
+    case 44:
+        return inCell(context, "3", Fate::Enters);
+    case 34:
+        return inCell(context, "1", Fate::Enters);
+    case 53:
+        return inCell(context, "7", Fate::Enters);
+    case 28:
+    case 37:
+    case 47:
+    case 56:
+        return inCell(context, "4", Fate::Leaves);
+    default:
+        return insideTest(context);
+    }
+}
+
+/// The tests of the corrected form, from line 19 on.
+QString correctedTest(const SentenceContext& context)
+{
+    switch (context.step.line) {
+    case 19:
+        return context.holds()
+                   ? tr("The line runs along an axis: no division is needed to clip it.")
+                   : tr("The line runs along no axis.");
+    case 27:
+        return leaving(context);
+    case 28:
+        return inCell(context, "1 or 7", Fate::Misses);
+    case 37:
+        return inCell(context, "3", Fate::Misses);
+    case 29:
+        return inCell(context, "3", Fate::Enters);
+    case 38:
+        return inCell(context, "1 or 7", Fate::Enters);
+    case 32:
+    case 41:
+        return inCell(context, "4", Fate::Leaves);
+    default:
+        return insideTest(context);
+    }
+}
+
+QString test(const SentenceContext& context)
+{
+    const int line = context.step.line;
+    if (line == 3)
+        return order(context);
+    if (line == 5)
+        return besideTheWindow(context);
+    if (line < 17)
+        return tr("%1.").arg(words::whetherBeyond(
+            context, line == 11 || line == 14 ? last(context) : first(context)));
+    if (line == 17)
+        return insideTest(context);
+    return words::isPublished(context) ? publishedTest(context) : correctedTest(context);
+}
+
+QString cut(const SentenceContext& context)
+{
+    const bool leaves = cellOf(context) == 4;
+    const int end = leaves ? last(context) : first(context);
+    return (leaves ? tr("Here the walk leaves the window: %1 moves to %2, to %3.")
+                   : tr("Here the walk comes into the window: %1 moves to %2, to %3."))
+        .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
+}
+
+QString rejected(const SentenceContext& context)
+{
+    if (context.step.line < 17)
+        return words::bothBeyond(context);
+    return tr("From here the walk can only go away from the window: nothing of the line is "
+              "visible.")
+           + words::lost(context);
+}
+
+QString nextCorner(const SentenceContext& context)
+{
+    return tr("The next corner ahead gives e = %1.").arg(words::value(context, "e"));
+}
+
+QString nextCell(const SentenceContext& context)
+{
+    const QString cell =
+        tr("The walk is in cell %1 now, %2.").arg(cellOf(context)).arg(place(context));
+    return context.value("e") ? cell + u' ' + nextCorner(context) : cell;
+}
+
+/// The new value of a variable.
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    const Edge in = isUp(context) ? Edge::Bottom : Edge::Top;
+    const Edge out = isUp(context) ? Edge::Top : Edge::Bottom;
+    if (name == "c")
+        return context.step.line == 16 ? tr("%1 is in cell %2, %3: the walk begins there.")
+                                             .arg(words::end(first(context)),
+                                                  words::value(context, "c"), place(context))
+                                       : nextCell(context);
+    if (name == "dy")
+        return tr("How far it is from %1 to %2: dx = %3, dy = %4.")
+            .arg(words::end(first(context)), words::end(last(context)), words::value(context, "dx"),
+                 words::value(context, "dy"));
+    if (name == "left")
+        return tr("Both ends are held inside the window: what is left goes from %1 to %2.")
+            .arg(words::point(context.step.segment.a), words::point(context.step.segment.b));
+    if (name == "up")
+        return rising(context);
+    if (name == "yOut")
+        return tr("On such a way the line can come into the window over %1 or the left one, and "
+                  "leave it over %2 or the right one.")
+            .arg(edgeWords(in, context.tracedLine.y), edgeWords(out, context.tracedLine.y));
+    if (name == "Y")
+        return tr("The corner ahead is at %1.")
+            .arg(words::point({context.known("X").value_or(0), context.known("Y").value_or(0)}));
+    return context.step.line == 44 ? nextCorner(context) : errorTerm(context);
+}
+
+QString sentence(const SentenceContext& context)
+{
+    switch (context.step.what) {
+    case clipping::What::Test:
+        return test(context);
+    case clipping::What::Cut:
+        return cut(context);
+    case clipping::What::Reject:
+        return rejected(context);
+    case clipping::What::Accept:
+        return words::acceptedIfInside(context);
+    default:
+        return given(context);
+    }
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"e", ValueUnit::Area},
+    {"X", ValueUnit::X},
+    {"Y", ValueUnit::Y},
+    {"yIn", ValueUnit::Y},
+    {"yOut", ValueUnit::Y},
+});
+
+} // namespace
+
+extern const Teaching slaterBarskyTeaching;
+const Teaching slaterBarskyTeaching{
+    .key = "slater-barsky",
+    .sentence = sentence,
+    .overlay = cellOverlay,
+    .figure = {.line = {{-150, 20}, {140, -40}}},
+    .variables = variables,
+};
+
+} // namespace app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/overlays/family.h"
+#include "app/teaching/sentences/ends.h"
+#include "app/teaching/teaching.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sobkow-pospisil-yang", text); }
+
+int endNamed(const SentenceContext& context) { return context.known("i") == 2.0 ? 2 : 1; }
+
+/// The script that the code of both regions selects.
+QString script(const SentenceContext& context)
+{
+    const QString code = words::value(context, "code");
+    return tr("Both outcodes together are the number %1, the code of this pair of regions. The "
+              "table has a script for each of the 81 pairs.")
+               .arg(code)
+           + u' '
+           + (context.value("code") == 0.0
+                  ? tr("This one is empty: both ends are inside.")
+                  : tr("This one does and asks no more than this pair needs."));
+}
+
+/// A test of the script. If the rounded end is on the edge, the distance that it moved decides.
+QString question(const SentenceContext& context)
+{
+    const int end = endNamed(context);
+    const bool mayReject = context.step.line <= (words::isPublished(context) ? 17 : 31);
+    QString found = words::whetherBeyond(context, end);
+    if (context.holds() && !words::isBeyond(context, end, context.edge()))
+        found = tr("%1 comes to lie on %2 by rounding, but the way it has gone leads beyond it")
+                    .arg(words::end(end), context.edgeText());
+    if (mayReject)
+        return context.holds() ? tr("%1, so the line misses the window.").arg(found)
+                               : tr("%1: here the line does not miss the window.").arg(found);
+    return context.holds() ? tr("%1: it has to move once more.").arg(found)
+                           : tr("%1, so it need not move again.").arg(found);
+}
+
+QString tested(const SentenceContext& context)
+{
+    if (context.step.line == 3)
+        return context.holds() ? tr("The script of this pair is a cross: both ends lie beyond one "
+                                    "edge.")
+                               : tr("The script of this pair is no cross: the line may meet the "
+                                    "window.");
+    if (!words::isPublished(context) && context.step.line == 6)
+        return context.holds() ? tr("The script is not empty: it moves an end.")
+                               : tr("The script is empty: no end has to move.");
+    return question(context);
+}
+
+/// Where an end would arrive at an edge, before it is clamped.
+QString arrival(const SentenceContext& context)
+{
+    const int end = endNamed(context);
+    const auto& line = context.tracedLine.line;
+    const QString name = context.step.name == "x" ? QStringLiteral("x") : QStringLiteral("y");
+    return words::way(context, words::end(end), end == 1 ? line.a : line.b,
+                      context.value(end == 1 ? "way[1]" : "way[2]").value_or(0))
+           + u' ' + tr("There %1 = %2.").arg(name, words::value(context, context.step.name));
+}
+
+/// Whether rounding has put an end beyond an edge of the other axis.
+QString held(const SentenceContext& context)
+{
+    const bool isLow = context.step.line % 4 == 1; // the second line of a procedure
+    const auto axis = 1 - clipping::axisOf(context.edge());
+    const auto side = isLow ? clipping::lowerEdge(axis) : clipping::upperEdge(axis);
+    const auto name = context.step.name;
+    const auto& values = context.before->values;
+    const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
+    const bool stays = before != values.end() && before->value == context.value(name);
+    return (stays ? tr("Rounding does not take %1 %2: %3 stays.")
+                  : tr("Rounding would take %1 %2: %3 is held at the edge."))
+        .arg(words::end(endNamed(context)), words::beyond(side, context.tracedLine.y),
+             name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
+}
+
+QString given(const SentenceContext& context)
+{
+    const auto& name = context.step.name;
+    if (name == "code2")
+        return words::outcodes(context);
+    if (name == "code")
+        return script(context);
+    if (name == "dy")
+        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+            .arg(words::value(context, "dx"), words::value(context, "dy"));
+    return context.step.line % 4 == 0 ? arrival(context) : held(context);
+}
+
+QString cut(const SentenceContext& context)
+{
+    const int end = endNamed(context);
+    return tr("%1 is beyond %2, so it moves along the line to that edge, to %3.")
+        .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
+}
+
+QString sentence(const SentenceContext& context)
+{
+    switch (context.step.what) {
+    case clipping::What::Test:
+        return tested(context);
+    case clipping::What::Cut:
+        return cut(context);
+    case clipping::What::Reject:
+        return context.step.line == 4
+                   ? words::bothBeyond(context)
+                   : tr("The line passes a corner outside the window: nothing of it is visible.")
+                         + words::lost(context);
+    case clipping::What::Accept:
+        return words::acceptedIfInside(context);
+    default:
+        return given(context);
+    }
+}
+
+constexpr auto variables = std::to_array<VariableUnit>({
+    {"way[1]", ValueUnit::Length},
+    {"way[2]", ValueUnit::Length},
+});
+
+} // namespace
+
+extern const Teaching sobkowPospisilYangTeaching;
+const Teaching sobkowPospisilYangTeaching{
+    .key = "sobkow-pospisil-yang",
+    .sentence = sentence,
+    .overlay = scriptOverlay,
+    .figure = {.line = {{-150, 40}, {20, -120}}},
+    .variables = variables,
+};
+
+} // namespace app

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/sentences/words.h"
+
+#include "app/teaching/line_text.h"
+
+#include <QCoreApplication>
+
+#include <bit>
+#include <cmath>
+
+namespace app::words {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
+
+/// The edge that is seen in the place of this edge, with y up.
+std::size_t asSeen(clipping::Edge edge, YAxis y)
+{
+    const auto at = std::size_t(edge);
+    return y == YAxis::Down && at >= 3 ? 7 - at : at;
+}
+
+double axisOf(const Point& p, clipping::Edge edge) { return p[clipping::axisOf(edge)]; }
+
+} // namespace
+
+QString beyond(clipping::Edge edge, YAxis y)
+{
+    static constexpr std::array<const char*, 5> words{"outside the window", "left of the window",
+                                                      "right of the window", "below the window",
+                                                      "above the window"};
+    return tr(words.at(asSeen(edge, y)));
+}
+
+QString axisName(clipping::Edge edge)
+{
+    return clipping::axisOf(edge) == 0 ? QStringLiteral("x") : QStringLiteral("y");
+}
+
+QString end(int number) { return tr("End %1").arg(number); }
+
+QString point(const Point& p) { return pairText(number(p.x), number(p.y)); }
+
+QString number(double value)
+{
+    if (std::isnan(value))
+        return tr("no number");
+    if (std::isinf(value))
+        return value > 0 ? tr("infinity") : tr("minus infinity");
+    return shortText(value);
+}
+
+QString compared(double one, double other)
+{
+    const QString sign = one < other   ? QStringLiteral("<")
+                         : one > other ? QStringLiteral(">")
+                                       : QStringLiteral("=");
+    const bool alike = one != other && shortText(one) == shortText(other);
+    return QStringLiteral("%1 %2 %3")
+        .arg(alike ? exactText(one) : number(one), sign, alike ? exactText(other) : number(other));
+}
+
+QString compared(const Point& p, clipping::Edge edge, const clipping::Window& window)
+{
+    return compared(axisOf(p, edge), clipping::levelOf(edge, window));
+}
+
+QString region(unsigned code, YAxis y)
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{"below left", "below", "below right"},
+         {"left", "inside", "right"},
+         {"above left", "above", "above right"}}};
+    const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
+    const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
+    return tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
+}
+
+clipping::Edge edgeOf(unsigned code)
+{
+    return code == 0 ? clipping::Edge::None : clipping::Edge(std::countr_zero(code) + 1);
+}
+
+QString codeAndRegion(unsigned code, YAxis y)
+{
+    return QStringLiteral("%1 (%2)").arg(outcodeText(code), region(code, y));
+}
+
+unsigned bits(const SentenceContext& context, std::string_view name)
+{
+    return unsigned(context.value(name).value_or(0));
+}
+
+QString way(const SentenceContext& context, const QString& from, const Point& start, double gone,
+            std::optional<double> slope)
+{
+    const auto along = clipping::axisOf(context.edge());
+    const double away = clipping::levelOf(context.edge(), context.tracedLine.window) - start[along];
+    const QString x = axisName(context.edge()),
+                  y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
+    if (!std::isfinite(gone))
+        return slope ? tr("The slope overflows (%1): what is multiplied with it means nothing any "
+                          "more.")
+                           .arg(number(*slope))
+                     : tr("The numbers are too large: their product overflows (%1), and what comes "
+                          "of it means nothing any more.")
+                           .arg(number(gone));
+    const QString text =
+        tr("From %1 to %2 it is %3 in %4.").arg(from, context.edgeText(), number(away), x);
+    return text + u' '
+           + (slope ? tr("For each unit of %1 the line goes %2 in %3, so it goes %4 in %3.")
+                          .arg(x, number(*slope), y, number(gone))
+                    : tr("On that way the line goes %1 in %2.").arg(number(gone), y));
+}
+
+QString moved(const SentenceContext& context, int number)
+{
+    const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
+    return tr("%1 moves along the line to %2, to %3. What lay beyond is gone.")
+        .arg(end(number), context.edgeText(), point(p));
+}
+
+QString accepted(const SentenceContext& context)
+{
+    const auto& [a, b] = context.step.segment;
+    const auto& line = context.tracedLine.line;
+    if (a == line.a && b == line.b)
+        return tr("Both ends lie inside the window, so all of the line is visible.");
+    if (a == b)
+        return tr("The line meets the window in a single point, %1: that point is visible.")
+            .arg(point(a));
+    return tr("What is left, from %1 to %2, lies inside the window: it is visible.")
+        .arg(point(a), point(b));
+}
+
+bool isPublished(const SentenceContext& context)
+{
+    return context.tracedLine.variant.form == clipping::Form::Published;
+}
+
+bool isOutside(const Point& p, const clipping::Window& w)
+{
+    return !(p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y);
+}
+
+} // namespace app::words

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/scene_draw_list_builder.h"
+
+#include <algorithm>
+
+namespace app {
+SceneDrawListBuilder::SceneDrawListBuilder(const SceneLines& lines, const PaintedPart& part,
+                                           const PictureOptions& options,
+                                           std::size_t expectedPieces)
+    : lines_(lines), part_(part), builder_(options, expectedPieces)
+{
+}
+
+void SceneDrawListBuilder::setStyle(const Style& style)
+{
+    builder_.setStyle(style);
+    style_ = &style;
+    begun_ = false;
+}
+
+void SceneDrawListBuilder::addWhole(std::size_t block, std::size_t chunk, std::size_t first,
+                                    std::size_t end)
+{
+    goTo(block);
+    const FloatBox& box = block_->chunks[chunk].box;
+    if (skips(box, first, end))
+        return;
+    const bool seen = isInside(box, builder_.seen());
+    const std::span segments(block_->segments);
+    while (first < end) {
+        enter(first);
+        const std::size_t last = std::min(end, objectEnd_);
+        for (; strokes_ && first < last; ++first) {
+            const clipping::Segment& line = segments[first];
+            if (seen)
+                builder_.strokeSeen(line, before(first));
+            else
+                builder_.stroke({line, std::uint32_t(first), 0}, line, before(first));
+        }
+        first = last;
+    }
+}
+
+void SceneDrawListBuilder::addPieces(std::size_t block, std::span<const clipping::Clipped> pieces)
+{
+    goTo(block);
+    if (!style_->stroke && !style_->fill)
+        return;
+    for (const clipping::Clipped& piece : pieces) {
+        enter(piece.source);
+        if (strokes_)
+            builder_.stroke(piece, block_->segments[piece.source], before(piece.source));
+    }
+}
+
+void SceneDrawListBuilder::goTo(std::size_t block)
+{
+    if (at_ == block)
+        return;
+    at_ = block;
+    block_ = &*lines_.blocks()[block];
+    objectEnd_ = 0;
+}
+
+// Whether lines in the box can be skipped. An area may cover the view although none of its lines is
+// near; then its box covers the view, too, if it contains all lines of the area.
+bool SceneDrawListBuilder::skips(const FloatBox& box, std::size_t first, std::size_t end)
+{
+    if (!style_->stroke && !style_->fill)
+        return true;
+    if (!isOutside(box, builder_.seen()))
+        return false;
+    if (style_->fill
+        && !(isOutside(box, builder_.filled()) && beginsObject(first) && beginsObject(end)))
+        return false;
+    if (style_->stroke && !begun_)
+        builder_.beginStrokes();
+    begun_ = style_->stroke && !style_->fill;
+    return true;
+}
+
+// Whether the line is the first of its object, so that no object has lines on both sides of its
+// start.
+bool SceneDrawListBuilder::beginsObject(std::size_t line) const
+{
+    if (line == 0)
+        return !block_->continues;
+    if (line == block_->segments.size())
+        return at_ + 1 == lines_.blocks().size() || !lines_.blocks()[at_ + 1]->continues;
+    return block_->firstOf(block_->objectOf(line)) == line;
+}
+
+void SceneDrawListBuilder::enterObjectOf(std::size_t line)
+{
+    std::size_t object = line;
+    objectEnd_ = line + 1;
+    if (!block_->firstOfObject.empty()) {
+        object = block_->objectOf(line);
+        objectEnd_ = block_->firstOf(object + 1);
+    }
+    const std::size_t number = lines_.runs()[at_].firstObject + object;
+    if (object_ == number) // it began in the previous block
+        return;
+    object_ = number;
+    builder_.endObject();
+    strokes_ = true;
+    if (style_->fill || builder_.isDashed())
+        findObject(object);
+    if (style_->fill) {
+        const bool whole = isWhole();
+        if (whole)
+            builder_.fill(outline_);
+        strokes_ = style_->stroke || !whole;
+        begun_ = false;
+    }
+    if (strokes_ && !begun_)
+        builder_.beginStrokes();
+    begun_ = strokes_;
+}
+
+void SceneDrawListBuilder::findObject(std::size_t object)
+{
+    const auto blocks = lines_.blocks();
+    std::size_t at = at_;
+    while (object == 0 && blocks[at]->continues)
+        object = blocks[--at]->objects() - 1;
+    firstLine_ = lines_.runs()[at].firstLine + blocks[at]->firstOf(object);
+    objectLines_.clear();
+    outline_.clear();
+    for (bool goesOn = true; goesOn; ++at, object = 0) {
+        const SceneBlock& block = *blocks[at];
+        const std::size_t first = block.firstOf(object), end = block.firstOf(object + 1);
+        objectLines_.push_back({at, first, end});
+        outline_.push_back(std::span(block.segments).subspan(first, end - first));
+        goesOn =
+            object + 1 == block.objects() && at + 1 < blocks.size() && blocks[at + 1]->continues;
+    }
+    lengths_ = LengthsBefore(outline_);
+}
+
+bool SceneDrawListBuilder::isWhole() const
+{
+    return std::ranges::all_of(objectLines_, [&](const Lines& lines) {
+        return part_.isWhole(lines.block, lines.first, lines.end);
+    });
+}
+
+double SceneDrawListBuilder::before(std::size_t line)
+{
+    if (!builder_.isDashed())
+        return 0;
+    return lengths_.of(lines_.runs()[at_].firstLine + line - firstLine_);
+}
+
+} // namespace app

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene_lines.h"
+#include "app/view/draw_list_builder.h"
+#include "app/view/painted_part.h"
+
+namespace app {
+
+/// Builds a draw list from the lines of a scene, chunk by chunk in order. A chunk outside the view
+/// costs only a test of its box.
+class SceneDrawListBuilder {
+public:
+    /// `part` is the part that will be added: an object is filled if all of it is in `part`.
+    SceneDrawListBuilder(const SceneLines& lines, const PaintedPart& part,
+                         const PictureOptions& options, std::size_t expectedPieces);
+
+    /// Sets the style for the following calls; the style must outlive them.
+    void setStyle(const Style& style);
+    /// Adds the lines [first, end) of a chunk, whole.
+    void addWhole(std::size_t block, std::size_t chunk, std::size_t first, std::size_t end);
+    /// Adds pieces of a chunk.
+    void addPieces(std::size_t block, std::span<const clipping::Clipped> pieces);
+
+    DrawList take() { return builder_.take(); }
+
+private:
+    /// The lines of the object in one block.
+    struct Lines {
+        std::size_t block, first, end;
+    };
+
+    void goTo(std::size_t block);
+    bool skips(const FloatBox& box, std::size_t first, std::size_t end);
+    void enter(std::size_t line)
+    {
+        if (line >= objectEnd_)
+            enterObjectOf(line);
+    }
+    void enterObjectOf(std::size_t line);
+    void findObject(std::size_t object);
+    bool beginsObject(std::size_t line) const;
+    bool isWhole() const;
+    double before(std::size_t line);
+
+    const SceneLines& lines_;
+    const PaintedPart& part_;
+    DrawListBuilder builder_;
+    const Style* style_ = nullptr;
+    bool begun_ = false; // whether the draw command for stroked-only objects has begun
+
+    std::size_t at_ = std::size_t(-1); // the current block
+    const SceneBlock* block_ = nullptr;
+
+    // The object of the previous line. Its lines are known only if it is filled or dashed.
+    std::size_t object_ = std::size_t(-1);
+    std::size_t objectEnd_ = 0; // in the block
+    bool strokes_ = false;
+    std::vector<Lines> objectLines_;
+    Outline outline_;
+    std::size_t firstLine_ = 0; // in the scene
+    LengthsBefore lengths_;
+};
+
+} // namespace app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/hard_cases/hard_cases_window.h"
+
+#include "app/hard_cases/case_use.h"
+#include "ui/files.h"
+#include "ui/hard_cases/case_list.h"
+#include "ui/hard_cases/case_view.h"
+#include "ui/look.h"
+#include "ui/main_window.h"
+#include "ui/window_place.h"
+
+#include <QHBoxLayout>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize usual(1180, 780), smallest(760, 420);
+constexpr int leastLeft = 330;
+
+} // namespace
+
+HardCasesWindow::HardCasesWindow(MainWindow& window)
+    : QDialog(&window, Qt::Window), window_(window), search_(new QLineEdit), choice_(new QComboBox),
+      nothing_(new QLabel(tr("No hard case is like that."))), list_(new CaseList),
+      view_(new CaseView), choices_(app::caseChoices())
+{
+    setObjectName(QStringLiteral("hard-cases"));
+    setWindowTitle(tr("Hard cases"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(left(), 2);
+    row->addWidget(view_, 3);
+    connect(search_, &QLineEdit::textChanged, this, &HardCasesWindow::filter);
+    connect(choice_, &QComboBox::currentIndexChanged, this, &HardCasesWindow::filter);
+    connect(list_, &CaseList::caseChosen, this, [this](const app::HardCase* hard) {
+        if (hard)
+            view_->show(*hard);
+    });
+    connect(view_, &CaseView::microscopeWanted, this, &HardCasesWindow::openMicroscope);
+    connect(view_, &CaseView::drawingWanted, this, &HardCasesWindow::draw);
+    connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_,
+            [this] { search_->setFocus(Qt::ShortcutFocusReason); });
+    restorePlace(*this, QStringLiteral("zooGeometry"), usual, smallest);
+    filter();
+    list_->setFocus();
+}
+
+QWidget* HardCasesWindow::left()
+{
+    search_->setPlaceholderText(tr("Search: corner, SDL, infinite …"));
+    search_->setClearButtonEnabled(true);
+    search_->setAccessibleName(tr("Search"));
+    choice_->setAccessibleName(tr("Which cases"));
+    for (const app::CaseChoice& choice : choices_)
+        choice_->addItem(choice.name);
+    nothing_->setForegroundRole(QPalette::PlaceholderText);
+    nothing_->hide();
+    auto* whole = new QWidget;
+    whole->setMinimumWidth(leastLeft);
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(space::dockMargin, space::dockMargin, 0, 0);
+    column->setSpacing(space::labelToField);
+    column->addWidget(search_);
+    column->addWidget(choice_);
+    column->addWidget(nothing_);
+    column->addWidget(list_, 1);
+    return whole;
+}
+
+void HardCasesWindow::filter()
+{
+    app::CaseFilter filter = choices_[std::size_t(choice_->currentIndex())].filter;
+    filter.words = search_->text();
+    list_->setFilter(filter);
+    nothing_->setVisible(!list_->chosen());
+    if (const app::HardCase* chosen = list_->chosen(); chosen && chosen != view_->hardCase())
+        view_->show(*chosen);
+}
+
+void HardCasesWindow::choose(const app::HardCase& hard)
+{
+    search_->clear();
+    choice_->setCurrentIndex(0);
+    list_->choose(hard);
+}
+
+void HardCasesWindow::chooseFailing(const QString& variant)
+{
+    for (std::size_t i = 0; i < choices_.size(); ++i)
+        if (!variant.isEmpty() && choices_[i].filter.variant == variant) {
+            search_->clear();
+            choice_->setCurrentIndex(int(i));
+        }
+}
+
+void HardCasesWindow::openMicroscope(const app::HardCase& hard, const app::Variant& variant)
+{
+    window_.session().microscope.open(app::tracedLineOf(hard, variant));
+    window_.raise();
+    window_.activateWindow();
+}
+
+/// Opens the case as a drawing with the variant that was viewed, so that the canvas shows its
+/// result.
+void HardCasesWindow::draw(const app::HardCase& hard, const app::Variant& variant)
+{
+    const auto document = app::documentOf(hard);
+    if (!document || !window_.files().openMade(*document.value, hard.title))
+        return;
+    app::Display display = window_.session().display();
+    display.variant = {variant.algorithm, variant.form};
+    window_.session().setDisplay(display);
+    window_.raise();
+    window_.activateWindow();
+}
+
+void HardCasesWindow::hideEvent(QHideEvent* event)
+{
+    rememberPlace(*this, QStringLiteral("zooGeometry"));
+    QDialog::hideEvent(event);
+}
+
+HardCasesWindow& showHardCases(MainWindow& window)
+{
+    auto* casesWindow = window.findChild<HardCasesWindow*>();
+    if (!casesWindow)
+        casesWindow = new HardCasesWindow(window);
+    casesWindow->show();
+    casesWindow->raise();
+    casesWindow->activateWindow();
+    return *casesWindow;
+}
+
+} // namespace ui
