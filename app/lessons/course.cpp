@@ -126,7 +126,7 @@ QString Course::ending() const
         text += tr(", %1 at the second").arg(second);
     if (isPassed(score().points, *lesson()))
         return tr("Passed: %1.").arg(text);
-    return tr("Not passed yet: %1. It takes three quarters of the points. Try the lesson again?")
+    return tr("Not passed yet: %1. You need three quarters of the points. Try the lesson again?")
         .arg(text);
 }
 

@@ -146,11 +146,11 @@ Result<Lesson> readLesson(const QString& key, const QString& text)
         ++number;
         if (!line.startsWith(QStringLiteral("<!--")) && !reading.take(line))
             return Result<Lesson>::failure(
-                tr("line %1: “%2” is not understood. Nothing was read.").arg(number).arg(line));
+                tr("line %1: “%2” is not understood. No lesson was read.").arg(number).arg(line));
     }
     if (!reading.endPage() || reading.lesson.title.isEmpty())
         return Result<Lesson>::failure(
-            tr("line %1: the last page has no text, or no page says what to look at.").arg(number));
+            tr("line %1: the last page has no text, or no page has a “look” line.").arg(number));
     return Result<Lesson>::of(reading.lesson);
 }
 

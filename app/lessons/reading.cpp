@@ -27,7 +27,7 @@ QString itemOf(const HardCase& hard, const Variant& variant)
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
                        .arg(hard.title, hard.key, words(answerOf(hard, variant)));
     if (const auto watch = traceLink(tracedLineOf(hard, variant)))
-        text += QStringLiteral(" ([%1](%2))").arg(tr("watch it through the microscope"), *watch);
+        text += QStringLiteral(" ([%1](%2))").arg(tr("watch it in the microscope"), *watch);
     return text + u'\n';
 }
 
@@ -43,13 +43,13 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
     const bool all = cases.size() <= mostCases;
     QString text = QStringLiteral("\n\n## %1\n%2\n")
                        .arg(tr("Hard cases"),
-                            all ? tr("The published form fails at these lines.")
-                                : tr("The published form fails at these lines, among others."));
+                            all ? tr("The published form fails on these lines.")
+                                : tr("The published form fails on these lines, among others."));
     for (std::size_t i = 0; i < std::min(cases.size(), mostCases); ++i)
         text += itemOf(*cases[i], published);
     if (!all)
         text += QStringLiteral("\n[%1](clearcut:fails/%2)\n")
-                    .arg(tr("All %1 in the zoo of hard cases").arg(cases.size()), keyOf(published));
+                    .arg(tr("All %1 cases where it fails").arg(cases.size()), keyOf(published));
     return text;
 }
 

@@ -42,8 +42,8 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
     };
     const auto ofOne = count(*one), ofOther = count(*other);
     const QString what = tr(operation->name);
-    return Question{tr("Which of the two needs fewer %1 for this line?").arg(what),
-                    {nameOf(*one), nameOf(*other), tr("Both need the same")},
+    return Question{tr("Which algorithm needs fewer %1 for this line?").arg(what),
+                    {nameOf(*one), nameOf(*other), tr("Both need the same number")},
                     ofOne < ofOther   ? 0
                     : ofOther < ofOne ? 1
                                       : 2,
@@ -53,8 +53,8 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
                         .arg(nameOf(*other))
                         .arg(ofOther)
                         .arg(what),
-                    tr("For each of the two, think what it must know before it can decide about "
-                       "this line. Then count.")};
+                    tr("What must each algorithm compute before it can decide about this line? "
+                       "Count these operations.")};
 }
 
 } // namespace

@@ -31,8 +31,8 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narra
     return Question{tr("At which edge is the line cut next?"), choices,
                     int(std::ranges::find(edges, cut->edge) - edges.begin()),
                     tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
-                    tr("Read the pseudo-code on from line %1, with the values of the table. Which "
-                       "test is the first that holds?")
+                    tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
+                       "test is the first to be true?")
                         .arg(narration.steps[step].line)};
 }
 

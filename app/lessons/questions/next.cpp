@@ -18,9 +18,9 @@ struct Event {
     const char* words;
 };
 constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
-                            Event{Mark::Accept, "It accepts what is left"},
+                            Event{Mark::Accept, "It accepts the line or its remaining part"},
                             Event{Mark::Reject, "It rejects the line"},
-                            Event{Mark::Divide, "It divides, to find where the line may be cut"}};
+                            Event{Mark::Divide, "It divides to find where the line may be cut"}};
 
 /// "ask next": which step follows, not counting comparisons.
 std::optional<Question> ask(const TracedLine&, const Narration& narration, std::size_t step,
@@ -37,7 +37,7 @@ std::optional<Question> ask(const TracedLine&, const Narration& narration, std::
         return Question{tr("Which step follows, not counting comparisons?"), choices,
                         int(event - events.begin()),
                         tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
-                        tr("Read the pseudo-code on from line %1, with the values of the table.")
+                        tr("Read the pseudo-code from line %1 on, with the values in the table.")
                             .arg(narration.steps[step].line)};
     }
     return std::nullopt;

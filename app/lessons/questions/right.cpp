@@ -20,13 +20,13 @@ struct Verdict {
 };
 constexpr std::array verdicts{
     Verdict{"Yes, apart from rounding",
-            "It finds what exact arithmetic finds, apart from rounding."},
+            "Apart from rounding, its result is that of exact arithmetic."},
     Verdict{"No, it shows too much",
             "It shows a part, although no point of the line is inside the window."},
-    Verdict{"No, it shows nothing, and a part is visible",
+    Verdict{"No, it shows nothing, but a part is visible",
             "It shows nothing, although part of the line is inside the window."},
     Verdict{"No, an end is in the wrong place",
-            "One end that it finds is off by %1 ulps of the largest coordinate."},
+            "One end of its result is off by %1 ulps of the largest coordinate."},
     Verdict{"No, it never ends", "It repeats the same cuts forever. The program had to stop it."}};
 
 /// The index of the verdict.
@@ -65,8 +65,8 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narra
     for (const Verdict& row : verdicts)
         choices << tr(row.choice);
     return Question{promptFor(tracedLine.variant), choices, verdict, reason,
-                    tr("Which decisions use a number that was rounded before? Think what happens "
-                       "if that number is slightly too large or too small.")};
+                    tr("Which decisions use a number that was rounded before? What happens "
+                       "if that number is slightly too large or too small?")};
 }
 
 } // namespace

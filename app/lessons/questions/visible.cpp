@@ -20,8 +20,8 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
     const QString reason =
         !piece ? tr("No point of the line lies inside the window.")
         : *piece == tracedLine.line
-            ? tr("Both ends lie inside, and a window is convex: the whole line does.")
-            : tr("What is left runs from %1 to %2.")
+            ? tr("Both ends lie inside, and a window is convex, so the whole line is inside.")
+            : tr("The visible part runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
     const int cutEnds =

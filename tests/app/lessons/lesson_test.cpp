@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(rightOf(asked(passing, {"cheaper", "divisions", "cs", "nln"})), "NLN");
         QCOMPARE(
             rightOf(asked("kwc:published line 10,-160 10.5,160 window -100,-75 100,75", {"right"})),
-            "No, it shows nothing, and a part is visible");
+            "No, it shows nothing, but a part is visible");
         QCOMPARE(rightOf(asked("kwc line 10,-160 10.5,160 window -100,-75 100,75", {"right"})),
                  "Yes, apart from rounding");
         QCOMPARE(rightOf(asked("cs:published line 1,1 -1,-1 window 0.1,0.1 3,3", {"right"})),
