@@ -3,7 +3,7 @@
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 #include "app/judge/child.h"
-#include "ui/editor.h"
+#include "ui/editor/editor.h"
 
 int main(int argc, char** argv)
 {

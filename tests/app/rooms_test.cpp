@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(
             from("document", "#include \"app/view/visible_colour.h\"\n"),
             QStringList{"app/document/x.h includes app/view: document does not stand on that"});
-        QCOMPARE(from("view", "#include \"ui/look.h\"\n").size(), 1);
+        QCOMPARE(from("view", "#include \"ui/look/look.h\"\n").size(), 1);
     }
 
     void aRoomOnOneAboveItIsNamed()

@@ -3,7 +3,7 @@
 // many scattered lines, and paints every algorithm's overlay for lines of every kind:
 // overlays [LINES] [FOLDER [light|dark]]
 #include "ui/canvas/canvas.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QApplication>
 #include <QDir>

@@ -2,8 +2,8 @@
 // Saves how the editor's window shows a drawing, light and dark, with one pane and with four. What
 // differs between two runs, the times of frames, is covered: pictures FILE FOLDER
 #include "app/settings/settings_format.h"
-#include "ui/files.h"
-#include "ui/main_window.h"
+#include "ui/files/files.h"
+#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QEventLoop>

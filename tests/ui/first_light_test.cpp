@@ -2,8 +2,8 @@
 // The whole way once, by mouse and keyboard: open a drawing that another program might have
 // written, draw a clip window, nudge it, switch algorithms, undo, export; then compare what was
 // exported with a picture that librsvg makes of the original, clipped by it at the same window.
-#include "ui/files.h"
-#include "ui/main_window.h"
+#include "ui/files/files.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/status_bar.h"
 #include "ui/docks/layers_panel.h"
-#include "ui/keeping.h"
-#include "ui/status_bar.h"
+#include "ui/editing/keeping.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/tool_list.h"
 

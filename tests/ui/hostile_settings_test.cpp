@@ -4,7 +4,7 @@
 #include "ui/explanation/explanation_window.h"
 #include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
-#include "ui/saved_theme.h"
+#include "ui/look/saved_theme.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/status_bar.h"
 #include "ui/docks/start_panel.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/microscope/microscope_page.h"
-#include "ui/status_bar.h"
 
 #include <QDockWidget>
 #include <QToolBar>

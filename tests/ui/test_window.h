@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/files.h"
-#include "ui/look.h"
-#include "ui/main_window.h"
+#include "ui/files/files.h"
+#include "ui/look/look.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/overlays/overlay.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QPainter>
 

@@ -31,7 +31,7 @@ struct FrameTimes {
 };
 
 /// The drawing on the screen, with rulers and the current tool. All segments are clipped at every
-/// frame. Colours follow the palette (ui/look.h). focusProxy() is the widget that receives the
+/// frame. Colours follow the palette (ui/look/look.h). focusProxy() is the widget that receives the
 /// keyboard.
 ///
 /// The canvas may be divided into panes side by side, each with its own algorithm, all with the

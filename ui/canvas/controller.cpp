@@ -3,7 +3,7 @@
 
 #include "app/scene/bounds.h"
 #include "ui/canvas/window_offer.h"
-#include "ui/keeping.h"
+#include "ui/editing/keeping.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QGuiApplication>

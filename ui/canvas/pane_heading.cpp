@@ -4,7 +4,7 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/view/pane_grid.h"
-#include "ui/look_icon.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 

@@ -2,7 +2,7 @@
 #include "ui/dialogs/leftovers_dialog.h"
 
 #include "app/session/recent_files.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 #include "ui/docks/algorithm_list.h"
 
 #include "app/base/latin.h"
-#include "ui/algorithm_digit.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
+#include "ui/widgets/algorithm_digit.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/keep_choice.h"
 

@@ -2,8 +2,8 @@
 #include "ui/docks/algorithm_panel.h"
 
 #include "ui/docks/algorithm_list.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/page_caption.h"
 
 #include <QEvent>

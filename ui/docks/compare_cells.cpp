@@ -2,7 +2,7 @@
 #include "ui/docks/compare_cells.h"
 
 #include "app/charts/sparkline.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 #include "ui/widgets/variant_name.h"

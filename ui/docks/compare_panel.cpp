@@ -6,7 +6,7 @@
 #include "app/settings/remembered.h"
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/segments.h"
 

@@ -2,7 +2,7 @@
 #include "ui/docks/compare_table.h"
 
 #include "ui/docks/compare_cells.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/tabular.h"
 

@@ -2,8 +2,8 @@
 #include "ui/docks/difference_panel.h"
 
 #include "app/base/numbers.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"

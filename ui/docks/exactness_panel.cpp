@@ -3,8 +3,8 @@
 
 #include "app/base/numbers.h"
 #include "app/comparison/live_differences.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/magnifier_view.h"

@@ -2,7 +2,7 @@
 #include "ui/docks/gallery.h"
 
 #include "app/view/thumbnail.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/sample_button.h"
 
 #include <QEvent>

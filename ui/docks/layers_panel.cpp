@@ -4,8 +4,8 @@
 #include "app/base/numbers.h"
 #include "app/view/visible_colour.h"
 #include "ui/docks/algorithm_list.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/tabular.h"
 

@@ -3,8 +3,8 @@
 
 #include "app/base/numbers.h"
 #include "app/view/place.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QFontDatabase>
 #include <QVBoxLayout>

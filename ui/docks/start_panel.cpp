@@ -5,8 +5,8 @@
 #include "app/base/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/start_button.h"
 
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/experiment/ranking.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/segments.h"
 
 #include <QGridLayout>

@@ -6,11 +6,11 @@
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"
 #include "ui/experiment/results.h"
-#include "ui/files.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
-#include "ui/main_window.h"
-#include "ui/window_place.h"
+#include "ui/files/files.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/look/window_place.h"
+#include "ui/window/main_window.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

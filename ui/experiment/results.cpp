@@ -5,7 +5,7 @@
 #include "app/experiment/verdict.h"
 #include "ui/experiment/charts_page.h"
 #include "ui/experiment/tables_page.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/chart_view.h"
 #include "ui/widgets/segments.h"
 

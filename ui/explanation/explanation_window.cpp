@@ -10,11 +10,11 @@
 #include "ui/explanation/page_view.h"
 #include "ui/explanation/title_painter.h"
 #include "ui/hard_cases/hard_cases_window.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
-#include "ui/main_window.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/look/window_place.h"
 #include "ui/widgets/keep_choice.h"
-#include "ui/window_place.h"
+#include "ui/window/main_window.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>

@@ -6,7 +6,7 @@
 #include "app/lessons/reading.h"
 #include "app/teaching/page_figure.h"
 #include "ui/explanation/page_style.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QKeyEvent>

@@ -2,7 +2,7 @@
 #include "ui/explanation/title_painter.h"
 
 #include "ui/docks/algorithm_list.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/variant_name.h"
 
 #include <QPainter>

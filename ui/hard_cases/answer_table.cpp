@@ -2,8 +2,8 @@
 #include "ui/hard_cases/answer_table.h"
 
 #include "app/teaching/narration.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/variant_name.h"
 

@@ -2,7 +2,7 @@
 #include "ui/hard_cases/case_list.h"
 
 #include "ui/hard_cases/portrait_view.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QPainter>

@@ -4,8 +4,8 @@
 #include "app/hard_cases/case_use.h"
 #include "ui/hard_cases/answer_table.h"
 #include "ui/hard_cases/portrait_view.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -2,12 +2,12 @@
 #include "ui/hard_cases/hard_cases_window.h"
 
 #include "app/hard_cases/case_use.h"
-#include "ui/files.h"
+#include "ui/files/files.h"
 #include "ui/hard_cases/case_list.h"
 #include "ui/hard_cases/case_view.h"
-#include "ui/look.h"
-#include "ui/main_window.h"
-#include "ui/window_place.h"
+#include "ui/look/look.h"
+#include "ui/look/window_place.h"
+#include "ui/window/main_window.h"
 
 #include <QHBoxLayout>
 #include <QShortcut>

@@ -4,10 +4,10 @@
 #include "app/base/duration.h"
 #include "app/judge/example_files.h"
 #include "ui/judge/verdict_view.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
-#include "ui/main_window.h"
-#include "ui/window_place.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/look/window_place.h"
+#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -2,7 +2,7 @@
 #include "ui/judge/verdict_view.h"
 
 #include "ui/experiment/tables_page.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QAction>
 #include <QEvent>

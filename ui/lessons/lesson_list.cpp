@@ -2,8 +2,8 @@
 #include "ui/lessons/lesson_list.h"
 
 #include "app/lessons/scores.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QAbstractButton>
 #include <QKeyEvent>

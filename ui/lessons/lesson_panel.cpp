@@ -4,8 +4,8 @@
 #include "app/lessons/scores.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QScrollBar>
 #include <QSettings>

@@ -2,11 +2,11 @@
 #include "app/base/latin.h"
 #include "app/commands/set_windows.h"
 #include "app/view/picking.h"
-#include "ui/actions.h"
-#include "ui/algorithm_digit.h"
-#include "ui/files.h"
-#include "ui/keeping.h"
-#include "ui/main_window.h"
+#include "ui/editing/keeping.h"
+#include "ui/files/files.h"
+#include "ui/menus/actions.h"
+#include "ui/widgets/algorithm_digit.h"
+#include "ui/window/main_window.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

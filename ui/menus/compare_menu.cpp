@@ -2,11 +2,11 @@
 #include "app/comparison/agreement.h"
 #include "app/document/editable.h"
 #include "app/view/looking.h"
-#include "ui/actions.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/experiment/experiment_window.h"
-#include "ui/main_window.h"
+#include "ui/menus/actions.h"
+#include "ui/window/main_window.h"
 
 #include <QCoreApplication>
 #include <QMenu>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/actions.h"
-#include "ui/main_window.h"
+#include "ui/menus/actions.h"
+#include "ui/window/main_window.h"
 
 #include <QCoreApplication>
 #include <QMenu>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/actions.h"
-#include "ui/files.h"
-#include "ui/look_icon.h"
-#include "ui/main_window.h"
+#include "ui/files/files.h"
+#include "ui/look/look_icon.h"
+#include "ui/menus/actions.h"
+#include "ui/window/main_window.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/actions.h"
-#include "ui/dialogs/pages.h"
-#include "ui/main_window.h"
+#include "ui/menus/actions.h"
+#include "ui/menus/pages.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCoreApplication>

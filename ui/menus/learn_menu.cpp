@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/actions.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
-#include "ui/main_window.h"
+#include "ui/menus/actions.h"
 #include "ui/microscope/export_steps.h"
+#include "ui/window/main_window.h"
 
 #include <QCoreApplication>
 

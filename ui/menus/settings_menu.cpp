@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
-#include "ui/actions.h"
-#include "ui/main_window.h"
-#include "ui/undo_memory.h"
+#include "ui/editing/undo_memory.h"
+#include "ui/menus/actions.h"
 #include "ui/widgets/unit_box.h"
+#include "ui/window/main_window.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/actions.h"
-#include "ui/main_window.h"
+#include "ui/menus/actions.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
+#include "ui/window/main_window.h"
 
 #include <QActionGroup>
 #include <QApplication>

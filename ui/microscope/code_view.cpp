@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/code_view.h"
 
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontDatabase>

@@ -4,7 +4,7 @@
 #include "app/base/latin.h"
 #include "app/settings/remembered.h"
 #include "ui/dialogs/in_background.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/microscope/export_steps_dialog.h"
 
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/legend.h"
 
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/microscope/timeline_mark.h"
 
 #include <algorithm>

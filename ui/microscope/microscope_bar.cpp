@@ -2,7 +2,7 @@
 #include "ui/microscope/microscope_bar.h"
 
 #include "app/base/latin.h"
-#include "ui/look_icon.h"
+#include "ui/look/look_icon.h"
 #include "ui/microscope/line_field.h"
 #include "ui/widgets/algorithm_marker.h"
 

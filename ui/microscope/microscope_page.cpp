@@ -2,8 +2,8 @@
 #include "ui/microscope/microscope_page.h"
 
 #include "app/comparison/at_text.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/microscope/code_view.h"
 #include "ui/microscope/heading.h"
 #include "ui/microscope/microscope_bar.h"

@@ -2,7 +2,7 @@
 #include "ui/microscope/microscope_view.h"
 
 #include "app/teaching/figure.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QFontInfo>

@@ -2,7 +2,7 @@
 #include "ui/microscope/operations_view.h"
 
 #include "app/base/numbers.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QPainter>
 

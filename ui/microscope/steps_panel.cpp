@@ -2,8 +2,8 @@
 #include "ui/microscope/steps_panel.h"
 
 #include "app/base/numbers.h"
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/microscope/heading.h"
 #include "ui/microscope/legend.h"
 #include "ui/microscope/timeline.h"

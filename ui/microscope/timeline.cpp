@@ -2,7 +2,7 @@
 #include "ui/microscope/timeline.h"
 
 #include "app/base/numbers.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/microscope/timeline_mark.h"
 #include "ui/microscope/veil.h"
 

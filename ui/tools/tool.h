@@ -6,7 +6,7 @@
 #include "app/view/picking.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QCursor>
 #include <QKeyEvent>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/view/algorithm_mark.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/dense_table.h"
 
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/tabular.h"
 
 #include <QEvent>

@@ -2,7 +2,7 @@
 #include "ui/widgets/error_histogram.h"
 
 #include "app/base/numbers.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QPainter>

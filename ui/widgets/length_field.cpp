@@ -3,7 +3,7 @@
 
 #include "app/base/expression.h"
 #include "app/base/numbers.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QHelpEvent>
 #include <QLineEdit>

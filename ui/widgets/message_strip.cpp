@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_strip.h"
 
-#include "ui/look.h"
-#include "ui/look_icon.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>

@@ -2,7 +2,7 @@
 #include "ui/widgets/page_caption.h"
 
 #include "app/comparison/at_text.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/segments.h"
 
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 #include <QHBoxLayout>
 #include <QPainter>

@@ -2,7 +2,7 @@
 #include "ui/widgets/table_view.h"
 
 #include "app/experiment/one_by_one.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 

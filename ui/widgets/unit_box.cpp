@@ -2,7 +2,7 @@
 #include "ui/widgets/unit_box.h"
 
 #include "app/base/latin.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 
 namespace ui {
 

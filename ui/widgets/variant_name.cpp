@@ -2,7 +2,7 @@
 #include "ui/widgets/variant_name.h"
 
 #include "app/base/latin.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/formats/format.h"
-#include "ui/keeping.h"
-#include "ui/look.h"
+#include "ui/editing/keeping.h"
+#include "ui/look/look.h"
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/canvas/stage.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/usual_algorithm.h"
+#include "ui/bars/option_bar.h"
+#include "ui/bars/status_bar.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/compare_panel.h"
@@ -7,9 +9,7 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
-#include "ui/status_bar.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/option_bar.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/tool_list.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
+#include "ui/bars/status_bar.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/microscope/code_view.h"
@@ -9,7 +10,6 @@
 #include "ui/microscope/microscope_view.h"
 #include "ui/microscope/timeline.h"
 #include "ui/microscope/variable_table.h"
-#include "ui/status_bar.h"
 
 #include <QAccessible>
 #include <QApplication>

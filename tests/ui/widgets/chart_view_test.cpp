@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_layout.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/chart_view.h"
 
 #include <QMenu>

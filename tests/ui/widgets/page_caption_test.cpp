@@ -4,7 +4,7 @@
 #include "ui/docks/cost_map_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
-#include "ui/look.h"
+#include "ui/look/look.h"
 #include "ui/widgets/page_caption.h"
 
 #include <QTest>

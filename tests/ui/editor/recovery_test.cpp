@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/unfinished.h"
+#include "app/recovery/leftover.h"
+#include "ui/editor/editor.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <unistd.h>
+
+#include "tests/app/document/sheet_edits.h"
+
+// The editor in a process of its own is worked with by real events, ended by a signal, and started
+// again. That process is this program once more (--editor SCENARIO [FILE]): it runs the editor as
+// main() does, and a timer in it is the person.
+
+namespace {
+
+using ui::MainWindow;
+
+/// Says to the test that started this process: now.
+void say(const QString& line)
+{
+    std::printf("%s\n", qPrintable(line));
+    std::fflush(stdout);
+}
+
+MainWindow* mainWindow()
+{
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* window = qobject_cast<MainWindow*>(widget); window && window->isVisible())
+            return window;
+    return nullptr;
+}
+
+QWidget* area(MainWindow& window) { return window.canvas().focusProxy(); }
+
+void drawLine(MainWindow& window)
+{
+    window.canvas().setTool("line");
+    QTest::mousePress(area(window), Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(area(window), {150, 150});
+    QTest::mouseRelease(area(window), Qt::LeftButton, {}, {200, 220});
+}
+
+void clickCorners(MainWindow& window)
+{
+    window.canvas().setTool("polyline");
+    for (const QPoint corner : {QPoint(100, 100), QPoint(200, 120), QPoint(150, 300)})
+        QTest::mouseClick(area(window), Qt::LeftButton, {}, corner);
+}
+
+QDialog* offer()
+{
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* dialog = qobject_cast<QDialog*>(widget);
+            dialog && dialog->isVisible() && dialog->objectName() == "leftovers")
+            return dialog;
+    return nullptr;
+}
+
+/// What the offer lists, with the number of rows first.
+void sayOffer()
+{
+    QStringList rows;
+    if (const QDialog* dialog = offer()) {
+        const auto* list = dialog->findChild<QTreeWidget*>();
+        for (int i = 0; i < list->topLevelItemCount(); ++i)
+            rows << list->topLevelItem(i)->text(0);
+        rows.sort();
+    }
+    say(QString("offers %1: %2").arg(rows.size()).arg(rows.join(", ")));
+}
+
+void press(const QString& verb)
+{
+    const QDialog* dialog = offer();
+    if (!dialog)
+        return;
+    for (QPushButton* button : dialog->findChildren<QPushButton*>())
+        if (button->text() == verb)
+            return button->click();
+}
+
+void sayDrawing(const MainWindow& window)
+{
+    say(QString("%1 shapes, %2, %3")
+            .arg(window.session().now().objects().size())
+            .arg(window.windowTitle().section("[", 0, 0),
+                 window.isWindowModified() ? "not saved" : "saved"));
+}
+
+void ready() { say("ready"); }
+
+qsizetype filesLeft()
+{
+    return QDir(app::leftoverFolder()).entryList({"*.svg"}, QDir::Files).size();
+}
+
+void when(const std::function<bool()>& so, const std::function<void()>& then)
+{
+    QTimer::singleShot(10, [so, then] { so() ? then() : when(so, then); });
+}
+
+/// Answers the offer, if there is one.
+void recover(MainWindow& window, const std::function<void()>& then)
+{
+    if (!offer())
+        return then();
+    press("Recover");
+    when([&window] { return window.isWindowModified(); }, then);
+}
+
+using Scenario = std::function<void(MainWindow&)>;
+const std::map<QString, Scenario>& scenarios()
+{
+    static const std::map<QString, Scenario> all{
+        {"look", [](MainWindow&) { ready(); }},
+        {"draw", [](MainWindow& w) { drawLine(w), ready(); }},
+        {"polyline", [](MainWindow& w) { clickCorners(w), ready(); }},
+        {"one corner",
+         [](MainWindow& w) {
+             w.canvas().setTool("polyline");
+             QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
+             ready();
+         }},
+        {"busy", // as in a painting that does not end
+         [](MainWindow& w) {
+             drawLine(w);
+             ready();
+             for (;;)
+                 pause();
+         }},
+        {"saving", // where the file system has no unnamed files
+         [](MainWindow& w) {
+             drawLine(w);
+             const QString path = w.session().path();
+             const app::Unfinished guard(path);
+             QFile half(path + ".AbCdEf");
+             if (half.open(QIODevice::WriteOnly))
+                 ready();
+             for (;;)
+                 pause();
+         }},
+        {"dialog",
+         [](MainWindow& w) {
+             drawLine(w);
+             QTimer::singleShot(0, ready);
+             QMessageBox(QMessageBox::NoIcon, "x", "y", QMessageBox::Ok, &w).exec();
+         }},
+        {"recover",
+         [](MainWindow& w) {
+             sayOffer();
+             recover(w, [&w] { sayDrawing(w), ready(); });
+         }},
+        {"recover and draw", [](MainWindow& w) { recover(w, [&w] { drawLine(w), ready(); }); }},
+        {"recover and save",
+         [](MainWindow& w) {
+             recover(w, [&w] {
+                 w.findChild<QAction*>("save")->trigger();
+                 sayDrawing(w), ready();
+             });
+         }},
+        {"discard",
+         [](MainWindow&) {
+             sayOffer();
+             const auto count = filesLeft();
+             press("Discard");
+             when([count] { return filesLeft() < count; }, ready);
+         }},
+        {"not now", [](MainWindow&) { sayOffer(), press("Not Now"), ready(); }},
+    };
+    return all;
+}
+
+QString scenario;
+
+// When this comes, the queued events of the start are over, or wait for an answer to the offer.
+void play()
+{
+    MainWindow* window = mainWindow();
+    if (!window)
+        return QTimer::singleShot(10, play);
+    window->activateWindow();
+    scenarios().at(scenario)(*window);
+}
+
+/// The editor's exit code.
+int runEditor(int argc, char** argv)
+{
+    QStringList arguments;
+    for (int i = 3; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    scenario = argv[2];
+    qAddPreRoutine([] { QTimer::singleShot(10, play); });
+    return ui::runEditor(argc, argv, arguments);
+}
+
+constexpr int patience = 60'000; // milliseconds, against a hang
+
+} // namespace
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSignalKeepsTheWorkAndThenEndsTheProgram_data()
+    {
+        QTest::addColumn<QString>("scenario");
+        QTest::addColumn<int>("signal");
+        QTest::addColumn<int>("shapes");
+        for (const int signal : {SIGTERM, SIGHUP, SIGINT})
+            QTest::addRow("a line, %s", strsignal(signal)) << "draw" << signal << 2;
+        QTest::addRow("a polyline in hand") << "polyline" << SIGTERM << 2;
+        QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
+        QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
+        QTest::addRow("in a dialog") << "dialog" << SIGTERM << 2;
+    }
+    void aSignalKeepsTheWorkAndThenEndsTheProgram()
+    {
+        QFETCH(QString, scenario);
+        QFETCH(int, signal);
+        QFETCH(int, shapes);
+        const Home home;
+        const QByteArray saved = contents(home.drawing());
+        Editor editor(home, scenario, {home.drawing()});
+        QVERIFY(editor.waitsUntilReady());
+        QElapsedTimer clock;
+        clock.start();
+        QCOMPARE(editor.endedBy(signal), signal);
+        qInfo("ended after %lld ms", clock.elapsed());
+        QCOMPARE(contents(home.drawing()), saved);
+        QCOMPARE(QDir(home.path.path()).entryList({"plan.svg*"}, QDir::Files),
+                 QStringList{"plan.svg"}); // no half of a file
+        const auto left = app::claimLeftovers(home.leftovers());
+        QCOMPARE(left.size(), std::size_t(1));
+        QCOMPARE(left[0].origin.name, "plan.svg");
+        QCOMPARE(left[0].origin.path, home.drawing());
+        const auto sheet = app::sheetOf(app::readFile(left[0].file).value->document);
+        QCOMPARE(int(sheet.shapes.size()), shapes);
+        if (scenario == "polyline")
+            QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
+    }
+    void whereNothingIsUnsavedNothingIsLeft()
+    {
+        for (const char* const scenario : {"look", "one corner"}) {
+            const Home home;
+            Editor editor(home, scenario, {home.drawing()});
+            QVERIFY(editor.waitsUntilReady());
+            QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+            QVERIFY2(app::claimLeftovers(home.leftovers()).empty(), scenario);
+        }
+    }
+    void whatWasIgnoredStaysIgnored() // nohup
+    {
+        const Home home;
+        Editor editor(home, "draw", {home.drawing()}, [] { std::signal(SIGHUP, SIG_IGN); });
+        QVERIFY(editor.waitsUntilReady());
+        kill(pid_t(editor.process.processId()), SIGHUP);
+        QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+    }
+    void theNextStartOffersItOnce()
+    {
+        const Home home;
+        QVERIFY(leave(home, "draw"));
+        {
+            Editor editor(home, "recover", {});
+            QVERIFY(editor.waitsUntilReady());
+            QVERIFY2(editor.said.contains("offers 1: plan.svg"), qPrintable(editor.said));
+            QVERIFY2(editor.said.contains("2 shapes, plan.svg, not saved"),
+                     qPrintable(editor.said));
+            Editor other(home, "recover", {}); // while the first has it
+            QVERIFY(other.waitsUntilReady());
+            QVERIFY2(other.said.contains("offers 0"), qPrintable(other.said));
+            QCOMPARE(other.endedBy(SIGTERM), SIGTERM);
+            QCOMPARE(editor.endedBy(SIGKILL), SIGKILL); // still not saved: it stays
+        }
+        {
+            Editor editor(home, "recover and draw", {});
+            QVERIFY(editor.waitsUntilReady());
+            QCOMPARE(editor.endedBy(SIGTERM), SIGTERM); // one file, the newer work
+            const auto left = app::claimLeftovers(home.leftovers());
+            QCOMPARE(left.size(), std::size_t(1));
+            QCOMPARE(app::sheetOf(app::readFile(left[0].file).value->document).shapes.size(),
+                     std::size_t(3));
+        }
+        {
+            Editor editor(home, "recover and save", {});
+            QVERIFY(editor.waitsUntilReady());
+            QVERIFY2(editor.said.contains("3 shapes, plan.svg, saved"), qPrintable(editor.said));
+            QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+            QCOMPARE(app::sheetOf(app::readFile(home.drawing()).value->document).shapes.size(),
+                     std::size_t(3));
+        }
+        Editor editor(home, "recover", {});
+        QVERIFY(editor.waitsUntilReady());
+        QVERIFY2(editor.said.contains("offers 0"), qPrintable(editor.said));
+        QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+    }
+    void severalAreOfferedTogetherAndGarbageIsNot()
+    {
+        const Home home;
+        QVERIFY(leave(home, "draw"));
+        QVERIFY(leave(home, "polyline"));
+        QFile garbage(home.leftovers() + "/garbage.svg");
+        QVERIFY(garbage.open(QIODevice::WriteOnly));
+        garbage.write("\0<?clearcut-unsaved \xff", 21);
+        garbage.close();
+        const QStringList expected{"offers 2: plan.svg, plan.svg", "offers 2: plan.svg, plan.svg",
+                                   "offers 1: plan.svg", "offers 0"};
+        const QStringList scenarios{"not now", "discard", "recover and save", "look"};
+        for (qsizetype i = 0; i < scenarios.size(); ++i) {
+            Editor editor(home, scenarios[i] == "look" ? "recover" : scenarios[i], {});
+            QVERIFY(editor.waitsUntilReady());
+            if (scenarios[i] != "recover and save")
+                QVERIFY2(editor.said.contains(expected[i]),
+                         qPrintable(scenarios[i] + ": " + editor.said));
+            QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+        }
+        QVERIFY(garbage.exists());
+    }
+    void aDrawingThatIsGivenUpIsNotOfferedAgain()
+    {
+        const Home home;
+        QVERIFY(leave(home, "draw"));
+        {
+            Editor editor(home, "discard", {});
+            QVERIFY(editor.waitsUntilReady());
+            QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+        }
+        QVERIFY(app::claimLeftovers(home.leftovers()).empty());
+    }
+    void whereItCannotBeKeptItSaysSoAndEnds()
+    {
+        const Home home;
+        Editor editor(home, "draw", {home.drawing()}, {}, "/dev/null");
+        QVERIFY(editor.waitsUntilReady());
+        QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+        const QString errors = editor.process.readAllStandardError();
+        QVERIFY2(errors.contains("The unsaved drawing is lost: Cannot write /dev/null/"),
+                 qPrintable(errors));
+    }
+    void theProgramItselfEndsBySignals()
+    {
+        const Home home;
+        QVERIFY(leave(home, "draw"));
+        QProcess program;
+        program.setProcessEnvironment(home.environment(home.path.path()));
+        program.setProcessChannelMode(QProcess::MergedChannels);
+        program.start(CLEARCUT_BINARY, {"--verbose", home.drawing()});
+        QByteArray said;
+        while (!said.contains("first frame") && program.waitForReadyRead(patience))
+            said += program.readAll();
+        QVERIFY2(said.contains("first frame"), said.constData());
+        kill(pid_t(program.processId()), SIGINT);
+        QVERIFY(program.waitForFinished(patience));
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+        QCOMPARE(program.exitCode(), SIGINT);
+        QCOMPARE(app::claimLeftovers(home.leftovers()).size(), std::size_t(1));
+    }
+
+private:
+    /// A user's folders, with a drawing of one line.
+    struct Home {
+        Home()
+        {
+            QFile file(drawing());
+            [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
+            file.write("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+                       "viewBox='0 0 100 100'><path d='M0 50H100' stroke='#000' "
+                       "fill='none'/></svg>");
+        }
+        QString drawing() const { return path.filePath("plan.svg"); }
+        QString leftovers() const { return path.filePath("clearcut/unsaved"); }
+        QProcessEnvironment environment(const QString& state) const
+        {
+            auto environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("HOME", path.path());
+            environment.insert("XDG_CONFIG_HOME", path.filePath("config"));
+            environment.insert("XDG_STATE_HOME", state);
+            environment.insert("QT_QPA_PLATFORM", "offscreen");
+            return environment;
+        }
+        QTemporaryDir path;
+    };
+
+    struct Editor {
+        Editor(const Home& home, const QString& scenario, const QStringList& arguments,
+               const std::function<void()>& before = {}, const QString& state = {})
+        {
+            process.setProcessEnvironment(
+                home.environment(state.isEmpty() ? home.path.path() : state));
+            process.setChildProcessModifier(before);
+            process.start(QCoreApplication::applicationFilePath(),
+                          QStringList{"--editor", scenario} + arguments);
+        }
+        ~Editor()
+        {
+            process.kill();
+            process.waitForFinished(patience);
+        }
+        bool waitsUntilReady()
+        {
+            while (!said.endsWith("ready\n") && process.waitForReadyRead(patience))
+                said += process.readAllStandardOutput();
+            return said.endsWith("ready\n");
+        }
+        /// The signal that ended it; 0: none.
+        int endedBy(int signal)
+        {
+            kill(pid_t(process.processId()), signal);
+            return process.waitForFinished(patience) && process.exitStatus() == QProcess::CrashExit
+                       ? process.exitCode()
+                       : 0;
+        }
+        QProcess process;
+        QString said;
+    };
+
+    static QByteArray contents(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    static bool leave(const Home& home, const QString& scenario)
+    {
+        Editor editor(home, scenario, {home.drawing()});
+        return editor.waitsUntilReady() && editor.endedBy(SIGTERM) == SIGTERM;
+    }
+};
+
+int main(int argc, char** argv)
+{
+    if (argc > 2 && QByteArrayView(argv[1]) == "--editor")
+        return runEditor(argc, argv);
+    QCoreApplication application(argc, argv);
+    RecoveryTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "recovery_test.moc"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "ui/files/files.h"
+
+#include <QTest>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+/// Dashed lines across the page: each piece of one begins elsewhere in the pattern.
+app::Document dashedLines()
+{
+    app::DocumentBuilder builder;
+    builder.open({.name = "layer"});
+    for (int y = 0; y < 50; ++y) {
+        const app::Style style{.stroke = app::Colour{}, .width = 1, .dashes = {3, 2}};
+        builder.add({app::Path(clipping::Segment{{y / 100.0, y}, {50, y}}), style});
+    }
+    builder.close();
+    return builder.take({});
+}
+
+void setWindow(app::Session& session, const clipping::Window& window)
+{
+    app::Edit edit;
+    edit.windows = app::ClipWindows{{{.shape = app::RectangleShape{window}}}};
+    session.document.apply(edit);
+}
+
+} // namespace
+
+class FilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void exportingAddsNoStyleToTheDocument()
+    {
+        TestWindow t;
+        app::Session& session = t.window->session();
+        session.load({dashedLines(), {}});
+        const app::Document document = session.now();
+        const std::size_t styles = document.styles().size();
+        for (const char* const file : {"out.svg", "out.csv", "out.png"})
+            for (const double x : {10.25, 20.5}) {
+                setWindow(session, {{x, 5}, {40, 45}});
+                t.answers->save = t.path(file);
+                t.window->files().exportCut();
+                QVERIFY2(t.window->message().contains("Exported"), qPrintable(t.window->message()));
+                QCOMPARE(session.now().styles().size(), styles);
+            }
+        QVERIFY(session.now().objects() == document.objects());
+        const auto cut = app::readFile(t.path("out.svg"));
+        QVERIFY(cut);
+        QVERIFY(cut.value->document.styles().size() > 30); // which the cut has made
+    }
+};
+
+QTEST_MAIN(FilesTest)
+#include "files_test.moc"

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/visible_colour.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/algorithm_marker.h"
+
+#include <set>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+double contrast(const QColor& a, const QColor& b)
+{
+    const auto plain = [](const QColor& c) {
+        return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+    };
+    return app::contrast(plain(a), plain(b));
+}
+
+std::set<QRgb> opaqueColours(const QImage& image)
+{
+    std::set<QRgb> colours;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixelColor(x, y).alpha() == 255)
+                colours.insert(image.pixelColor(x, y).rgb());
+    return colours;
+}
+
+} // namespace
+
+class LookTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void textCanBeRead_data()
+    {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("light") << int(Theme::Light);
+        QTest::newRow("dark") << int(Theme::Dark);
+    }
+    void textCanBeRead()
+    {
+        QFETCH(int, theme);
+        applyTheme(*qApp, Theme(theme));
+        const Look& look = lookOf(QApplication::palette());
+        QCOMPARE(look.dark, Theme(theme) == Theme::Dark);
+        for (const QColor& ground : {look.window, look.panel, look.base, look.tint, look.hover}) {
+            QVERIFY(contrast(look.text, ground) >= 4.5);
+            QVERIFY2(contrast(look.muted, ground) >= 4.5, qPrintable(ground.name()));
+        }
+        QVERIFY(contrast(look.onSelection, look.selection) >= 4.5);
+        QVERIFY(contrast(look.onAccent, look.accent) >= 4.5);
+        QVERIFY(contrast(look.warning, look.warningGround) >= 4.5);
+        QVERIFY(contrast(look.good, look.panel) >= 4.5);
+        QVERIFY(contrast(look.differs, look.panel) >= 4.5);
+        for (const auto& algorithm : clipping::algorithms())
+            QVERIFY2(contrast(app::algorithmColour(algorithm, groundOf(QApplication::palette())),
+                              look.panel)
+                         >= 3,
+                     algorithm.abbreviation.data());
+    }
+    void everyToolAndCommandHasItsIcon()
+    {
+        TestWindow t;
+        for (const ToolInfo& tool : tools())
+            QVERIFY2(!opaqueColours(icon(tool.key).pixmap(40, 40).toImage()).empty(),
+                     tool.key.data());
+        int icons = 0;
+        for (const QAction* action : t.window->findChildren<QAction*>())
+            if (!action->icon().isNull()) {
+                QVERIFY2(!opaqueColours(action->icon().pixmap(40, 40).toImage()).empty(),
+                         qPrintable(action->text()));
+                ++icons;
+            }
+        QVERIFY(icons > 10);
+    }
+    void iconsFollowTheTheme()
+    {
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            applyTheme(*qApp, theme);
+            const Look& look = lookOf(QApplication::palette());
+            const auto ink = opaqueColours(icon("select").pixmap(80, 80).toImage());
+            QVERIFY(ink.contains(look.text.rgb()));
+            const auto window = opaqueColours(icon("window").pixmap(80, 80).toImage());
+            QVERIFY(window.contains(look.accent.rgb()));
+        }
+    }
+};
+
+QTEST_MAIN(LookTest)
+#include "look_test.moc"

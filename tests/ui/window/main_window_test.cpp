@@ -1,0 +1,667 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_style.h"
+#include "app/commands/set_window.h"
+#include "app/lessons/lesson.h"
+#include "ui/bars/option_bar.h"
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/line_panel.h"
+#include "ui/menus/actions.h"
+#include "ui/widgets/segments.h"
+#include "ui/widgets/window_note.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+
+#include "tests/app/document/sheet.h"
+#include "tests/app/document/sheet_edits.h"
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+namespace {
+
+const clipping::Window middle{{25, 25}, {75, 75}};
+
+/// Panels behind another tab are kept off the screen.
+bool inFront(const QDockWidget* dock) { return dock->isVisible() && dock->x() >= 0; }
+
+void setWindow(TestWindow& t, const clipping::Window& window)
+{
+    app::Session& session = t.window->session();
+    session.history.push(new app::SetWindow(session.document, window));
+}
+
+} // namespace
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void mnemonicsAreUniqueInEachMenu()
+    {
+        const auto mnemonics = [](const QList<QAction*>& actions) {
+            QStringList letters;
+            for (const QAction* action : actions)
+                if (const auto at = action->text().indexOf(u'&'); at >= 0)
+                    letters << action->text().mid(at + 1, 1).toLower();
+            return letters;
+        };
+        TestWindow t;
+        QList<QList<QAction*>> lists{t.window->menuBar()->actions()};
+        for (const QAction* top : t.window->menuBar()->actions())
+            lists << top->menu()->actions();
+        qsizetype all = 0;
+        for (const auto& list : lists) {
+            QStringList letters = mnemonics(list);
+            const auto count = letters.size();
+            all += count;
+            letters.removeDuplicates();
+            QVERIFY2(letters.size() == count, qPrintable(letters.join(' ')));
+        }
+        QVERIFY(all > 30);
+    }
+    void shortcutsAreUniqueAndNoneIsMissing()
+    {
+        TestWindow t;
+        QHash<QString, QString> seen;
+        for (const QAction* action : t.window->findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts()) {
+                const QString text = key.toString();
+                QVERIFY2(!seen.contains(text) || seen[text] == action->text(),
+                         qPrintable(text + ": " + seen.value(text) + ", " + action->text()));
+                seen[text] = action->text();
+            }
+        for (const char* key : {"Ctrl+N", "Ctrl+O", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+E", "Ctrl+Z",
+                                "Ctrl+Y", "Ctrl+Shift+Z", "Ctrl+=", "F11", "Ctrl+Shift+A"})
+            QVERIFY2(seen.contains(key), key);
+    }
+    void opensAFile()
+    {
+        TestWindow t;
+        t.show();
+        t.answers->open = t.twoLines();
+        QTest::keyClick(t.window.get(), Qt::Key_O, Qt::ControlModifier);
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
+        QVERIFY(t.window->windowTitle().startsWith("two.svg"));
+        QCOMPARE(t.window->files().recent().size(), std::size_t(1));
+        QCOMPARE(t.window->files().recent().front().lines, std::size_t(2));
+    }
+    void aBadFileChangesNothing()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        QFile bad(t.path("bad.svg"));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("<svg><g>");
+        bad.close();
+        t.show();
+        t.window->files().open(bad.fileName());
+        QVERIFY(t.window->message().contains("bad.svg"));
+        QVERIFY(t.window->message().contains("Nothing was changed"));
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
+    }
+    void digitsChooseTheAlgorithmOnTheCanvasOnly()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const auto all = clipping::algorithms();
+        QCOMPARE(t.window->session().display().variant.algorithm, &clipping::exactAlgorithm());
+        QTest::keyClick(t.drawingArea(), Qt::Key_2);
+        QCOMPARE(t.window->session().display().variant.algorithm, &all[1]);
+        auto* field = t.window->findChild<QDoubleSpinBox*>();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_1);
+        QCOMPARE(t.window->session().display().variant.algorithm, &all[1]);
+    }
+    void lettersChooseTheTool()
+    {
+        TestWindow t;
+        t.show();
+        QTest::keyClick(t.drawingArea(), Qt::Key_L);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("line"));
+        QTest::keyClick(t.drawingArea(), Qt::Key_W);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
+        QVERIFY(t.action("tool-window")->isChecked());
+    }
+    void dropsOpen()
+    {
+        TestWindow t;
+        t.show();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(t.twoLines())});
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(t.window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(t.window.get(), &drop);
+        QTRY_COMPARE(t.window->session().scene.lines().size(), std::size_t(2));
+    }
+    void unsavedChangesAreAskedAbout()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        QVERIFY(!t.window->isWindowModified());
+        setWindow(t, middle);
+        QVERIFY(t.window->isWindowModified());
+        t.answers->answer = Questions::Answer::Cancel;
+        QVERIFY(!t.window->close());
+        QCOMPARE(t.answers->asked, 1);
+        t.answers->answer = Questions::Answer::Save;
+        QVERIFY(t.window->close());
+        const auto again = app::readFile(t.path("two.svg"));
+        QCOMPARE(app::sheetOf(again.value->document).window, middle);
+    }
+    void dontSaveLeavesTheFile()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.answers->answer = Questions::Answer::DontSave;
+        t.window->files().startNew();
+        QVERIFY(sheetOf(t.window->session().document).shapes.empty());
+        QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
+    }
+    void savingOverSomebodyElsesChangeIsAsked()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        QFile file(t.path("two.svg"));
+        QVERIFY(file.open(QIODevice::Append));
+        file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime);
+        file.close();
+        QVERIFY(!t.window->files().save()); // the prepared answer is no
+        QVERIFY(t.window->isWindowModified());
+    }
+    void aLossyImportIsSavedAsANewFile()
+    {
+        TestWindow t;
+        QFile file(t.path("lossy.svg"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'>"
+                   "<text>a</text><path d='M0 0L5 5' stroke='#000'/></svg>");
+        file.close();
+        t.show();
+        t.window->files().open(file.fileName());
+        QVERIFY2(t.window->message().contains("cannot be kept"), qPrintable(t.window->message()));
+        t.answers->asNewFile = false;
+        QVERIFY(!t.window->files().save());
+        t.answers->asNewFile = true;
+        t.answers->save = t.path("new.svg");
+        QVERIFY(t.window->files().save());
+        QVERIFY(QFile::exists(t.path("new.svg")));
+        QVERIFY(t.window->files().save()); // now it is ours
+    }
+    void onlySvgHoldsAWholeDrawing()
+    {
+        TestWindow t;
+        t.show();
+        t.window->files().open(t.twoLines());
+        t.answers->save = t.path("picture.png");
+        QVERIFY(!t.window->files().saveAs());
+        QVERIFY(!QFile::exists(t.path("picture.png")));
+        QVERIFY2(t.window->message().contains("SVG"), qPrintable(t.window->message()));
+        QVERIFY(t.window->session().path().endsWith("two.svg"));
+    }
+    void exportsTheCutDrawing()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.show();
+        t.answers->save = t.path("out.svg");
+        QTest::keyClick(t.window.get(), Qt::Key_E, Qt::ControlModifier);
+        QVERIFY2(t.answers->proposed.endsWith("two-cut.svg"), qPrintable(t.answers->proposed));
+        QVERIFY2(t.window->message().contains("Exported out.svg"), qPrintable(t.window->message()));
+        const auto cut = app::readFile(t.path("out.svg"));
+        const app::EditedDocument document(cut.value->document);
+        const app::Scene scene(document);
+        QCOMPARE(scene.lines().size(), std::size_t(1));
+        QCOMPARE(scene.lines()[0], (clipping::Segment{{25, 50}, {75, 50}}));
+    }
+    void cropsAndUndoes()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.show();
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(1));
+        QVERIFY(t.window->message().startsWith("Cropped"));
+        t.action("undo")->trigger();
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
+        QCOMPARE(t.window->message(), QString());
+    }
+    void croppingLeavesALockedLayerAlone()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        setWindow(t, middle);
+        t.show();
+        auto layers = sheetOf(t.window->session().document).layers;
+        layers.front().locked = true;
+        ::setLayers(t.window->session().document, layers);
+        const int before = t.window->session().history.count();
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
+        QCOMPARE(t.window->session().history.count(), before);
+        QCOMPARE(t.window->message(), "Nothing was cropped. Left alone on locked layers: 1.");
+    }
+    void saysOnceThatTheOldestStepsAreForgotten()
+    {
+        TestWindow t;
+        QSettings().setValue("undoMegabytes", 2);
+        t.window = std::make_unique<MainWindow>(Backend::Raster);
+        app::Session& session = t.window->session();
+        QCOMPARE(session.history.limit(), std::size_t(2'000'000));
+        app::Sheet sheet;
+        sheet.shapes.resize(40'000);
+        session.load({app::documentOf(sheet), {}});
+        const auto restyle = [&session] {
+            const app::ObjectRanges all(
+                app::ObjectRange{0, sheetOf(session.document).shapes.size()});
+            session.history.push(new app::SetStyle(
+                session.document, all, [](app::Style& style) { style.width += 1; }, "Width"));
+        };
+        restyle();
+        QCoreApplication::processEvents();
+        QVERIFY(t.window->message().isEmpty());
+        restyle();
+        QTRY_COMPARE(t.window->message(), "The oldest steps can no longer be undone: undo may use "
+                                          "at most 2 MB of memory (menu Settings). Save a copy "
+                                          "if you may need this state again.");
+        QCOMPARE(session.history.count(), 1);
+        t.window->tell({});
+        restyle();
+        QCOMPARE(session.history.forgotten(), 2);
+        QCoreApplication::processEvents();
+        QVERIFY(t.window->message().isEmpty());
+        session.load(
+            {app::documentOf(sheetOf(session.document)), {}}); // another drawing: said again
+        restyle();
+        restyle();
+        QTRY_VERIFY(!t.window->message().isEmpty());
+    }
+    void theMemoryForUndoIsChosenInTheMenu()
+    {
+        TestWindow t;
+        const auto chosen = [&t] {
+            QStringList on;
+            for (const QAction* action : t.window->findChildren<QAction*>())
+                if (action->objectName() == u"undo-memory" && action->isChecked())
+                    on << action->text();
+            return on;
+        };
+        const auto choose = [&t](const char* text) {
+            for (QAction* action : t.window->findChildren<QAction*>())
+                if (action->objectName() == u"undo-memory"
+                    && action->text() == QLatin1StringView(text))
+                    action->trigger();
+        };
+        QCOMPARE(chosen(), QStringList("&1 GB"));
+        choose("&250 MB");
+        QCOMPARE(chosen(), QStringList("&250 MB"));
+        QCOMPARE(t.window->session().history.limit(), std::size_t(250'000'000));
+        t.window = std::make_unique<MainWindow>(Backend::Raster); // remembered
+        QCOMPARE(chosen(), QStringList("&250 MB"));
+        QSettings().setValue("undoMegabytes", 123);
+        t.window = std::make_unique<MainWindow>(Backend::Raster); // none of the choices
+        QCOMPARE(chosen(), QStringList());
+        QCOMPARE(t.window->session().history.limit(), std::size_t(123'000'000));
+    }
+    void whatADrawingHasNoRoomForIsSaid()
+    {
+        TestWindow t;
+        app::ClipWindows windows;
+        windows.list.resize(app::ClipWindows::most, {.visible = false});
+        t.window->session().document.apply({.windows = windows});
+        t.show();
+        t.action("window-on-page")->trigger();
+        QVERIFY(t.window->message().startsWith("No clip window was drawn."));
+        t.window->tell({});
+        t.window->canvas().setTool("window");
+        QTest::mousePress(t.drawingArea(), Qt::LeftButton, Qt::ControlModifier, {100, 100});
+        QTest::mouseRelease(t.drawingArea(), Qt::LeftButton, Qt::ControlModifier, {200, 200});
+        QVERIFY(t.window->message().startsWith("No clip window was drawn."));
+        QCOMPARE(t.window->session().history.count(), 0);
+    }
+    void croppingWhatIsInsideIsNoStep()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        t.action("crop")->trigger();
+        QCOMPARE(t.window->session().history.count(), 0);
+        QCOMPARE(t.window->message(), "Nothing to crop: all of it is kept.");
+    }
+    void keysOfTheSelectionSayThatNothingIsSelected()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const QString said = "Nothing is selected. Select shapes first.";
+        const QList<std::pair<const char*, QKeySequence>> commands{
+            {"cut", QKeySequence::Cut},
+            {"copy", QKeySequence::Copy},
+            {"duplicate", QKeySequence("Ctrl+D")},
+            {"delete", QKeySequence("Delete")}};
+        for (const auto& [name, keys] : commands) {
+            QVERIFY(!t.action(name)->isEnabled());
+            QTest::keySequence(t.drawingArea(), keys);
+            QVERIFY2(t.window->statusBar()->currentMessage() == said, name);
+            t.window->statusBar()->clearMessage();
+        }
+        t.action("select-all")->trigger();
+        for (const char* name : {"copy", "cut"}) {
+            QVERIFY2(t.action(name)->isEnabled() && t.action(name)->statusTip().isEmpty(), name);
+            QTest::keySequence(t.drawingArea(), t.action(name)->shortcut());
+            QCOMPARE(t.window->statusBar()->currentMessage(), QString());
+        }
+    }
+    void withoutAClipWindowThereIsNoneToFit()
+    {
+        TestWindow t;
+        t.show();
+        QVERIFY(!t.action("fit-window")->isEnabled());
+        QTest::keyClick(t.drawingArea(), Qt::Key_3, Qt::ShiftModifier);
+        QCOMPARE(t.window->statusBar()->currentMessage(),
+                 "There is no clip window. Draw one first (W).");
+        setWindow(t, middle);
+        QVERIFY(t.action("fit-window")->isEnabled());
+    }
+    void aWarningOfTheClipboardGoesWithTheNextPaste()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        const QString warning = "The clipboard holds no drawing. Copy lines first.";
+        const auto shapes = [&] { return sheetOf(t.window->session().document).shapes.size(); };
+        for (const char* next : {"copy", "paste"}) {
+            QGuiApplication::clipboard()->setText("copy");
+            t.action("paste")->trigger();
+            QCOMPARE(t.window->message(), warning);
+            if (next == QByteArray("paste")) // from another window
+                QGuiApplication::clipboard()->setText(
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><path d='M0 "
+                    "0H9' stroke='red'/></svg>");
+            const std::size_t before = shapes();
+            t.action("select-all")->trigger();
+            t.action(next)->trigger();
+            QCOMPARE(shapes() > before, next == QByteArray("paste"));
+            QCOMPARE(t.window->message(), QString());
+        }
+        t.action("select-all")->trigger();
+        t.window->tell({Message::Kind::Warning, "Another warning."});
+        t.action("copy")->trigger();
+        t.action("paste")->trigger();
+        QCOMPARE(t.window->message(), "Another warning.");
+    }
+    void clipboardAndSelection()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        app::Session& session = t.window->session();
+        t.action("select-all")->trigger();
+        QCOMPARE(session.selection().size(), std::size_t(1));
+        t.action("copy")->trigger();
+        t.action("paste")->trigger();
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(2));
+        QCOMPARE(session.selection(), (app::ObjectRanges{1}));
+        t.action("duplicate")->trigger();
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(3));
+        t.action("delete")->trigger();
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(2));
+        t.action("undo")->trigger();
+        t.action("undo")->trigger();
+        t.action("undo")->trigger();
+        QCOMPARE(sheetOf(session.document).shapes.size(), std::size_t(1));
+    }
+    void themesSwitch()
+    {
+        TestWindow t;
+        t.window->setTheme(Theme::Dark);
+        QVERIFY(lookOf(t.window->palette()).dark);
+        QVERIFY(lookOf(t.window->canvas().palette()).dark);
+        t.window->setTheme(Theme::Light);
+        QVERIFY(!lookOf(t.window->palette()).dark);
+        QCOMPARE(QSettings().value("theme").toInt(), int(Theme::Light));
+    }
+    void picturesOfTheOptionBarFollowTheTheme()
+    {
+        TestWindow t;
+        t.show();
+        const auto pictureIn = [](const MainWindow& window) {
+            return window.findChild<OptionBar*>()->grab().toImage();
+        };
+        const QImage light = pictureIn(*t.window);
+        t.window->setTheme(Theme::Dark);
+        QCoreApplication::processEvents();
+        const QImage switched = pictureIn(*t.window);
+        QVERIFY(switched != light);
+        TestWindow fresh;
+        fresh.show();
+        fresh.window->setTheme(Theme::Dark);
+        fresh.window = std::make_unique<MainWindow>(Backend::Raster); // that was never light
+        fresh.window->resize(t.window->size());
+        fresh.show();
+        QCOMPARE(switched, pictureIn(*fresh.window));
+    }
+    void startShowsASampleAndLeadsOn()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        auto* start = t.window->findChild<QDockWidget*>("start");
+        auto* algorithm = t.window->findChild<QDockWidget*>("algorithm");
+        QTRY_VERIFY(inFront(start));
+        QVERIFY(!inFront(algorithm));
+        QVERIFY(t.window->session().scene.lines().size() > 10000);
+        QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
+        setWindow(t, {{50, 50}, {100, 100}});
+        QTRY_VERIFY(inFront(algorithm));
+        QVERIFY(QSettings().value("windowDragged").toBool());
+        QTRY_VERIFY(!t.window->findChild<WindowNote*>());
+    }
+    void theNoteOfTheFirstStartSaysHowToGetAWindow()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto* note = t.window->findChild<WindowNote*>();
+        QVERIFY(note->text().contains("Drag the clip window"));
+        t.action("new")->trigger();
+        QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
+        QVERIFY(note->text().contains("Window on page"));
+        app::Session& session = t.window->session();
+        session.setPreview({.window = middle});
+        QVERIFY(note->text().contains("Drag the clip window"));
+        session.setPreview({});
+        QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
+    }
+    void theNoteOfTheFirstStartHidesNothing()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto placeOf = [&](const QWidget& widget) {
+            return QRect(widget.mapTo(t.window.get(), QPoint()), widget.size());
+        };
+        const auto* note = t.window->findChild<WindowNote*>();
+        for (const QSize size : {QSize(1280, 800), QSize(1024, 640), QSize(1900, 1000)}) {
+            t.window->resize(size);
+            QTRY_COMPARE(t.window->size(), size);
+            QCoreApplication::processEvents();
+            QVERIFY(note->isVisible());
+            const QRect canvas = placeOf(t.window->canvas());
+            QVERIFY(!placeOf(*note).intersects(canvas));
+            QVERIFY(note->height() >= note->heightForWidth(note->width()));
+            QVERIFY(canvas.height() > size.height() / 2);
+        }
+        t.window->session().microscope.open(app::lessons()[0].pages[0].tracedLine);
+        QVERIFY(!note->isVisible());
+        t.window->session().microscope.close();
+        QVERIFY(note->isVisible());
+    }
+    void aSampleIsOnlyAskedAboutWhenItWasDrawnIn()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        setWindow(t, {{50, 50}, {100, 100}});
+        t.window->files().openSample(app::samples()[1]);
+        QCOMPARE(t.answers->asked, 0);
+        QCOMPARE(t.window->files().name(), app::samples()[1].title);
+        t.action("select-all")->trigger();
+        t.action("delete")->trigger();
+        t.window->files().startNew();
+        QCOMPARE(t.answers->asked, 1);
+    }
+    void startComesBack()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        t.window->files().startNew();
+        auto* start = t.window->findChild<QDockWidget*>("start");
+        QTRY_VERIFY(!inFront(start));
+        t.action("start")->trigger();
+        QTRY_VERIFY(inFront(start));
+        QVERIFY(start->width() < 600 && start->x() > 600);
+    }
+    void panelsHaveTheirTitlesWhereTheyAreStacked()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        for (const char* key : {"algorithm", "window", "line", "layers"}) {
+            auto* dock = t.window->findChild<QDockWidget*>(key);
+            QTRY_VERIFY2(dock->titleBarWidget()->height() > 20, key);
+        }
+        t.window->resize(1280, 640); // low: tabs
+        auto* layers = t.window->findChild<QDockWidget*>("layers");
+        QTRY_VERIFY(layers->titleBarWidget()->height() == 0
+                    || !layers->titleBarWidget()->isVisible());
+        QTRY_VERIFY(inFront(t.window->findChild<QDockWidget*>("algorithm")));
+    }
+    void noPanelIsSmallerThanItsContent()
+    {
+        for (const int height : {760, 800, 900, 1200}) {
+            TestWindow t;
+            t.window->files().open(t.twoLines());
+            t.window->resize(1280, height);
+            t.show();
+            QTest::keyClick(t.window.get(), Qt::Key_F8);
+            auto* line = t.window->findChild<QDockWidget*>("line");
+            QTRY_VERIFY(t.window->findChild<LinePanel*>()->steps().contains("Visible"));
+            QTRY_VERIFY(inFront(line));
+            QCOMPARE(t.window->height(), height);
+            for (const char* key : {"algorithm", "window", "line", "layers"}) {
+                const auto* dock = t.window->findChild<QDockWidget*>(key);
+                const QWidget* body = dock->widget();
+                const auto whole = [&] {
+                    const int below = dock->y() + dock->height();
+                    return body->height() + 1 >= body->minimumSizeHint().height() // Qt keeps one
+                           && below <= t.window->centralWidget()->geometry().bottom() + 1
+                           && std::ranges::none_of(
+                               t.window->findChildren<QDockWidget*>(), [&](auto* other) {
+                                   return other != dock && inFront(other)
+                                          && other->geometry().intersects(dock->geometry());
+                               });
+                };
+                if (inFront(dock))
+                    QTRY_VERIFY2(whole(), qPrintable(QString("%1 at %2").arg(key).arg(height)));
+            }
+        }
+    }
+    void layoutIsKeptAndReset()
+    {
+        TestWindow t;
+        t.show();
+        auto* layers = t.window->findChild<QDockWidget*>("layers");
+        QTRY_VERIFY(layers->isVisible());
+        t.window->addDockWidget(Qt::LeftDockWidgetArea, layers);
+        QVERIFY(t.window->close());
+        MainWindow again(Backend::Raster);
+        auto* kept = again.findChild<QDockWidget*>("layers");
+        QCOMPARE(again.dockWidgetArea(kept), Qt::LeftDockWidgetArea);
+        again.resetLayout();
+        QCOMPARE(again.dockWidgetArea(kept), Qt::RightDockWidgetArea);
+    }
+    void panesAreChosenAndRemembered()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        auto* segments = t.window->findChild<OptionBar*>()->findChild<Segments*>("panes");
+        QCOMPARE(segments->chosen(), 0);
+        t.action("panes-4")->trigger();
+        QCOMPARE(t.window->canvas().panes().size(), std::size_t(4));
+        QCOMPARE(segments->chosen(), 2);
+        t.action("next-pane")->trigger();
+        t.action("next-pane")->trigger();
+        QCOMPARE(t.window->canvas().panes().active(), std::size_t(2));
+        QTest::keyClick(t.drawingArea(), Qt::Key_6); // KWC, in the active pane
+        QTest::keyClick(t.drawingArea(), Qt::Key_V);
+        const auto& chosen = t.window->canvas().panes().chosen();
+        QCOMPARE(chosen.algorithm, clipping::findAlgorithm("kwc"));
+        t.action("close-pane")->trigger();
+        QCOMPARE(segments->chosen(), -1); // three is none of the choices
+        QVERIFY(t.window->canvas().focusProxy()->hasFocus());
+        for (QAbstractButton* button : segments->findChildren<QAbstractButton*>())
+            if (button->text() == "2")
+                button->click();
+        QCOMPARE(t.window->canvas().panes().size(), std::size_t(2));
+        const auto before = t.window->canvas().panes();
+        MainWindow again(Backend::Raster);
+        QVERIFY(std::ranges::equal(again.canvas().panes().choices(), before.choices()));
+        QCOMPARE(again.session().display().variant.algorithm, before.chosen().algorithm);
+        t.action("panes-all")->trigger();
+        QCOMPARE(segments->chosen(), 3);
+        t.action("panes-1")->trigger();
+        QVERIFY(!t.action("close-pane")->isEnabled());
+    }
+    void fitsTheSmallestScreen()
+    {
+        TestWindow t;
+        t.window->resize(1024, 640);
+        t.show();
+        QCOMPARE(t.window->size(), QSize(1024, 640));
+    }
+    void everyButtonAndFieldHasAName()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        t.action("panes-4")->trigger();
+        int controls = 0;
+        for (const QWidget* widget : t.window->findChildren<QWidget*>()) {
+            const bool control =
+                widget->focusPolicy() != Qt::NoFocus
+                && (widget->inherits("QAbstractButton") || widget->inherits("QComboBox")
+                    || widget->inherits("QAbstractSpinBox")
+                    || widget->inherits("QAbstractItemView"));
+            if (!control || !widget->isVisible())
+                continue;
+            ++controls;
+            QAccessibleInterface* read =
+                QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+            QVERIFY2(read && !read->text(QAccessible::Name).isEmpty(),
+                     qPrintable(QString(widget->metaObject()->className()) + " "
+                                + widget->objectName() + " in "
+                                + widget->parent()->metaObject()->className()));
+        }
+        QVERIFY(controls > 10);
+    }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/status_bar.h"
+
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/view/place.h"
+#include "ui/look/look.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/status_cell.h"
+#include "ui/widgets/zoom_button.h"
+
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+constexpr int updateMilliseconds = 100; // ten times a second
+constexpr int widthForRenderer = 1200;
+
+} // namespace
+
+StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
+    : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new QLabel),
+      position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
+      algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
+      renderer_(new StatusCell(tr("Renderer"))), zoom_(new ZoomButton)
+{
+    setSizeGripEnabled(false);
+    setFixedHeight(space::statusHeight);
+    hint_->setFont(captionFont(font()));
+    hint_->setForegroundRole(QPalette::PlaceholderText);
+    hint_->setAccessibleName(tr("Hint"));
+    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    hint_->setContentsMargins(8, 0, 0, 0);
+    addWidget(hint_, 1);
+    for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
+        addPermanentWidget(cell);
+    addZoomMenu();
+    pause_.setSingleShot(true);
+    pause_.setInterval(updateMilliseconds);
+    connect(&pause_, &QTimer::timeout, this, &StatusBar::showTimes);
+    connect(&canvas, &Canvas::frameShown, this, &StatusBar::note);
+    connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
+    connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
+    connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
+    connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
+    connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
+    connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
+    connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
+    for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
+                              &app::Microscope::stepChanged})
+        connect(&session.microscope, signal, this, &StatusBar::showStep);
+    keepRoom();
+    showHint({});
+}
+
+QString StatusBar::times() const { return times_->text(); }
+QString StatusBar::visibility() const { return visible_->text(); }
+QString StatusBar::position() const { return position_->text(); }
+
+void StatusBar::showHint(const QString& hint)
+{
+    const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
+    hint_->setText(!hint.isEmpty() || !tool ? hint : tool->hint);
+    hint_->setToolTip(hint_->text());
+}
+
+void StatusBar::note(const FrameTimes& times)
+{
+    if (times.total != last_.total || times.choice != last_.choice) {
+        clip_.forget();
+        draw_.forget();
+    }
+    clip_.add(times.clipMs);
+    draw_.add(times.drawMs);
+    last_ = times;
+    if (!pause_.isActive())
+        pause_.start();
+}
+
+/// Clears the times until the first frame of another drawing.
+void StatusBar::forgetFrames()
+{
+    pause_.stop();
+    clip_.forget();
+    draw_.forget();
+    last_ = {};
+    for (StatusCell* cell : {visible_, times_}) {
+        cell->setText({});
+        cell->setToolTip({});
+    }
+}
+
+void StatusBar::showTimes()
+{
+    if (session_.microscope.isOpen())
+        return;
+    visible_->setText(
+        tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
+    if (last_.painting) {
+        times_->setText(tr("painting…"));
+        times_->setToolTip(tr("The picture takes a while. Until it is ready, the canvas shows the "
+                              "previous one."));
+        return;
+    }
+    if (last_.total < app::leastLinesToTime) {
+        times_->setText(tr("too few to time"));
+        times_->setToolTip(
+            tr("Under %1 lines a time says nothing.").arg(app::countText(app::leastLinesToTime)));
+        return;
+    }
+    const double clip = clip_.median();
+    times_->setText(tr("clip %1  draw %2")
+                        .arg(app::millisecondsText(clip), app::millisecondsText(draw_.median())));
+    times_->setToolTip(
+        tr("Clipping: %1 ns per line. Both times are the middle of the last %2 frames.")
+            .arg(app::numberText(clip * 1e6 / double(last_.total), 1))
+            .arg(app::FrameStatistics::length));
+}
+
+void StatusBar::showPosition(std::optional<app::Point> position)
+{
+    if (!position)
+        return position_->setText({});
+    const app::Page& page = session_.now().page();
+    const double size = page.millimetresPerUnit();
+    const app::Unit unit = session_.display().unit;
+    const app::Point place = *position - app::originOf(page, unit);
+    position_->setText(
+        tr("x %1  y %2")
+            .arg(app::lengthNumber(place.x, unit, size), app::lengthText(place.y, unit, size)));
+}
+
+void StatusBar::showPoint(std::optional<app::Point> point)
+{
+    position_->setText(
+        point ? tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
+              : QString());
+}
+
+/// While the microscope is open, shows its step instead of times.
+void StatusBar::showStep()
+{
+    const app::Microscope& microscope = session_.microscope;
+    const bool open = microscope.isOpen();
+    times_->setVisible(!open);
+    zoom_->setVisible(!open);
+    renderer_->setVisible(!open && width() >= widthForRenderer);
+    if (!open) {
+        keepRoom();
+        showHint({});
+        showTimes();
+        return showPosition({});
+    }
+    const auto steps = microscope.narration().steps.size();
+    const QString now = app::countText(microscope.step() + 1);
+    const QString all = microscope.isCovered() ? QStringLiteral("?") : app::countText(steps);
+    visible_->setText(microscope.isCovered() && steps == 0 ? tr("steps covered")
+                      : steps == 0                         ? tr("no steps")
+                                                           : tr("step %1 of %2").arg(now, all));
+    showAlgorithm(microscope.tracedLine().variant);
+}
+
+void StatusBar::showZoom()
+{
+    zoom_->setText(tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
+}
+
+/// Gives every cell the width of the widest text possible for this drawing.
+void StatusBar::keepRoom()
+{
+    const QFont type = captionFont(font()); // it is larger while presenting
+    for (QWidget* cell : std::initializer_list<QWidget*>{hint_, position_, visible_, algorithm_,
+                                                         times_, renderer_, zoom_})
+        if (cell && cell->font() != type)
+            cell->setFont(type);
+    const auto& page = session_.now().page();
+    const double size = page.millimetresPerUnit();
+    const app::Unit unit = session_.display().unit;
+    const double farthest = -std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
+    position_->setWidest(
+        tr("x %1  y %2")
+            .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
+    const QString total =
+        app::countText(std::max<std::size_t>(session_.scene.lines().size(), 9999));
+    visible_->setWidest(tr("%1 of %2 visible").arg(total, total));
+    times_->setWidest(
+        tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
+    if (!session_.microscope.isOpen())
+        showAlgorithm(session_.variant());
+    renderer_->setWidest(QStringLiteral("OpenGL"));
+    renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
+    renderer_->setToolTip(canvas_.backendReason());
+    showZoom();
+}
+
+void StatusBar::showAlgorithm(const app::Variant& variant)
+{
+    QString widest;
+    for (const auto& row : clipping::algorithms())
+        if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
+            > fontMetrics().horizontalAdvance(widest))
+            widest = app::latin(row.abbreviation);
+    const bool published = variant.form == clipping::Form::Published;
+    const QString mark = tr(", published");
+    algorithm_->setWidest(published ? widest + mark : widest);
+    algorithm_->setText(app::latin(variant.algorithm->abbreviation)
+                        + (published ? mark : QString()));
+    algorithm_->setToolTip(app::latin(variant.algorithm->name));
+}
+
+void StatusBar::resizeEvent(QResizeEvent* event)
+{
+    QStatusBar::resizeEvent(event);
+    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen());
+}
+
+void StatusBar::addZoomMenu()
+{
+    auto* menu = new QMenu(zoom_);
+    for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
+        menu->addAction(tr("%1 %").arg(percent), this,
+                        [this, percent] { canvas_.setZoom(percent / 100); });
+    menu->addSeparator();
+    menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
+    menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);
+    QAction* window = menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
+    connect(menu, &QMenu::aboutToShow, window,
+            [this, window] { window->setEnabled(session_.clipWindow().has_value()); });
+    zoom_->setMenu(menu);
+    zoom_->setAccessibleName(tr("Zoom"));
+    zoom_->setToolTip(tr("Zoom"));
+    zoom_->setWidest(tr("%1 % ▾").arg(u"10,000"));
+    addPermanentWidget(zoom_);
+}
+
+} // namespace ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editing/keeping.h"
+
+#include "app/commands/set_windows.h"
+#include "app/session/limited_steps.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+void setKeep(app::Session& session, app::Keep keep)
+{
+    app::ClipWindows windows = session.now().windows();
+    if (windows.keep == keep)
+        return;
+    windows.keep = keep;
+    const char* const text = keep == app::Keep::Inside ? QT_TRANSLATE_NOOP("Clip", "Keep inside")
+                                                       : QT_TRANSLATE_NOOP("Clip", "Keep outside");
+    session.history.push(new app::SetWindows(session.document, std::move(windows),
+                                             QCoreApplication::translate("Clip", text)));
+}
+
+void layWindowOnPage(app::Session& session)
+{
+    const clipping::Window page = session.now().page().rectangle();
+    if (app::firstWindow(session.now().windows()) != page)
+        app::placeClipWindow(session, page);
+}
+
+} // namespace ui

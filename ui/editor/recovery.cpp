@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/recovery.h"
+
+#include "app/base/unfinished.h"
+#include "ui/files/files.h"
+#include "ui/window/main_window.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+namespace ui {
+
+namespace {
+
+using Verb = Questions::LeftoverAnswer::Verb;
+
+} // namespace
+
+Recovery::Recovery(MainWindow& window, QString folder)
+    : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
+      work_(window.session().document)
+{
+    const app::Session& session = window.session();
+    connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
+    connect(&session, &app::Session::fileChanged, this, &Recovery::tell);
+    connect(&session.history, &app::History::cleanChanged, this, &Recovery::tell);
+    connect(&window.files(), &Files::nameChanged, this, &Recovery::tell);
+    connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
+    tell();
+    watch_.emplace([this](int signal) { keep(signal); });
+}
+
+Recovery::~Recovery()
+{
+    watch_.reset();
+    if (recovered_)
+        app::discard(*recovered_);
+}
+
+void Recovery::tell()
+{
+    const Files& files = window_.files();
+    work_.tell({file_, files.origin(), files.sample(), !window_.session().history.isClean(),
+                window_.canvas().objectInHand()});
+}
+
+/// Discards the leftover when its drawing is saved or replaced by another.
+void Recovery::forgetRecovered()
+{
+    if (!recovered_ || !window_.session().history.isClean())
+        return;
+    app::discard(*recovered_);
+    recovered_.reset();
+}
+
+// Runs on the watch's thread while the other threads continue.
+void Recovery::keep(int signal) const
+{
+    const auto say = [signal](const QString& sentence) {
+        std::fprintf(stderr, "clearcut: %s. %s\n", strsignal(signal), qPrintable(sentence));
+    };
+    try {
+        const auto written = work_.write();
+        if (written.error)
+            say(tr("The unsaved drawing is lost: %1").arg(*written.error));
+        else if (written.unsaved)
+            say(tr("The unsaved drawing is kept; the next start offers it."));
+    } catch (const std::exception&) { // std::bad_alloc
+        say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
+    }
+    app::removeUnfinished(); // the partial file of a Save that the signal interrupted
+}
+
+void Recovery::offer()
+{
+    auto found = app::claimLeftovers(folder_);
+    while (!found.empty()) {
+        const auto [verb, which] = window_.files().questions().aboutLeftovers(found);
+        if (verb == Verb::Later || which >= found.size())
+            return;
+        app::Leftover chosen = std::move(found[which]);
+        found.erase(found.begin() + std::ptrdiff_t(which));
+        if (verb == Verb::Discard) {
+            app::discard(chosen);
+        } else if (window_.files().mayClose() && window_.files().recover(chosen)) {
+            recovered_ = std::move(chosen);
+            file_ = recovered_->file;
+            tell();
+            return;
+        }
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/menus/pages.h"
+
+#include "ui/look/look.h"
+#include "ui/menus/actions.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Pages", text); }
+QTextBrowser* openPage(MainWindow& window, const QString& title)
+{
+    auto* dialog = new QDialog(&window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->resize(620, 560);
+    auto* page = new QTextBrowser;
+    page->setFrameShape(QFrame::NoFrame);
+    page->setOpenExternalLinks(true);
+    page->document()->setDocumentMargin(20);
+    page->setAccessibleName(title);
+    auto* column = new QVBoxLayout(dialog);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(page);
+    dialog->show();
+    return page;
+}
+
+/// The first two shortcuts on a common keyboard; standard keys for copy and paste may include F13
+/// and above.
+QStringList keysOf(const QAction& action)
+{
+    QStringList keys;
+    for (const QKeySequence& sequence : action.shortcuts())
+        if (const auto key = sequence[0].key(); key < Qt::Key_F13 || key > Qt::Key_F35)
+            keys << sequence.toString(QKeySequence::NativeText).toHtmlEscaped();
+    return keys.mid(0, 2);
+}
+
+void addShortcuts(QString& rows, const QMenu& menu)
+{
+    for (const QAction* action : menu.actions()) {
+        if (action->menu())
+            addShortcuts(rows, *action->menu());
+        if (action->shortcut().isEmpty())
+            continue;
+        QString name = action->text();
+        rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td "
+                               "style='padding:2px 0'>%2</td></tr>")
+                    .arg(name.remove(u'&').remove(u'…').toHtmlEscaped(),
+                         keysOf(*action).join(tr(" or ")));
+    }
+}
+
+} // namespace
+
+void showShortcuts(MainWindow& window)
+{
+    QString text;
+    for (const QAction* top : window.menuBar()->actions()) {
+        QString rows;
+        addShortcuts(rows, *top->menu());
+        QString name = top->text();
+        if (!rows.isEmpty())
+            text += QStringLiteral("<h3>%1</h3><table>%2</table>").arg(name.remove(u'&'), rows);
+    }
+    text += QStringLiteral("<h3>%1</h3><p>%2</p>")
+                .arg(tr("On the canvas"),
+                     tr("Wheel: zoom around the pointer. Middle button or Space and drag: move the "
+                        "view. Alt and arrows: move the clip window, with Shift ten times as far. "
+                        "Esc: one step back."));
+    openPage(window, tr("Keyboard shortcuts"))->setHtml(text);
+}
+
+void showAbout(MainWindow& window)
+{
+    openPage(window, tr("About Clearcut"))
+        ->setMarkdown(
+            tr("# Clearcut %1\n\nAn editor for line art with a movable clip window, and the "
+               "library "
+               "that does the clipping. It grew out of D. Matthes, V. Drakopoulos: *Another Simple "
+               "but Faster Method for 2D Line Clipping*, IJCGA 9, 2019.\n\nThe program is free "
+               "software under the GNU General Public License, version 3 or later; the clipping "
+               "library under the MIT license; the samples are free for any use (CC0).\n\n%2")
+                .arg(QCoreApplication::applicationVersion(), window.canvas().backendReason()));
+}
+
+} // namespace ui
