@@ -37,31 +37,31 @@ constexpr bool framed()
 /// The input that an algorithm gets for a segment and a window, and the frame if the input is
 /// transformed.
 template <class T, glm::length_t N>
-struct ParsedArguments {
+struct FramedInput {
     BasicSegment<T, N> segment;
     BasicWindow<T, N> window;
     std::optional<Frame<T, N>> frame;
 };
 template <class Method, Form form, class T, glm::length_t N>
-std::optional<ParsedArguments<T, N>> givenFor(const BasicSegment<T, N>& s,
-                                              const BasicWindow<T, N>& w)
+std::optional<FramedInput<T, N>> framedInput(const BasicSegment<T, N>& s,
+                                             const BasicWindow<T, N>& w)
 {
     if (form == Form::Corrected && !withinContract(s, w))
         return std::nullopt;
     if constexpr (framed<Method, form, T>())
         if (const Frame<T, N> frame(s); !ordinary(s) || !ordinary(w))
-            return ParsedArguments<T, N>{frame.into(s), frame.into(w), frame};
-    return ParsedArguments<T, N>{s, w, std::nullopt};
+            return FramedInput<T, N>{frame.into(s), frame.into(w), frame};
+    return FramedInput<T, N>{s, w, std::nullopt};
 }
 
-/// Converts the result of an algorithm on `given` to the result for `segment` and `window`.
+/// Converts the result of an algorithm on `input` to the result for `segment` and `window`.
 template <class Method, Form form, class T, glm::length_t N>
-BasicSegment<T, N> answer(BasicSegment<T, N> found, const ParsedArguments<T, N>& given,
+BasicSegment<T, N> answer(BasicSegment<T, N> found, const FramedInput<T, N>& input,
                           const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
 {
     if constexpr (framed<Method, form, T>()) {
-        if (given.frame)
-            found = given.frame->back(found, segment, window);
+        if (input.frame)
+            found = input.frame->back(found, segment, window);
         // Both ends are one point but may be rounded differently.
         if (meetsInAPoint(segment, window))
             (outcodeOf(segment.b, window) == 0 ? found.a : found.b) =
@@ -84,12 +84,12 @@ template <class Method, Form form, class T, glm::length_t N>
 [[gnu::noinline]] std::optional<BasicSegment<T, N>> clipGiven(const BasicSegment<T, N>& segment,
                                                               const BasicWindow<T, N>& window)
 {
-    const auto given = givenFor<Method, form>(segment, window);
-    if (!given)
+    const auto input = framedInput<Method, form>(segment, window);
+    if (!input)
         return std::nullopt;
-    auto piece = run<Method, form>(given->segment, given->window, Unwatched{});
+    auto piece = run<Method, form>(input->segment, input->window, Unwatched{});
     if (piece)
-        piece = answer<Method, form>(*piece, *given, segment, window);
+        piece = answer<Method, form>(*piece, *input, segment, window);
     return piece;
 }
 
@@ -159,29 +159,29 @@ OperationCounts countMany(std::span<const BasicSegment<T, N>> in, const BasicWin
 {
     operations = {};
     for (const BasicSegment<T, N>& segment : in)
-        if (const auto given = givenFor<Method, form>(segment, window))
-            run<Method, form>(counted(given->segment), counted(given->window), Unwatched{});
+        if (const auto input = framedInput<Method, form>(segment, window))
+            run<Method, form>(counted(input->segment), counted(input->window), Unwatched{});
     return operations;
 }
 
 template <class Method, Form form, class T, glm::length_t N>
 BasicTrace<N> traceOne(const BasicSegment<T, N>& segment, const BasicWindow<T, N>& window)
 {
-    const auto given = givenFor<Method, form>(segment, window);
-    if (!given)
+    const auto input = framedInput<Method, form>(segment, window);
+    if (!input)
         return {};
     operations = {};
     BasicRecorder<N> recorder;
-    recorder.begin(inDouble(given->segment), inDouble(given->window));
-    const auto piece = run<Method, form>(counted(given->segment), counted(given->window), recorder);
+    recorder.begin(inDouble(input->segment), inDouble(input->window));
+    const auto piece = run<Method, form>(counted(input->segment), counted(input->window), recorder);
     BasicTrace<N> trace = recorder.take();
     if (piece && trace.outcome != Outcome::DidNotEnd) {
         trace.outcome = Outcome::Visible;
-        trace.visible = inDouble(answer<Method, form>(plain(*piece), *given, segment, window));
+        trace.visible = inDouble(answer<Method, form>(plain(*piece), *input, segment, window));
     }
-    if (given->frame)
+    if (input->frame)
         for (BasicStep<N>& step : trace.steps)
-            step.segment = given->frame->outOf(step.segment);
+            step.segment = input->frame->outOf(step.segment);
     return trace;
 }
 

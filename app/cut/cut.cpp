@@ -139,7 +139,7 @@ private:
 
     bool reached(std::size_t i, const ObjectView& object)
     {
-        if (options_.reach == Reach::Everything)
+        if (options_.scope == CutScope::Everything)
             return true;
         const bool locked = locked_.contains(i), hidden = object.hidden() || hidden_.contains(i);
         cut_.counts.leftLocked += locked;

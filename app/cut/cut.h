@@ -8,14 +8,14 @@ namespace app {
 
 /// The objects that a cut acts on. Everything includes hidden and locked objects, so that no
 /// geometry stays on the wrong side. Editable leaves hidden and locked objects whole.
-enum class Reach : std::uint8_t { Everything, Editable };
+enum class CutScope : std::uint8_t { Everything, Editable };
 
 struct CutOptions {
     ClipAll clipAll = nullptr; ///< from the algorithm; not null
     ClipRegion region{};       ///< without a window nothing is cut
     double tolerance = 0;      ///< for curves, in user units; 0: 0.05 mm on paper
     bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
-    Reach reach = Reach::Everything;
+    CutScope scope = CutScope::Everything;
 };
 
 /// Counts of objects and lines after a cut, for the report.
@@ -27,7 +27,7 @@ struct CutCounts {
     std::size_t unfilled = 0; ///< objects that lost their fill (now outlined in its colour if they
                               ///< had no stroke)
     std::size_t hidden = 0;   ///< hidden objects that were cut like visible ones, and stay hidden
-    std::size_t leftHidden = 0, leftLocked = 0;        ///< not cut by Reach::Editable
+    std::size_t leftHidden = 0, leftLocked = 0;        ///< not cut by CutScope::Editable
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 

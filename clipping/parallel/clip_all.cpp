@@ -15,7 +15,7 @@ namespace {
 
 /// A part of the segments, which is clipped into a slot and then moved to its place in the output.
 template <class T>
-struct Part {
+struct Slice {
     std::size_t begin, end;
     BasicClipped<BasicSegment<T>>* slot;
     std::size_t pieces;
@@ -44,7 +44,7 @@ std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>
     assert(out.size() >= in.size());
     const Plan plan = planFor(in.size());
     std::size_t begun = 0, pieces = 0;
-    const auto take = [&](tbb::flow_control& flow) -> Part<T> {
+    const auto take = [&](tbb::flow_control& flow) -> Slice<T> {
         if (begun == plan.shared) {
             flow.stop();
             return {};
@@ -54,22 +54,22 @@ std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>
         const std::size_t slot = begin / plan.partSize % plan.slots;
         return {begin, begun, out.data() + plan.shared + slot * plan.partSize, 0};
     };
-    const auto clip = [&](Part<T> part) {
-        part.pieces =
-            clipBatch(Batch<T>{in.data(), part.begin, part.end, window, part.slot}).pieces;
-        return part;
+    const auto clip = [&](Slice<T> slice) {
+        slice.pieces =
+            clipBatch(Batch<T>{in.data(), slice.begin, slice.end, window, slice.slot}).pieces;
+        return slice;
     };
-    const auto place = [&](const Part<T>& part) {
-        std::memcpy(static_cast<void*>(out.data() + pieces), part.slot,
-                    part.pieces * sizeof *part.slot);
-        pieces += part.pieces;
+    const auto place = [&](const Slice<T>& slice) {
+        std::memcpy(static_cast<void*>(out.data() + pieces), slice.slot,
+                    slice.pieces * sizeof *slice.slot);
+        pieces += slice.pieces;
     };
     if (plan.shared > 0)
         tbb::parallel_pipeline(
             plan.slots,
-            tbb::make_filter<void, Part<T>>(tbb::filter_mode::serial_in_order, take)
-                & tbb::make_filter<Part<T>, Part<T>>(tbb::filter_mode::parallel, clip)
-                & tbb::make_filter<Part<T>, void>(tbb::filter_mode::serial_in_order, place));
+            tbb::make_filter<void, Slice<T>>(tbb::filter_mode::serial_in_order, take)
+                & tbb::make_filter<Slice<T>, Slice<T>>(tbb::filter_mode::parallel, clip)
+                & tbb::make_filter<Slice<T>, void>(tbb::filter_mode::serial_in_order, place));
     const Batch<T> rest{in.data(), plan.shared, in.size(), window, out.data() + pieces};
     return pieces + clipBatch(rest).pieces;
 }

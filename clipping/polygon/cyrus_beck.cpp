@@ -24,7 +24,7 @@ struct CyrusBeckPolygon {
         std::optional<std::size_t> edge;
     };
     template <class T>
-    struct Part {
+    struct Interval {
         Bound<T> entry, exit;
     };
 
@@ -65,7 +65,7 @@ struct CyrusBeckPolygon {
     /// outside the edge.
     template <class T, class Step>
     static bool cutAt(std::size_t i, const BasicSegment<T>& s, const PolygonIn<T>& polygon,
-                      Part<T>& part, Step& step)
+                      Interval<T>& part, Step& step)
     {
         auto& [entry, exit] = part;
         const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
@@ -92,7 +92,7 @@ struct CyrusBeckPolygon {
     static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
                                                const PolygonIn<T>& polygon, Step&& step)
     {
-        Part<T> part{{step.set("tE", T(0)), {}}, {step.set("tL", T(1)), {}}};
+        Interval<T> part{{step.set("tE", T(0)), {}}, {step.set("tL", T(1)), {}}};
         auto& [entry, exit] = part;
         for (std::size_t i = 0; i < polygon.size(); ++i)
             if (!cutAt(i, s, polygon, part, step))

@@ -62,7 +62,7 @@ std::string exactly(const BasicInput<N>& input)
 }
 
 template <glm::length_t N>
-Truth<N> exactnessOf(const BasicInput<N>& input)
+Truth<N> truthOf(const BasicInput<N>& input)
 {
     return oracle::inside(line(input.segment), box(input.window));
 }
@@ -110,7 +110,7 @@ std::string fault(const std::optional<BasicSegment<double, N>>& result, const Ba
 // NOLINTBEGIN(bugprone-macro-parentheses): the argument of a template
 #define FOR_DIMENSIONS(N)                                                                          \
     template std::string exactly(const BasicInput<N>&);                                            \
-    template Truth<N> exactnessOf(const BasicInput<N>&);                                           \
+    template Truth<N> truthOf(const BasicInput<N>&);                                               \
     template double ulpsOff(const std::optional<BasicSegment<double, N>>&, const BasicInput<N>&,   \
                             const Truth<N>&, oracle::Number);                                      \
     template std::string fault(const std::optional<BasicSegment<double, N>>&,                      \

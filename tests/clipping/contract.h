@@ -22,7 +22,7 @@ inline std::string exactly(const Input& input) { return exactly<2>(input); }
 
 /// The truth about an input that is finite and whose window is in order.
 template <glm::length_t N>
-Truth<N> exactnessOf(const BasicInput<N>& input);
+Truth<N> truthOf(const BasicInput<N>& input);
 
 /// How a result breaks the contract of clipping/algorithm.h with this k; empty if it keeps it.
 template <glm::length_t N>

@@ -26,7 +26,7 @@ const Known& known(const Family& family)
     if (last.family != &family) {
         last = {&family, family.inputs(), {}};
         for (const Input& input : last.inputs)
-            last.truths.push_back(exactnessOf(input));
+            last.truths.push_back(truthOf(input));
     }
     return last;
 }
@@ -129,7 +129,7 @@ private slots:
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Input& input : notEmpty(grid())) {
-            const auto truth = exactnessOf(input);
+            const auto truth = truthOf(input);
             const auto result = algorithm->corrected.clip(input.segment, input.window);
             if (truth.has_value() != result.has_value())
                 QFAIL(exactly(input).c_str());

@@ -42,7 +42,7 @@ Point3 point(const Coordinates<3>& c) { return {c[0], c[1], c[2]}; }
 
 /// A line and a box.
 template <int n>
-struct ParsedArguments {
+struct ExactInput {
     Coordinates<n> a, b, min, max;
 
     double ulp(Number number) const
@@ -61,11 +61,11 @@ struct ParsedArguments {
         return false;
     }
 };
-ParsedArguments<2> given(const Line& l, const Box& b)
+ExactInput<2> exactInput(const Line& l, const Box& b)
 {
     return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
 }
-ParsedArguments<3> given(const Line3& l, const Box3& b)
+ExactInput<3> exactInput(const Line3& l, const Box3& b)
 {
     return {coordinates(l.a), coordinates(l.b), coordinates(b.min), coordinates(b.max)};
 }
@@ -76,7 +76,7 @@ struct Whole {
     int exponent;
     Int a[n], d[n], low[n], high[n];
 
-    Whole(const ParsedArguments<n>& all, int ulps, Number number)
+    Whole(const ExactInput<n>& all, int ulps, Number number)
     {
         const int unit = std::ilogb(all.ulp(number));
         exponent = unit;
@@ -162,7 +162,7 @@ struct Whole {
 template <class P>
 std::optional<BasicPart<P>> insideOf(const BasicLine<P>& l, const BasicBox<P>& box)
 {
-    const auto all = given(l, box);
+    const auto all = exactInput(l, box);
     if (all.isBeyondASide())
         return std::nullopt;
     const Whole whole(all, 0, Number::Double);
@@ -179,19 +179,19 @@ std::optional<BasicPart<P>> insideOf(const BasicLine<P>& l, const BasicBox<P>& b
 
 } // namespace
 
-double ulp(const Line& l, const Box& b, Number number) { return given(l, b).ulp(number); }
-double ulp(const Line3& l, const Box3& b, Number number) { return given(l, b).ulp(number); }
+double ulp(const Line& l, const Box& b, Number number) { return exactInput(l, b).ulp(number); }
+double ulp(const Line3& l, const Box3& b, Number number) { return exactInput(l, b).ulp(number); }
 
 std::optional<Part> inside(const Line& l, const Box& b) { return insideOf(l, b); }
 std::optional<Part3> inside(const Line3& l, const Box3& b) { return insideOf(l, b); }
 
 bool meets(const Line& l, const Box& b, int ulps, Number number)
 {
-    return Whole(given(l, b), ulps, number).interval().has_value();
+    return Whole(exactInput(l, b), ulps, number).interval().has_value();
 }
 bool meets(const Line3& l, const Box3& b, int ulps, Number number)
 {
-    return Whole(given(l, b), ulps, number).interval().has_value();
+    return Whole(exactInput(l, b), ulps, number).interval().has_value();
 }
 
 } // namespace oracle

@@ -40,7 +40,7 @@ std::vector<Segment> segments(std::size_t count)
 
 // The chain a = p0, p1, ... = b of the pieces of one segment, inside and outside, in order along
 // it.
-bool polylines(const Segment& whole, std::vector<Segment> pieces)
+bool chains(const Segment& whole, std::vector<Segment> pieces)
 {
     const auto along = [&](const Segment& s) {
         const auto d = whole.b - whole.a;
@@ -89,7 +89,7 @@ private slots:
                 QVERIFY(o->segment.a != o->segment.b || in[source].a == in[source].b);
                 pieces.push_back(o->segment);
             }
-            QVERIFY2(polylines(in[source], pieces), qPrintable(QString("segment %1").arg(source)));
+            QVERIFY2(chains(in[source], pieces), qPrintable(QString("segment %1").arg(source)));
             if (touch)
                 QVERIFY(pieces == std::vector{in[source]});
         }

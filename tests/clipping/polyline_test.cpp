@@ -49,7 +49,7 @@ std::vector<TrueRun> trueRuns(Kind kind, const Points& points, const Window& w)
     for (std::size_t i = 0; i + (kind == Kind::Open) < n; ++i) {
         const Segment s{points[i], points[(i + 1) % n]};
         const auto truth =
-            finite(s.a) && finite(s.b) ? exactnessOf(Input{s, w}) : std::optional<oracle::Part>{};
+            finite(s.a) && finite(s.b) ? truthOf(Input{s, w}) : std::optional<oracle::Part>{};
         if (!truth) {
             open = false;
             continue;

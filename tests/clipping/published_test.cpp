@@ -135,7 +135,7 @@ private slots:
             QVERIFY(glm::distance(published->a, expected->a) < 1e-3);
             QVERIFY(glm::distance(published->b, expected->b) < 1e-3);
         }
-        const auto truth = exactnessOf(input);
+        const auto truth = truthOf(input);
         QVERIFY(!fault(published, input, truth, algorithm.ulps).empty() || truth.has_value());
         QVERIFY(truth.has_value() != published.has_value());
         const auto corrected = algorithm.corrected.clip(input.segment, input.window);
@@ -185,7 +185,7 @@ private slots:
                 continue; // 0 / 0
             if ((polygon || skala) && (w.min.x == w.max.x || w.min.y == w.max.y))
                 continue;
-            const auto truth = exactnessOf(input);
+            const auto truth = truthOf(input);
             auto result = algorithm->published->clip(s, w);
             if (kwc && truth)
                 QVERIFY2(underOnePixel(*truth, s, w) != result.has_value(), exactly(input).c_str());

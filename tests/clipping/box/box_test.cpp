@@ -37,7 +37,7 @@ const Known& known(const BoxFamily& family)
     if (last.family != &family) {
         last = {&family, family.inputs(), {}};
         for (const BoxInput& input : last.inputs)
-            last.truths.push_back(exactnessOf(input));
+            last.truths.push_back(truthOf(input));
     }
     return last;
 }

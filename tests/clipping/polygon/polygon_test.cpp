@@ -382,7 +382,7 @@ private slots:
                 const auto& [s, w] = inputs[i];
                 const ConvexPolygon polygon{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
                 const auto result = uses->clip(s, polygon);
-                const auto truth = exactnessOf(inputs[i]);
+                const auto truth = truthOf(inputs[i]);
                 const auto wrong = !decidesExactly ? ::fault(result, inputs[i], truth, polygonUlps)
                                    : result.has_value() != truth.has_value()
                                        ? "seen, or not, wrongly"
