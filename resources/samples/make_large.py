@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: CC0-1.0
-"""Makes a drawing to measure with: make_large.py LINES OUT.svg
+"""Makes a drawing for measurements: make_large.py LINES OUT.svg
 
-Short lines, 3 to 17 pixels long where the whole drawing fits 1280 × 800 pixels, in curls of ten to
-forty that follow a flow, so that neighbours in the file are neighbours on the page as in real art.
+Short lines, 3 to 17 pixels long when the whole drawing fits 1280 × 800 pixels. Polylines of ten to
+forty lines follow a flow, so that neighbours in the file are neighbours on the page, as in real art.
 """
 
 import random

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: CC0-1.0
 """Makes the sample drawings and their index: make_samples.py [--check]
 
-With --check nothing is written: it ends with 1 and names the files that would change.
-Needs Python 3.9 and its standard library; no chance and no clock is in it.
+With --check nothing is written: the script names the files that would change and exits with 1.
+It needs Python 3.9 and its standard library, and uses neither unseeded random numbers nor the clock.
 """
 
 import sys
@@ -32,7 +32,7 @@ SAMPLES = {
 
 
 def files():
-    """Name and text of everything that is made."""
+    """Name and text of every file that is generated."""
     index = "key\ttitle\tfile\n"
     for key, draw in SAMPLES.items():
         art = draw()

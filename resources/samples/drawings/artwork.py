@@ -32,7 +32,7 @@ def number(value, decimals=DECIMALS):
 
 
 def pairs(points):
-    """The points as text, without those that rounding has made equal to their predecessor."""
+    """The points as text, without points that are equal to their predecessor after rounding."""
     texts = []
     for x, y in points:
         text = number(x) + ("" if number(y).startswith("-") else " ") + number(y)
@@ -48,7 +48,7 @@ class Layer:
         self.lines = 0
 
     def polyline(self, points, closed=False):
-        """A closed one does not repeat its first point. What rounds to a single point is left out."""
+        """A closed polyline does not repeat its first point. One that rounds to a single point is left out."""
         texts = pairs(points)
         if closed and len(texts) > 1 and texts[0] == texts[-1]:
             texts.pop()
@@ -69,7 +69,7 @@ class Layer:
 
 
 class Artwork:
-    """view and window are (x, y, width, height); size is the page's on paper."""
+    """view and window are (x, y, width, height); size is the size of the page on paper."""
 
     def __init__(self, title, size, view, window):
         self.title, self.size, self.view, self.window = title, size, view, window
@@ -80,7 +80,7 @@ class Artwork:
         return self.layers[-1]
 
     def lines(self):
-        """How many lines it has; a circle counts as one."""
+        """The number of lines; a circle counts as one."""
         return sum(layer.lines for layer in self.layers)
 
     def svg(self):
@@ -97,7 +97,7 @@ class Artwork:
 
 
 def simplified(points, tolerance):
-    """The polyline with the points left out that are nearer than the tolerance to what remains."""
+    """The polyline without the points that are nearer than the tolerance to the remaining polyline."""
     keep = [False] * len(points)
     keep[0] = keep[-1] = True
     open_runs = [(0, len(points) - 1)]

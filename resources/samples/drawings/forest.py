@@ -19,7 +19,7 @@ class Fir:
     seed: int
 
     def half(self, down):
-        """Half its width at that part of its height, from 0 at the tip to 1."""
+        """Half the width at a part of the height, from 0 at the tip to 1 at the foot."""
         return 0.2 * self.size * down
 
     def hide(self, horizon):
@@ -30,7 +30,7 @@ class Fir:
                 horizon[i] = min(horizon[i], self.foot - self.size * (1 - aside))
 
     def drawn(self, terrain):
-        """A zigzag from tip to foot and, for each of its points, whether it is seen."""
+        """A zigzag from tip to foot and, for each of its points, whether it is visible."""
         turns = max(5, int(self.size / 0.45))
         points = [(self.x, self.foot - self.size)]
         for k in range(1, turns):
@@ -44,7 +44,7 @@ class Fir:
 
 
 def forest(terrain):
-    """Dense where noise says so, and never on steep or high ground."""
+    """Trees, dense where the noise is high, and none on steep or high ground."""
     firs = []
     for j in range(1, int(FARTHEST / BACK)):
         for i in range(int(WIDTH / ACROSS)):

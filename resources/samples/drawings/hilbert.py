@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: CC0-1.0
-"""Six Hilbert curves joined to a closed one, three above and three below, each in its own ink.
-Every line is level or upright: the clipper's special cases."""
+"""Six Hilbert curves joined to one closed curve, three above and three below, each in its own colour.
+Every line is horizontal or vertical: special cases of clipping."""
 
 from .artwork import Artwork
 

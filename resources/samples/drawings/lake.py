@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""What lies around the mountains: the sun, the sky and the water that mirrors them all."""
+"""The surroundings of the mountains: the sun, the sky and the water with their reflections."""
 
 from math import cos, hypot, pi, sin
 
@@ -12,7 +12,7 @@ BOAT_X, BOAT_Y = 306, 236
 
 
 def sun(layer, terrain):
-    """Circles, and of those that a ridge cuts the arc above it."""
+    """Circles. Where a ridge cuts a circle, only the arc above the ridge."""
     for k in range(17):
         radius = SUN_RADIUS - 1.45 * k
         count = max(48, int(2 * pi * radius / 0.7))
@@ -31,7 +31,7 @@ def cloud(x, y):
 
 
 def sky(layer, terrain):
-    """Level lines where no cloud, sun or mountain is, with a breath between them now and then."""
+    """Horizontal lines where there is no cloud, sun or mountain, with occasional gaps."""
     y, row = TOP, 0
     while y < 130:
         points = [(0.6 * i, y) for i in range(int(WIDTH / 0.6) + 1)]
@@ -49,7 +49,7 @@ def sky(layer, terrain):
 
 
 def mirrored(terrain, x, y):
-    """How dark the water is there: 0 to 1."""
+    """The darkness of the water at a point: 0 to 1."""
     up = SHORE - 1.12 * (y - SHORE)
     if up < terrain.skyline(x):
         return 0.06
@@ -60,7 +60,7 @@ def mirrored(terrain, x, y):
 
 
 def glitter(x, y):
-    """Where the sun lies on the water: a lane that widens towards the one who looks."""
+    """The reflection of the sun: a lane that widens towards the viewer."""
     return abs(x - SUN_X) < 3 + 0.16 * (y - SHORE) and y > SHORE + 14
 
 
@@ -69,7 +69,7 @@ def on_boat(x, y):
 
 
 def water(blue, gold, terrain):
-    """Dashes, longer and farther apart towards the one who looks."""
+    """Dashes, longer and farther apart towards the viewer."""
     y, row = SHORE + 2.2, 0
     while y < BOTTOM:
         near = (y - SHORE) / (BOTTOM - SHORE)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: CC0-1.0
-"""Mountains at a lake, drawn as with a pen: profiles with the hidden lines removed, strokes down the
-slopes that turn away from the sun, a sky of level lines with clouds left white, water in dashes."""
+"""Mountains at a lake, as a pen drawing: profiles with hidden lines removed, strokes down the slopes
+that face away from the sun, a sky of horizontal lines with white clouds, water in dashes."""
 
 from math import hypot
 
@@ -14,7 +14,7 @@ INK, GREEN, GOLD, GREY, BLUE = "#22252B", "#2F5242", "#9A6A12", "#6F7782", "#2A6
 
 
 def profiles(layer, terrain, every):
-    """Every so many rows a line, and of those between what stands out before a valley."""
+    """A line for every few rows; of the rows between them, the parts that stand out against a valley."""
     for j in range(ROWS):
         base = SHORE - TILT * STEP_DEPTH * j
         points = [(STEP_X * i, base - up) for i, up in enumerate(terrain.heights[j])]
@@ -38,7 +38,7 @@ def stands_out(terrain, i, j):
 
 
 def stroke(terrain, x, depth, length, least):
-    """Down the slope from a place, as far as it is seen and shaded."""
+    """A stroke down the slope from a place, as far as the slope is visible and shaded."""
     points = []
     run = 0
     while run < length and 0 <= x <= WIDTH and depth > 0:
@@ -54,7 +54,7 @@ def stroke(terrain, x, depth, length, least):
 
 
 def hatching(layer, terrain, across, down):
-    """Strokes from a jittered grid on the page; the darker, the more of them and the longer."""
+    """Strokes from a jittered grid on the page; the darker the place, the more and longer strokes."""
     for i in range(int(WIDTH / across)):
         for j in range(int(150 / down)):
             x = across * (i + 0.9 * unit(i, j, 1))

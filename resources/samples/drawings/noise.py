@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""Smooth chance that is the same on every machine: gradient noise over an integer hash."""
+"""Smooth random numbers that are the same on every machine: gradient noise over an integer hash."""
 
 from functools import lru_cache
 from math import cos, floor, pi, sin
@@ -8,7 +8,7 @@ _GRADIENTS = [(cos(2 * pi * k / 64), sin(2 * pi * k / 64)) for k in range(64)]
 
 
 def chance(i, j, seed=0):
-    """A whole number below 2^32 for a pair of whole numbers."""
+    """An integer below 2^32 for a pair of integers."""
     h = (i * 374761393 + j * 668265263 + seed * 2246822519) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 16)) * 2654435761) & 0xFFFFFFFF
@@ -16,7 +16,7 @@ def chance(i, j, seed=0):
 
 
 def unit(i, j, seed=0):
-    """A number from 0 to 1 for a pair of whole numbers."""
+    """A number from 0 to 1 for a pair of integers."""
     return chance(i, j, seed) / 4294967296
 
 
@@ -26,7 +26,7 @@ def _gradient(i, j, seed):
 
 
 def noise(x, y, seed=0):
-    """About -0.7 to 0.7, zero on whole coordinates."""
+    """About -0.7 to 0.7, zero at integer coordinates."""
     i, j = floor(x), floor(y)
     u, v = x - i, y - j
     g00 = _gradient(i, j, seed)
@@ -42,7 +42,7 @@ def noise(x, y, seed=0):
 
 
 def fractal(x, y, octaves, seed=0):
-    """Noise upon finer noise."""
+    """A sum of noises, each finer than the one before."""
     total, size = 0, 1
     for octave in range(octaves):
         total += size * noise(x, y, seed + octave)

@@ -13,7 +13,7 @@ LEFT, TOP, RIGHT, BOTTOM = 80, 50, 160, 110
 
 
 def random_lines():
-    """The paper's experiment: its space, its window, ends anywhere in the space."""
+    """The paper's experiment: its space, its window, and ends anywhere in the space."""
     art = Artwork("The paper's random lines", ("480mm", "360mm"), (-960, -720, 1920, 1440), (-100, -75, 200, 150))
     layer = art.layer("Lines", INK, 1)
     uniform = random.Random(2019).random
@@ -24,7 +24,7 @@ def random_lines():
 
 
 def figure(title):
-    """A sheet with the four lines that part the plane into nine regions."""
+    """A page with the four lines that divide the plane into nine regions."""
     art = Artwork(title, ("240mm", "160mm"), VIEW, WINDOW)
     layer = art.layer("Regions", MUTED, 0.25, locked=True)
     for x in (LEFT, RIGHT):
@@ -71,8 +71,8 @@ def nine_regions():
 
 
 def rejected_lines():
-    """A to D lie beyond one edge each, however many regions they cross; E to H lie beyond none and
-    still miss the window; I touches its corner in a single point."""
+    """A to D each lie beyond one edge, however many regions they cross. E to H lie beyond no single
+    edge and still miss the window. I touches its corner in a single point."""
     art = figure("The rejected lines")
     named(
         art.layer("Rejected at once", INK, 0.5),

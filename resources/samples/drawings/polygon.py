@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""Convex polygons as lists of points, the inside at the right of each edge on a page with y down."""
+"""Convex polygons as lists of points. The inside is to the right of each edge, with y down."""
 
 from math import fsum, hypot
 
@@ -14,7 +14,7 @@ def centre(polygon):
 
 
 def cut(polygon, place, inward):
-    """The part that lies on the inward side of the line through a place."""
+    """The part that lies on the inner side of the line through a place."""
     kept = []
     heights = [(x - place[0]) * inward[0] + (y - place[1]) * inward[1] for x, y in polygon]
     for k, (x2, y2) in enumerate(polygon):
@@ -38,7 +38,7 @@ def edges(polygon):
 
 
 def inset(polygon, distance):
-    """What is at least so far from every edge; empty if nothing is."""
+    """The part with at least this distance from every edge; it may be empty."""
     left = polygon
     for (x, y), (ux, uy), _ in edges(polygon):
         left = cut(left, (x - distance * uy, y + distance * ux), (-uy, ux))
@@ -51,7 +51,7 @@ def extent(polygon, direction):
 
 
 def apart(one, other, tolerance=1e-3):
-    """Whether an edge of either one has the other wholly beyond it: they touch at most."""
+    """Whether one polygon lies wholly beyond an edge of the other, so that they touch at most."""
     for first, second in ((one, other), (other, one)):
         for (x, y), (ux, uy), _ in edges(first):
             if all((py - y) * ux - (px - x) * uy < tolerance for px, py in second):

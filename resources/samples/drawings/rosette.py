@@ -11,12 +11,12 @@ INK, BLUE, PLUM = "#22252B", "#2A6690", "#6C2F79"
 
 
 def scallop(radius, depth=0, lobes=1, turn=0.0):
-    """A circle whose radius swells and shrinks; `turn` is in lobes."""
+    """A circle whose radius grows and shrinks; `turn` is in lobes."""
     return lambda angle: radius + depth * cos(lobes * (angle - TAU * turn / lobes))
 
 
 def strand(inner, outer, waves, phase, points):
-    """One closed wave between the two."""
+    """One closed wave between the two circles."""
     line = []
     for k in range(points):
         angle = TAU * k / points

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""The map of a town that is nowhere: districts around an old centre, each with its own grid of
+"""The map of a fictitious town: districts around an old centre, each with its own grid of
 streets, on both banks of a river, with a railway, parks and every single house."""
 
 import random
@@ -25,7 +25,7 @@ def railway(x):
 
 
 def warped(point):
-    """Bends the town a little, less towards the frame, so that no street is quite straight."""
+    """Bends the town a little, less towards the frame, so that no street is straight."""
     x, y = point
     calm = min(1.0, (x - MARGIN) / 25, (WIDTH - MARGIN - x) / 25, (y - MARGIN) / 25, (HEIGHT - MARGIN - y) / 25)
     reach = 11 * max(0.0, calm)
@@ -37,7 +37,7 @@ def distance_from_centre(point):
 
 
 def districts(uniform):
-    """Voronoi cells of sites that are closer together in the middle: polygon, angle of its streets."""
+    """Voronoi cells of sites that are closer together in the centre: the polygon and the angle of its streets."""
     sites = [CENTRE]
     for ring, (count, radius) in enumerate(((6, 52), (10, 108), (14, 170), (16, 235))):
         for k in range(count):
@@ -56,7 +56,7 @@ def districts(uniform):
 
 
 def blocks(polygon, angle, wanted, uniform):
-    """Parts it by streets along and across the angle, until a block is as small as wanted."""
+    """Divides a polygon by streets along and across the angle, until each block is small enough."""
     size = area(polygon)
     if size < wanted * (0.7 + 0.7 * uniform()):
         yield polygon
@@ -76,7 +76,7 @@ def blocks(polygon, angle, wanted, uniform):
 
 
 def beside(polygon, course, half):
-    """The part of a polygon that leaves a strip along a course free."""
+    """The part of a polygon outside a strip along a course."""
     x, y = centre(polygon)
     slope = course(x + 0.5) - course(x - 0.5)
     length = hypot(1, slope)
@@ -87,7 +87,7 @@ def beside(polygon, course, half):
 
 
 def houses(block, closed, uniform):
-    """Along every edge, wall to wall in the old town and apart in the suburbs, none upon another."""
+    """Houses along every edge, wall to wall in the old town, apart in the suburbs, without overlaps."""
     built = []
     for edge in edges(block):
         for house in row_of_houses(edge, closed, uniform):
@@ -158,7 +158,7 @@ def street_map():
 
 
 def flow(layer, uniform):
-    """Both banks, the water in broken lines between them, and the bridges across."""
+    """Both banks, the water between them in broken lines, and the bridges."""
     steps = [MARGIN + 1.6 * k for k in range(int((WIDTH - 2 * MARGIN) / 1.6) + 1)]
     for lane in range(-6, 7):
         bank = abs(lane) == 6

@@ -36,14 +36,14 @@ def height(x, depth):
 
 
 class Terrain:
-    """Heights, and for every row how high on the page the rows before it reach."""
+    """Heights, and for every row the highest place on the page that the rows before it reach."""
 
     def __init__(self):
         self.heights = [[height(STEP_X * i, STEP_DEPTH * j) for i in range(COLUMNS)] for j in range(ROWS)]
         self.hide_behind([])
 
     def hide_behind(self, trees):
-        """Works out what hides what: the mountains each other, and the trees what is behind them."""
+        """Computes what is hidden: mountains hide each other, and trees hide what is behind them."""
         self.seen = {}
         rows = {}
         for tree in trees:
@@ -66,7 +66,7 @@ class Terrain:
         return bilinear(self.heights, x / STEP_X, depth / STEP_DEPTH)
 
     def slope(self, x, depth):
-        """How much it rises per mm to the right and per mm backwards."""
+        """The rise per mm to the right and per mm backwards."""
         right = self.height(x + 0.7, depth) - self.height(x - 0.7, depth)
         back = self.height(x, depth + 1.2) - self.height(x, depth - 1.2)
         return right / 1.4, back / 2.4
@@ -85,7 +85,7 @@ class Terrain:
         return min(1.0, max(0.0, 0.62 - light) / 1.0)
 
     def depth_at(self, x, y):
-        """How far back that is what is seen at that place of the page; nothing in the sky."""
+        """The depth of the point that is visible at a place of the page; None in the sky."""
         column = min(int(x / STEP_X), COLUMNS - 1)
         if column not in self.seen:
             self.seen[column] = self.see(column)
@@ -94,7 +94,7 @@ class Terrain:
         return depths[k] if 0 < k < len(ups) else None
 
     def see(self, column):
-        """What is seen in a column from below upwards: the negative y, and the depths."""
+        """The visible points of a column from the bottom up: the negative y, and the depths."""
         ups, depths, top = [], [], SHORE + 1.0
         for j in range(ROWS):
             y = SHORE - TILT * STEP_DEPTH * j - self.heights[j][column]
@@ -106,7 +106,7 @@ class Terrain:
 
 
 def runs(points, shown):
-    """The stretches of a polyline whose points are shown, each at least two points long."""
+    """The parts of a polyline whose points are shown, each of at least two points."""
     run = []
     for point, visible in zip(points, shown):
         if visible:
@@ -120,7 +120,7 @@ def runs(points, shown):
 
 
 def cell(place, count):
-    """The grid cell of a place and how far into it, kept inside the grid."""
+    """The grid cell of a place and the position in that cell, kept inside the grid."""
     place = min(max(place, 0.0), count - 1.001)
     return int(place), place - int(place)
 
