@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * Cohen-Sutherland as textbooks print it. It looks right, and it is not: find out where.
+ * Cohen-Sutherland as textbooks print it. It looks right but is wrong: find out where.
  *   cc -std=c99 -O2 -shared -fPIC -o cohen_sutherland.so cohen_sutherland.c
  *   clearcut judge ./cohen_sutherland.so
- * (Where rounding leaves a cut beside the edge that it was made at, it cuts there for ever.)
+ * (If rounding puts a new end outside another edge again and again, the loop never ends.)
  */
 #include "clearcut_algorithm.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Liang-Barsky, to begin with. Compile it, and have it judged and raced:
+ * Liang-Barsky, as a first example. Compile it, and let Clearcut judge and race it:
  *   cc -std=c99 -O2 -shared -fPIC -o example.so example.c && clearcut judge ./example.so
  */
 #include "clearcut_algorithm.h"
