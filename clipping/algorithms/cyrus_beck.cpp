@@ -6,9 +6,9 @@
 //   Computers & Graphics 3(1), 1978, 23-28.
 //
 // Corrected: the inner normals have length 1, so that they exist for a window without height or
-// width, and N and D are lengths instead of products of two lengths. A new end takes the coordinate of
-// the edge that cut it, and its other coordinates are clamped to the window. In three dimensions the edges are the planes of
-// the box.
+// width, and N and D are lengths instead of products of two lengths. A new end takes the coordinate
+// of the edge that cut it, and its other coordinates are clamped to the window. In three dimensions
+// the edges are the planes of the box.
 
 #include "clipping/algorithms/cyrus_beck.h"
 
