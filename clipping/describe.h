@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/endless.h"
+#include "clipping/line_or_ray.h"
 #include "clipping/outcode.h"
 
 #include <cassert>
@@ -271,8 +271,8 @@ Algorithm describe()
             polygonOf<Method>(),
             searchedPolygonOf<Method>(),
             boxUses<Method>(),
-            endlessOf<Method, Reach::BothWays>(),
-            endlessOf<Method, Reach::OneWay>(),
+            lineOrRayUsesOf<Method, Reach::BothWays>(),
+            lineOrRayUsesOf<Method, Reach::OneWay>(),
             codeBeside<Method, Form::Corrected>(),
             codeBeside<Method, Form::Published>()};
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "clipping/along.h"
-#include "clipping/endless.h"
+#include "clipping/line_or_ray.h"
 
 #include <array>
 #include <string_view>

@@ -13,7 +13,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
-constexpr std::array kinds{std::pair{Ruling::Endless, "An algorithm never ends"},
+constexpr std::array kinds{std::pair{Ruling::DidNotEnd, "An algorithm never ends"},
                            std::pair{Ruling::Lost, "Something visible is lost"},
                            std::pair{Ruling::Shown, "Something is seen where nothing is"},
                            std::pair{Ruling::Outside, "An end is outside the window"},

@@ -67,7 +67,7 @@ Variant firstToLookAt(const HardCase& hard)
             return -1.0;
         if (answer.variant.misprint)
             return -0.5;
-        return answer.ruling == Ruling::Endless
+        return answer.ruling == Ruling::DidNotEnd
                    ? mostExtent
                    : std::floor(std::min(answer.beyond, mostExtent / 2));
     };

@@ -39,7 +39,7 @@ double beyond(const Segment& piece, const Window& w)
     return most;
 }
 
-bool isEndless(const Variant& variant, const HardCase& hard)
+bool didNotEnd(const Variant& variant, const HardCase& hard)
 {
     return !variant.misprint
            && clipping::usesOf(*variant.algorithm, variant.form)
@@ -69,8 +69,8 @@ Ruling excusedOr(Ruling wrong, const HardCase& hard, const Variant& variant)
 Ruling rulingOf(const CaseAnswer& answer, const HardCase& hard)
 {
     if (!answer.visible) {
-        if (isEndless(answer.variant, hard))
-            return Ruling::Endless;
+        if (didNotEnd(answer.variant, hard))
+            return Ruling::DidNotEnd;
         return hard.visible ? excusedOr(Ruling::Lost, hard, answer.variant) : Ruling::Right;
     }
     if (!isFinite(*answer.visible))
@@ -142,7 +142,7 @@ QString words(const CaseAnswer& answer)
         return tr("ends at the wrong place");
     case Ruling::NotANumber:
         return tr("not a number");
-    case Ruling::Endless:
+    case Ruling::DidNotEnd:
         break;
     }
     return tr("never ends, was stopped");

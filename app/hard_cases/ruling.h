@@ -19,7 +19,7 @@ enum class Ruling : std::uint8_t {
     Outside,    ///< an end is not in the window
     Moved,      ///< an end is farther off than the algorithm's bound in ulps
     NotANumber, ///< an end is NaN or infinite
-    Endless     ///< it was stopped
+    DidNotEnd   ///< it was stopped
 };
 
 /// "lost": as in the file. findRuling is the inverse; empty if there is no such key.

@@ -67,7 +67,7 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
 }
 
 /// The infinite line, whose side is tested for the corners.
-std::optional<OverlayLine> endless(const Seeing& seeing)
+std::optional<OverlayLine> infiniteLine(const Seeing& seeing)
 {
     const auto& [a, b] = *seeing.line;
     const auto part = clipping::findAlgorithm("liang-barsky")->line->clip({a, b}, seeing.seen);
@@ -101,7 +101,7 @@ Overlay signOverlay(const Seeing& seeing)
     std::optional<unsigned> pattern;
     if (seeing.line) {
         pattern = patternOf(seeing.trace);
-        if (const auto line = endless(seeing))
+        if (const auto line = infiniteLine(seeing))
             overlay.lines.push_back(*line);
         if (pattern)
             addCorners(overlay, *pattern, seeing.window);

@@ -17,12 +17,12 @@ testsOf() { # KEY
     polyline) echo polyline ;;
     exact) echo algorithms.exact contract uses ;;
     algorithms/sobkow-pospisil-yang.h) echo published contract uses ;;
-    algorithms/skala.h) echo contract uses endless ;;
-    part.h | algorithms/*.h) echo box.box contract uses endless ;;
-    lines-and-rays/*) echo endless ;;
+    algorithms/skala.h) echo contract uses lines_and_rays ;;
+    part.h | algorithms/*.h) echo box.box contract uses lines_and_rays ;;
+    lines-and-rays/*) echo lines_and_rays ;;
     midpoint-subdivision) echo algorithms.midpoint_subdivision published contract box.box uses ;;
     cohen-sutherland | liang-barsky | cyrus-beck) echo published contract box.box uses ;;
-    *) echo published contract uses endless ;;
+    *) echo published contract uses lines_and_rays ;;
     esac
 }
 isWanted() { # KEY: on the command line, or nothing is there
@@ -40,7 +40,7 @@ for test in "${tests[@]}"; do
     cmake --build "$build" --target "clipping.${test}_test" >"$work/log" || { cat "$work/log"; exit 1; }
 done
 # A test that fails by itself would seem to kill everything; one that takes three times as long with
-# a mutant as without is taken for endless.
+# a mutant as without is taken for one that never ends.
 declare -A limit
 for test in "${tests[@]}"; do
     begun=$SECONDS

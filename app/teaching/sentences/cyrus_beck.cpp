@@ -29,9 +29,8 @@ QString asked(const SentenceContext& context)
     const QString edge = context.edgeText();
     switch (lineOf(context)) {
     case 5:
-        return (context.holds()
-                    ? tr("D = %2: the line runs along %1 and never crosses it.")
-                    : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
+        return (context.holds() ? tr("D = %2: the line runs along %1 and never crosses it.")
+                                : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
             .arg(edge, knownNumber(context, "D"));
     case 6:
         return (context.holds()

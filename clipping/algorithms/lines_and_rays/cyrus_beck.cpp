@@ -32,7 +32,7 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> cyrusBeckLine = endlessUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> cyrusBeckRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+const Uses<Line, Window, Segment> cyrusBeckLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> cyrusBeckRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -34,7 +34,7 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> liangBarskyLine = endlessUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> liangBarskyRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+const Uses<Line, Window, Segment> liangBarskyLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> liangBarskyRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -92,7 +92,8 @@ struct OnLinesAndRays {
 } // namespace
 
 const Uses<Line, Window, Segment> matthesDrakopoulosLine =
-    endlessUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> matthesDrakopoulosRay = endlessUses<OnLinesAndRays, Reach::OneWay>;
+    lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Uses<Ray, Window, Segment> matthesDrakopoulosRay =
+    lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

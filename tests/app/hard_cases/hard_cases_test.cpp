@@ -43,7 +43,7 @@ Ruling ruling(const HardCase& hard, const Variant& variant)
     const auto& uses = clipping::usesOf(*variant.algorithm, variant.form);
     if (!piece && !variant.misprint
         && uses->trace(hard.line, hard.window).outcome == clipping::Outcome::DidNotEnd)
-        return Ruling::Endless;
+        return Ruling::DidNotEnd;
     if (!piece)
         return truth ? Ruling::Lost : Ruling::Right;
     for (const double v : {piece->a.x, piece->a.y, piece->b.x, piece->b.y})

@@ -4,7 +4,7 @@
 // same numbers.
 #include <limits>
 
-#include "tests/clipping/endless_contract.h"
+#include "tests/clipping/line_or_ray_contract.h"
 #include "tests/clipping/rows.h"
 
 using namespace clipping;
@@ -21,7 +21,7 @@ struct Row {
     std::string faultAt(const Input& input, double k) const
     {
         const auto found = uses->clip(S{input.segment.a, input.segment.b}, input.window);
-        const auto wrong = endlessFault(found, input, isRay, k);
+        const auto wrong = lineOrRayFault(found, input, isRay, k);
         return wrong.empty() ? "" : wrong + " for " + exactly(input);
     }
 };
@@ -74,16 +74,16 @@ void compareUses()
         for (std::size_t i = 0; i < inputs.size() && i < 2'000; ++i)
             for (const auto& [algorithm, uses] : rows<S>()) {
                 const auto& [points, w] = inputs[i];
-                const S endless{points.a, points.b};
+                const S lineOrRay{points.a, points.b};
                 const auto text = exactly(inputs[i]);
-                const auto piece = uses->clip(endless, w);
+                const auto piece = uses->clip(lineOrRay, w);
                 std::array<Clipped, 1> out;
-                QVERIFY2((uses->clipAll({&endless, 1}, w, out) == 1) == piece.has_value(),
+                QVERIFY2((uses->clipAll({&lineOrRay, 1}, w, out) == 1) == piece.has_value(),
                          text.c_str());
-                const Trace trace = uses->trace(endless, w);
+                const Trace trace = uses->trace(lineOrRay, w);
                 QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), text.c_str());
                 QVERIFY2(trace.steps.empty() == (points.a == points.b), text.c_str());
-                const auto cost = uses->count({&endless, 1}, w);
+                const auto cost = uses->count({&lineOrRay, 1}, w);
                 QVERIFY2((cost.comparisons == 0) == (points.a == points.b), text.c_str());
                 if (!piece)
                     continue;
@@ -103,14 +103,15 @@ void compareWithoutNumbers()
     for (const auto& [algorithm, uses] : rows<S>()) {
         for (const double by : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
             for (int index = 0; index < 8; ++index) {
-                S endless{{-1, 0.5}, {3, 0.5}};
+                S lineOrRay{{-1, 0.5}, {3, 0.5}};
                 Window w{{0, 0}, {2, 2}};
-                QVERIFY(uses->clip(endless, w));
+                QVERIFY(uses->clip(lineOrRay, w));
                 *std::array{
-                    &endless.a.x, &endless.a.y, &endless.b.x, &endless.b.y,
-                    &w.min.x,     &w.min.y,     &w.max.x,     &w.max.y}[std::size_t(index)] = by;
-                QVERIFY(!uses->clip(endless, w));
-                QVERIFY(uses->trace(endless, w).steps.empty());
+                    &lineOrRay.a.x, &lineOrRay.a.y, &lineOrRay.b.x, &lineOrRay.b.y,
+                    &w.min.x,       &w.min.y,       &w.max.x,       &w.max.y}[std::size_t(index)] =
+                    by;
+                QVERIFY(!uses->clip(lineOrRay, w));
+                QVERIFY(uses->trace(lineOrRay, w).steps.empty());
             }
         QVERIFY(!uses->clip(S{{-1, 0.5}, {3, 0.5}}, {{2, 0}, {0, 2}}));
     }
@@ -118,7 +119,7 @@ void compareWithoutNumbers()
 
 } // namespace
 
-class EndlessTest : public QObject {
+class LinesAndRaysTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -139,5 +140,5 @@ private slots:
     void raysWithoutNumbers() { compareWithoutNumbers<Ray>(); }
 };
 
-QTEST_APPLESS_MAIN(EndlessTest)
-#include "endless_test.moc"
+QTEST_APPLESS_MAIN(LinesAndRaysTest)
+#include "lines_and_rays_test.moc"

@@ -14,7 +14,7 @@
 
 #include "tests/clipping/contract.h"
 
-namespace endless_contract {
+namespace line_or_ray_contract {
 
 using Int = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                           boost::multiprecision::et_off>;
@@ -114,18 +114,18 @@ inline bool within(const glm::dvec2& p, const clipping::Window& w)
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
 
-} // namespace endless_contract
+} // namespace line_or_ray_contract
 
 /// How a result breaks the contract with this k; empty if it keeps it. With 0, on small whole
 /// numbers: no wrong decision is excused.
-inline std::string endlessFault(const std::optional<clipping::Segment>& found, const Input& input,
-                                bool isRay, double k)
+inline std::string lineOrRayFault(const std::optional<clipping::Segment>& found, const Input& input,
+                                  bool isRay, double k)
 {
-    using endless_contract::within;
+    using line_or_ray_contract::within;
     const auto& [points, w] = input;
     if (points.a == points.b)
         return found ? "seen without a direction" : "";
-    const endless_contract::Truth truth(points, w, isRay);
+    const line_or_ray_contract::Truth truth(points, w, isRay);
     const auto part = truth.inside(0);
     if (!found)
         return part && (k == 0 || truth.inside(-int(k))) ? "lost" : "";

@@ -19,7 +19,7 @@ namespace clipping {
 enum class Reach : std::uint8_t { Bounded, OneWay, BothWays };
 
 template <Reach reach>
-using Endless = std::conditional_t<reach == Reach::BothWays, Line, Ray>;
+using LineOrRay = std::conditional_t<reach == Reach::BothWays, Line, Ray>;
 
 /// The parameters where a reach begins and ends, with 0 at a and 1 at b.
 template <Reach reach, class T>
@@ -34,7 +34,7 @@ constexpr T ending()
 }
 
 /// Whether the contract covers this input.
-inline bool isEndless(const Segment& points, const Window& w)
+inline bool isLineOrRay(const Segment& points, const Window& w)
 {
     return legal(points) && legal(w) && points.a != points.b;
 }
@@ -42,7 +42,7 @@ inline bool isEndless(const Segment& points, const Window& w)
 /// Runs a method on valid input, with double or, where double would overflow or underflow, with
 /// Wide.
 template <class Method, Reach reach>
-std::optional<Segment> clipEndless(const Segment& points, const Window& w)
+std::optional<Segment> clipLineOrRay(const Segment& points, const Window& w)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
         const auto piece =
@@ -52,7 +52,7 @@ std::optional<Segment> clipEndless(const Segment& points, const Window& w)
     return ordinary(points) && ordinary(w) ? run(double{}) : run(Wide{});
 }
 template <class Method, Reach reach>
-std::optional<Segment> clipEndlessCounted(const Segment& points, const Window& w, auto& step)
+std::optional<Segment> clipLineOrRayCounted(const Segment& points, const Window& w, auto& step)
 {
     const auto run = [&]<class T>(T) -> std::optional<Segment> {
         const auto piece = Method::template clip<reach>(segmentIn<Counted<T>>(points),
@@ -73,22 +73,22 @@ inline std::optional<Segment> contacted(std::optional<Segment> piece, const Segm
 }
 
 template <class Method, Reach reach>
-std::optional<Segment> clipOneEndless(const Endless<reach>& endless, const Window& w)
+std::optional<Segment> clipOneLineOrRay(const LineOrRay<reach>& lineOrRay, const Window& w)
 {
-    const Segment points{endless.a, endless.b};
-    if (!isEndless(points, w))
+    const Segment points{lineOrRay.a, lineOrRay.b};
+    if (!isLineOrRay(points, w))
         return std::nullopt;
-    return contacted(clipEndless<Method, reach>(points, w), points, w);
+    return contacted(clipLineOrRay<Method, reach>(points, w), points, w);
 }
 
 template <class Method, Reach reach>
-std::size_t clipManyEndless(std::span<const Endless<reach>> in, const Window& w,
-                            std::span<Clipped> out)
+std::size_t clipManyLinesOrRays(std::span<const LineOrRay<reach>> in, const Window& w,
+                                std::span<Clipped> out)
 {
     assert(out.size() >= in.size());
     std::size_t visible = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
-        if (const auto piece = clipOneEndless<Method, reach>(in[i], w)) {
+        if (const auto piece = clipOneLineOrRay<Method, reach>(in[i], w)) {
             const bool cutA = reach == Reach::BothWays || piece->a != in[i].a;
             out[visible++] = {*piece, static_cast<std::uint32_t>(i),
                               cutAt(cutA ? edgeAt(piece->a, w) : Edge::None, edgeAt(piece->b, w))};
@@ -97,26 +97,27 @@ std::size_t clipManyEndless(std::span<const Endless<reach>> in, const Window& w,
 }
 
 template <class Method, Reach reach>
-OperationCounts countManyEndless(std::span<const Endless<reach>> in, const Window& w)
+OperationCounts countManyLinesOrRays(std::span<const LineOrRay<reach>> in, const Window& w)
 {
     operations = {};
     Unwatched step;
     for (const auto& [a, b] : in)
-        if (isEndless({a, b}, w))
-            clipEndlessCounted<Method, reach>({a, b}, w, step);
+        if (isLineOrRay({a, b}, w))
+            clipLineOrRayCounted<Method, reach>({a, b}, w, step);
     return operations;
 }
 
 template <class Method, Reach reach>
-Trace traceOneEndless(const Endless<reach>& endless, const Window& w)
+Trace traceOneLineOrRay(const LineOrRay<reach>& lineOrRay, const Window& w)
 {
-    const Segment points{endless.a, endless.b};
-    if (!isEndless(points, w))
+    const Segment points{lineOrRay.a, lineOrRay.b};
+    if (!isLineOrRay(points, w))
         return {};
     operations = {};
     Recorder recorder;
     recorder.begin(points, w);
-    const auto piece = contacted(clipEndlessCounted<Method, reach>(points, w, recorder), points, w);
+    const auto piece =
+        contacted(clipLineOrRayCounted<Method, reach>(points, w, recorder), points, w);
     Trace trace = recorder.take();
     if (piece) {
         trace.outcome = Outcome::Visible;
@@ -126,13 +127,13 @@ Trace traceOneEndless(const Endless<reach>& endless, const Window& w)
 }
 
 template <class Method, Reach reach>
-constexpr Uses<Endless<reach>, Window, Segment> endlessUses{
-    clipOneEndless<Method, reach>, clipManyEndless<Method, reach>, countManyEndless<Method, reach>,
-    traceOneEndless<Method, reach>};
+constexpr Uses<LineOrRay<reach>, Window, Segment> lineOrRayUses{
+    clipOneLineOrRay<Method, reach>, clipManyLinesOrRays<Method, reach>,
+    countManyLinesOrRays<Method, reach>, traceOneLineOrRay<Method, reach>};
 
 /// The form for infinite lines or rays; none unless the row names one (algorithms/lines_and_rays/).
 template <class Method, Reach reach>
-constexpr const Uses<Endless<reach>, Window, Segment>* endlessOf()
+constexpr const Uses<LineOrRay<reach>, Window, Segment>* lineOrRayUsesOf()
 {
     if constexpr (requires { Method::line; }) {
         if constexpr (reach == Reach::BothWays)

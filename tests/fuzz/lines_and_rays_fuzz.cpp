@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every row that clips infinite lines and rays, against whole numbers.
-#include "tests/clipping/endless_contract.h"
+#include "tests/clipping/line_or_ray_contract.h"
 #include "tests/fuzz/one_input.h"
 
 using namespace clipping;
@@ -18,7 +18,7 @@ void keepContract(const Uses<S, Window, Segment>& uses, const Input& input, doub
             found(who + ": seen where the contract says nothing for " + exactly(input));
         return;
     }
-    const auto wrong = endlessFault(result, input, std::is_same_v<S, Ray>, ulps);
+    const auto wrong = lineOrRayFault(result, input, std::is_same_v<S, Ray>, ulps);
     if (!wrong.empty())
         found(who + ": " + wrong + " for " + exactly(input));
 }
