@@ -179,7 +179,7 @@ private slots:
             for (const Variant& variant : formsOf({"Skala"})) {
                 const auto patterns = valuesNamed(traceOf(variant, line, w), "c");
                 const Overlay overlay = of(variant, w, line);
-                QVERIFY2(overlay.table->highlighted.has_value() == !patterns.empty(),
+                QVERIFY2(overlay.table->highlightedRow.has_value() == !patterns.empty(),
                          said(variant, w, line));
                 std::vector<OverlayMark> signs = overlay.marks;
                 std::erase_if(signs, [](const OverlayMark& m) { return !m.label.startsWith('x'); });
@@ -187,7 +187,7 @@ private slots:
                 if (patterns.empty())
                     continue;
                 ++asked;
-                QVERIFY2(*overlay.table->highlighted == std::size_t(patterns.back()),
+                QVERIFY2(*overlay.table->highlightedRow == std::size_t(patterns.back()),
                          said(variant, w, line));
                 bool allLeft = true, allOnLine = true;
                 const Point d = line.b - line.a;
