@@ -21,7 +21,7 @@ clipping::BasicWindow<T> paperWindow()
 }
 
 template <class T>
-glm::vec<2, T> anywhere(Random& random, double width, double height)
+glm::vec<2, T> anywhere(RandomNumbers& random, double width, double height)
 {
     const auto x = static_cast<T>(random.uniform(-width, width));
     return {x, static_cast<T>(random.uniform(-height, height))};
@@ -32,7 +32,7 @@ Scene<T> sceneOf(const char* name, std::size_t count, Make make)
 {
     Scene<T> result{name, paperWindow<T>(), {}};
     result.segments.reserve(count);
-    Random random(count);
+    RandomNumbers random(count);
     while (result.segments.size() < count)
         make(random, result.segments);
     return result;
@@ -41,7 +41,7 @@ Scene<T> sceneOf(const char* name, std::size_t count, Make make)
 template <class T>
 Scene<T> allInside(std::size_t count)
 {
-    return sceneOf<T>("all inside", count, [](Random& random, auto& to) {
+    return sceneOf<T>("all inside", count, [](RandomNumbers& random, auto& to) {
         const auto a = anywhere<T>(random, 100, 75);
         to.push_back({a, anywhere<T>(random, 100, 75)});
     });
@@ -50,7 +50,7 @@ Scene<T> allInside(std::size_t count)
 template <class T>
 Scene<T> oneEndInside(std::size_t count)
 {
-    return sceneOf<T>("one end inside", count, [](Random& random, auto& to) {
+    return sceneOf<T>("one end inside", count, [](RandomNumbers& random, auto& to) {
         const auto a = anywhere<T>(random, 100, 75);
         auto b = anywhere<T>(random, 960, 720);
         while (std::abs(b.x) <= 100 && std::abs(b.y) <= 75)
@@ -63,7 +63,7 @@ Scene<T> oneEndInside(std::size_t count)
 template <class T>
 Scene<T> allOutside(std::size_t count)
 {
-    return sceneOf<T>("all outside", count, [](Random& random, auto& to) {
+    return sceneOf<T>("all outside", count, [](RandomNumbers& random, auto& to) {
         const auto a = anywhere<T>(random, 960, 720);
         if (std::abs(a.x) > 120 || std::abs(a.y) > 95)
             to.push_back({a, a + anywhere<T>(random, 20, 20)});
@@ -74,7 +74,7 @@ Scene<T> allOutside(std::size_t count)
 template <class T>
 Scene<T> longLines(std::size_t count)
 {
-    return sceneOf<T>("long lines", count, [](Random& random, auto& to) {
+    return sceneOf<T>("long lines", count, [](RandomNumbers& random, auto& to) {
         const auto middle = anywhere<T>(random, 200, 150);
         const double angle = random.uniform(0, 2 * std::numbers::pi), at = random.uniform(0, 1);
         const glm::dvec2 whole{1e6 * std::cos(angle), 1e6 * std::sin(angle)};
@@ -87,7 +87,7 @@ Scene<T> longLines(std::size_t count)
 template <class T>
 Scene<T> strokes(std::size_t count)
 {
-    return sceneOf<T>("editor strokes", count, [count](Random& random, auto& to) {
+    return sceneOf<T>("editor strokes", count, [count](RandomNumbers& random, auto& to) {
         auto at = anywhere<double>(random, 1000, 750);
         double direction = random.uniform(0, 2 * std::numbers::pi), turn = 0;
         for (int i = 0; i < 200 && to.size() < count; ++i) {

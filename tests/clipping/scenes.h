@@ -19,9 +19,9 @@ struct Scene {
 };
 
 /// Random numbers, the same on every machine.
-class Random {
+class RandomNumbers {
 public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
     std::uint64_t bits() { return engine_(); }
     int integer(int low, int high)
     {
@@ -50,12 +50,12 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// A scene of `count` segments, each end from `end(dice)`.
+/// A scene of `count` segments, each end from `end(random)`.
 template <class T, class End>
 Scene<T> scene(std::string name, clipping::BasicWindow<T> window, std::size_t count, End end)
 {
     Scene<T> result{std::move(name), window, {}};
-    Random random(count + result.name.size());
+    RandomNumbers random(count + result.name.size());
     for (std::size_t i = 0; i < count; ++i)
         result.segments.push_back({end(random), end(random)});
     return result;
@@ -65,7 +65,7 @@ Scene<T> scene(std::string name, clipping::BasicWindow<T> window, std::size_t co
 template <class T>
 Scene<T> paperScene(std::size_t count)
 {
-    return scene<T>("paper", {{-100, -75}, {100, 75}}, count, [](Random& random) {
+    return scene<T>("paper", {{-100, -75}, {100, 75}}, count, [](RandomNumbers& random) {
         const auto x = static_cast<T>(random.uniform(-960, 960));
         return glm::vec<2, T>{x, static_cast<T>(random.uniform(-720, 720))};
     });
@@ -77,26 +77,27 @@ std::vector<Scene<T>> hardScenes(std::size_t count)
 {
     using V = glm::vec<2, T>;
     const auto grid = [](int low, int high, T unit) {
-        return [=](Random& random) {
+        return [=](RandomNumbers& random) {
             const int x = random.integer(low, high);
             return V{T(x) * unit, T(random.integer(low, high)) * unit};
         };
     };
-    const auto longLines = [](Random& random) {
+    const auto longLines = [](RandomNumbers& random) {
         const double length = std::exp2(random.uniform(0, 40));
         const double x = random.uniform(-length, length);
         return V{static_cast<T>(x), static_cast<T>(random.uniform(-length, length))};
     };
-    const auto hugging = [](Random& random) { // within a few of the smallest steps of the edge
-        const auto x = static_cast<T>(random.integer(-3000, 3000) / 16.0);
-        const T edge = random.integer(0, 1) == 0 ? T(-75) : T(75);
-        return V{x, edge + T(random.integer(-8, 8)) * std::numeric_limits<T>::epsilon() * 64};
-    };
-    const auto anything = [](Random& random) {
+    const auto hugging =
+        [](RandomNumbers& random) { // within a few of the smallest steps of the edge
+            const auto x = static_cast<T>(random.integer(-3000, 3000) / 16.0);
+            const T edge = random.integer(0, 1) == 0 ? T(-75) : T(75);
+            return V{x, edge + T(random.integer(-8, 8)) * std::numeric_limits<T>::epsilon() * 64};
+        };
+    const auto anything = [](RandomNumbers& random) {
         const T x = random.anyFinite<T>();
         return V{x, random.anyFinite<T>()};
     };
-    const auto mixed = [](Random& random) { // ordinary beside extreme
+    const auto mixed = [](RandomNumbers& random) { // ordinary beside extreme
         const auto one = [&random] {
             return random.integer(0, 3) == 0 ? random.anyFinite<T>() : T(random.integer(-4, 4));
         };

@@ -78,7 +78,7 @@ template <class T>
 Scene<T> spoilt(Scene<T> scene)
 {
     const T bad[] = {T(NAN), T(INFINITY), -T(INFINITY)};
-    Random random(7);
+    RandomNumbers random(7);
     for (auto& s : scene.segments) {
         T* const numbers[] = {&s.a.x, &s.a.y, &s.b.x, &s.b.y};
         if (random.integer(0, 2) == 0)

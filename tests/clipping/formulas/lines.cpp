@@ -23,7 +23,7 @@ constexpr std::array windows{
 
 double size(const Window& w) { return std::max({w.max.x - w.min.x, w.max.y - w.min.y, 1.0}); }
 
-Segment ofAnySize(Random& random, const Window& w)
+Segment ofAnySize(RandomNumbers& random, const Window& w)
 {
     const double reach = size(w) * std::exp2(random.uniform(-3, 3));
     const double far = random.integer(0, 9) == 0 ? std::exp2(random.uniform(0, 60)) : 1;
@@ -36,7 +36,7 @@ Segment ofAnySize(Random& random, const Window& w)
 }
 
 /// Ends on a grid of 7 x 7 points, where lines 2 and 4 are the window's edges.
-Point onGrid(Random& random, const Window& w)
+Point onGrid(RandomNumbers& random, const Window& w)
 {
     const auto at = [&](double low, double high) {
         const double step = high > low ? (high - low) / 2 : 1;
@@ -46,14 +46,14 @@ Point onGrid(Random& random, const Window& w)
     const double x = at(w.min.x, w.max.x);
     return {x, at(w.min.y, w.max.y)};
 }
-Segment betweenGridPoints(Random& random, const Window& w)
+Segment betweenGridPoints(RandomNumbers& random, const Window& w)
 {
     const Point a = onGrid(random, w);
     return {a, onGrid(random, w)};
 }
 
 /// Through a corner by small whole numbers, and mostly a few ulps beside it.
-Segment throughCorner(Random& random, const Window& w)
+Segment throughCorner(RandomNumbers& random, const Window& w)
 {
     const Point corner{random.integer(0, 1) ? w.max.x : w.min.x,
                        random.integer(0, 1) ? w.max.y : w.min.y};
@@ -66,7 +66,7 @@ Segment throughCorner(Random& random, const Window& w)
     return s;
 }
 
-Segment alongAnAxis(Random& random, const Window& w)
+Segment alongAnAxis(RandomNumbers& random, const Window& w)
 {
     Segment s = random.integer(0, 1) ? ofAnySize(random, w) : betweenGridPoints(random, w);
     const bool isPoint = random.integer(0, 4) == 0, isHorizontal = random.integer(0, 1) == 0;
@@ -83,7 +83,7 @@ constexpr std::array kinds{ofAnySize, betweenGridPoints, throughCorner, alongAnA
 
 std::vector<Input> inputs()
 {
-    Random random(12);
+    RandomNumbers random(12);
     std::vector<Input> all;
     for (std::size_t i = 0; i < 10'000; ++i) {
         // Most windows have extent; every window meets every kind.

@@ -105,7 +105,7 @@ void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
 }
 
 /// A segment that has to do with the polygon: through it, by a corner, along an edge, to a corner.
-Segment someSegment(Random& random, const ConvexPolygon& polygon, double size)
+Segment someSegment(RandomNumbers& random, const ConvexPolygon& polygon, double size)
 {
     const auto& c = polygon.corners;
     const auto index = std::size_t(random.integer(0, int(c.size()) - 1));
@@ -156,7 +156,7 @@ struct RandomInputs {
 void checkRandom(const PolygonUses& uses, bool decidesExactly, const RandomInputs& inputs)
 {
     const auto& [polygons, segments, corners, size, seed] = inputs;
-    Random random(seed);
+    RandomNumbers random(seed);
     for (int i = 0; i < polygons && !QTest::currentTestFailed(); ++i) {
         const auto polygon = somePolygon(random, random.integer(1, corners), size);
         for (int j = 0; j < segments; ++j) {
@@ -250,7 +250,7 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Random random(4);
+        RandomNumbers random(4);
         const auto number = [&random] {
             return random.integer(0, 2) == 0 ? random.anyFinite<double>()
                                              : double(random.integer(-4, 4));
@@ -276,7 +276,7 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Random random(8);
+        RandomNumbers random(8);
         const auto whole = [&random] { return double(random.integer(-3, 3)); };
         const auto any = [&random] { return random.uniform(-3, 3); };
         const auto point = [](const auto& number) {
@@ -302,7 +302,7 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Random random(9);
+        RandomNumbers random(9);
         for (int i = 0; i < 2'000; ++i) {
             const double at = random.uniform(0.5, 2), width = std::exp2(random.integer(-54, -50));
             const auto side = [&] { return at + width * random.integer(-6, 6); };
@@ -348,7 +348,7 @@ private slots:
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
-        Random random(7);
+        RandomNumbers random(7);
         const auto point = [&random](int most) {
             const int x = random.integer(-most, most);
             return glm::dvec2(x, random.integer(-most, most));
@@ -415,7 +415,7 @@ private slots:
     void clipAndTraceAndCountAreOne()
     {
         QFETCH(const PolygonUses*, uses);
-        Random random(5);
+        RandomNumbers random(5);
         for (int i = 0; i < 2'000; ++i) {
             const double size = i % 5 == 0 ? 0x1p900 : 1;
             const auto polygon = somePolygon(random, random.integer(1, 20), size);
@@ -439,7 +439,7 @@ private slots:
     void searchedIsOneByOne()
     {
         const Algorithm* skala = findAlgorithm("skala");
-        Random random(6);
+        RandomNumbers random(6);
         for (int i = 0; i < 3'000; ++i) {
             const double size = i % 10 == 0 ? 0x1p-600 : 1;
             const auto polygon =

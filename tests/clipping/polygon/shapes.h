@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the polygon tests share: every form, and polygons made by dice.
+// What the polygon tests share: every form, and random polygons.
 
 #include <QTest>
 
@@ -24,7 +24,7 @@ inline void everyPolygonForm()
 
 /// A convex polygon of up to n corners near the origin, as large as `size`; one of four is slim, to
 /// a width of 2^-40.
-inline clipping::ConvexPolygon somePolygon(Random& random, int n, double size)
+inline clipping::ConvexPolygon somePolygon(RandomNumbers& random, int n, double size)
 {
     const double turn = random.uniform(0, 6.3), centreX = random.uniform(-1, 1);
     const double width = random.integer(0, 3) == 0 ? std::exp2(-random.uniform(0, 40)) : 1;
