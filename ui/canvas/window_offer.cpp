@@ -12,7 +12,7 @@ namespace {
 
 constexpr double gap = 13, margin = 4; // pixels
 
-QString text() { return QCoreApplication::translate("Canvas", "Window on page"); }
+QString text() { return QCoreApplication::translate("Canvas", "Lay window on page"); }
 
 } // namespace
 

@@ -103,7 +103,7 @@ QWidget* WindowPanel::makeOffer()
 {
     auto* text = new QLabel(tr("No clip window (W draws one): nothing is cut."));
     text->setWordWrap(true);
-    auto* button = new QPushButton(tr("Window on page"));
+    auto* button = new QPushButton(tr("Lay window on page"));
     button->setToolTip(tr("Lay a clip window on the whole page"));
     connect(button, &QPushButton::clicked, this, [this] { layWindowOnPage(session_); });
     auto* row = new QHBoxLayout;

@@ -110,7 +110,7 @@ MenuInfo clipMenu()
                  {},
                  [](MainWindow& w) { w.files().crop(); },
                  some},
-                {"window-on-page", tr("&Window on page"), {}, Reach::Window, {}, windowOnPage},
+                {"window-on-page", tr("&Lay window on page"), {}, Reach::Window, {}, windowOnPage},
                 {"remove-window",
                  tr("&Remove clip window"),
                  {},

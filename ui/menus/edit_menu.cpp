@@ -15,7 +15,7 @@ QString tr(const char* text) { return QCoreApplication::translate("EditMenu", te
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
-QString nothingSelected() { return tr("Nothing is selected. Select shapes first."); }
+QString nothingSelected() { return tr("Nothing is selected. Select an object first."); }
 
 /// The clipboard now holds a drawing, so a warning that it does not is outdated.
 void withdrawWarning(MainWindow& window)

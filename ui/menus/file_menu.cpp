@@ -26,7 +26,7 @@ void fillRecent(MainWindow& window, QMenu& menu)
         action->setEnabled(!file.missing());
     }
     menu.addSeparator();
-    auto* forget = menu.addAction(tr("&Clear list"), &window.files(), &Files::forgetRecent);
+    auto* forget = menu.addAction(tr("&Clear recent files"), &window.files(), &Files::forgetRecent);
     forget->setEnabled(number > 1);
 }
 

@@ -20,7 +20,7 @@ MenuInfo helpMenu()
     return {tr("&Help"),
             {
                 {"start",
-                 tr("&Start"),
+                 tr("Show &start panel"),
                  {},
                  Reach::Window,
                  "book",

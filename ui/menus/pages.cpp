@@ -77,7 +77,7 @@ void showShortcuts(MainWindow& window)
     text += QStringLiteral("<h3>%1</h3><p>%2</p>")
                 .arg(tr("On the canvas"),
                      tr("Wheel: zoom around the pointer. Middle button or Space and drag: move the "
-                        "view. Alt and arrows: move the clip window, with Shift ten times as far. "
+                        "view. Alt and arrow keys: move the clip window; Shift: ten times as far. "
                         "Esc: one step back."));
     openPage(window, tr("Keyboard shortcuts"))->setHtml(text);
 }
@@ -91,7 +91,7 @@ void showAbout(MainWindow& window)
                "that does the clipping. It grew out of D. Matthes, V. Drakopoulos: *Another Simple "
                "but Faster Method for 2D Line Clipping*, IJCGA 9, 2019.\n\nThe program is free "
                "software under the GNU General Public License, version 3 or later; the clipping "
-               "library under the MIT license; the samples are free for any use (CC0).\n\n%2")
+               "library under the MIT licence; the samples are free for any use (CC0).\n\n%2")
                 .arg(QCoreApplication::applicationVersion(), window.canvas().backendReason()));
 }
 

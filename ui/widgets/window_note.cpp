@@ -33,7 +33,7 @@ void WindowNote::follow()
     const QString first = session_.clipWindow()
                               ? tr("<b>Drag the clip window,</b> or draw one (W).")
                               : tr("<b>Draw a clip window (W),</b> or lay one on the page with the "
-                                   "button <i>Window on page</i>.");
+                                   "button <i>Lay window on page</i>.");
     setText(first + u' ' + tr("What it leaves out is cut, at every frame."));
 }
 

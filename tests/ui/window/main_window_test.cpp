@@ -348,7 +348,7 @@ private slots:
         TestWindow t;
         t.window->files().open(t.twoLines());
         t.show();
-        const QString said = "Nothing is selected. Select shapes first.";
+        const QString said = "Nothing is selected. Select an object first.";
         const QList<std::pair<const char*, QKeySequence>> commands{
             {"cut", QKeySequence::Cut},
             {"copy", QKeySequence::Copy},
@@ -480,7 +480,7 @@ private slots:
         QVERIFY(note->text().contains("Drag the clip window"));
         t.action("new")->trigger();
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
-        QVERIFY(note->text().contains("Window on page"));
+        QVERIFY(note->text().contains("Lay window on page"));
         app::Session& session = t.window->session();
         session.setPreview({.window = middle});
         QVERIFY(note->text().contains("Drag the clip window"));
