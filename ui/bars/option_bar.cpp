@@ -42,6 +42,18 @@ QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& loo
     return picture;
 }
 
+/// Shows the action's first shortcut in its tooltip, also after its text has changed.
+void showKeyInTip(QAction& action)
+{
+    const auto refresh = [&action] {
+        const QString text = action.iconText().remove(u'…');
+        action.setToolTip(OptionBar::tr("%1 (%2)").arg(
+            text, action.shortcut().toString(QKeySequence::NativeText)));
+    };
+    QObject::connect(&action, &QAction::changed, &action, refresh);
+    refresh();
+}
+
 } // namespace
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
@@ -59,6 +71,8 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     setIconSize({18, 18});
     setFixedHeight(space::optionsHeight);
     setContentsMargins(6, 0, 8, 0);
+    for (QAction* action : {undo, redo, exportCut})
+        showKeyInTip(*action);
     addAction(undo);
     addAction(redo);
     addSeparator();
@@ -116,7 +130,7 @@ void OptionBar::addStroke()
 
 void OptionBar::addSnapping(Canvas& canvas)
 {
-    magnet_->setToolTip(tr("Snapping; Ctrl suspends it"));
+    magnet_->setToolTip(tr("Snapping (hold Ctrl to suspend it)"));
     ToolList* const choice = snapping_;
     choice->setAccessibleName(tr("Snapping"));
     choice->setToolTip(magnet_->toolTip());
@@ -156,7 +170,8 @@ void OptionBar::addPanes(Canvas& canvas)
     addCaption(tr("Panes"));
     panes_->setObjectName(QStringLiteral("panes"));
     addWidget(panes_);
-    panes_->setToolTip(tr("The drawing side by side, each with its own algorithm"));
+    panes_->setToolTip(tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
+                          "Ctrl+2, Ctrl+4, Ctrl+9)"));
     connect(panes_, &Segments::picked, this, [&canvas](int index) {
         app::Panes panes = canvas.panes();
         std::size_t(index) < counts.size() ? panes.show(counts[std::size_t(index)])

@@ -105,18 +105,17 @@ void StatusBar::showTimes()
         return;
     }
     if (last_.total < app::leastLinesToTime) {
-        times_->setText(tr("too few to time"));
-        times_->setToolTip(
-            tr("Under %1 lines a time says nothing.").arg(app::countText(app::leastLinesToTime)));
+        times_->setText(tr("too few lines to time"));
+        times_->setToolTip(tr("With fewer than %1 lines the times are too short to measure.")
+                               .arg(app::countText(app::leastLinesToTime)));
         return;
     }
     const double clip = clip_.median();
     times_->setText(tr("clip %1  draw %2")
                         .arg(app::millisecondsText(clip), app::millisecondsText(draw_.median())));
-    times_->setToolTip(
-        tr("Clipping: %1 ns per line. Both times are the middle of the last %2 frames.")
-            .arg(app::numberText(clip * 1e6 / double(last_.total), 1))
-            .arg(app::FrameStatistics::length));
+    times_->setToolTip(tr("Clipping: %1 ns per line. Both times are medians of the last %2 frames.")
+                           .arg(app::numberText(clip * 1e6 / double(last_.total), 1))
+                           .arg(app::FrameStatistics::length));
 }
 
 void StatusBar::showPosition(std::optional<app::Point> position)
