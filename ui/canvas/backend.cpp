@@ -25,15 +25,16 @@ Choice chooseBackend(Backend wish, const GlProbe& probe)
 {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Canvas", text); };
     if (wish == Backend::Raster)
-        return {Backend::Raster, tr("Raster canvas: asked for")};
+        return {Backend::Raster, tr("Raster canvas (painted by the processor), as requested")};
     if (!probe.usable)
-        return {Backend::Raster, tr("Raster canvas: OpenGL 3.3 is not available here")};
-    if (wish == Backend::OpenGL)
-        return {Backend::OpenGL, tr("OpenGL canvas: asked for (%1)").arg(probe.renderer)};
-    if (probe.software)
         return {Backend::Raster,
-                tr("Raster canvas: OpenGL is done in software here (%1), and raster is faster")
-                    .arg(probe.renderer)};
+                tr("Raster canvas (painted by the processor): OpenGL 3.3 is not available here")};
+    if (wish == Backend::OpenGL)
+        return {Backend::OpenGL, tr("OpenGL canvas, as requested: %1").arg(probe.renderer)};
+    if (probe.software)
+        return {Backend::Raster, tr("Raster canvas (painted by the processor): OpenGL would also "
+                                    "use the processor here (%1), and would be slower")
+                                     .arg(probe.renderer)};
     return {Backend::OpenGL, tr("OpenGL canvas: %1").arg(probe.renderer)};
 }
 

@@ -110,7 +110,8 @@ bool Controller::mayDraw() const
 QString Controller::hint() const
 {
     if (!mayDraw())
-        return tr("The layer %1 is locked or hidden. Choose another one, or unlock it.")
+        return tr("The layer %1 is locked or hidden. Select another layer, or unlock and show this "
+                  "one.")
             .arg(session_.now().containers()[session_.pen.layer].name);
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;

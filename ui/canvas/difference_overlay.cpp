@@ -28,11 +28,10 @@ Words wordsOf(const app::DifferenceCounts& counts)
         whole << (count == 1 ? one : many.arg(number));
         brief << word.arg(number);
     };
-    add(counts.onlyB, tr("1 line lost that is visible"), tr("%1 lines lost that are visible"),
-        tr("%1 lost"));
-    add(counts.onlyA, tr("1 line shown that is not visible"),
-        tr("%1 lines shown that are not visible"), tr("%1 shown"));
-    add(counts.endsApart, tr("1 line cut elsewhere"), tr("%1 lines cut elsewhere"), tr("%1 moved"));
+    add(counts.onlyB, tr("1 visible line lost"), tr("%1 visible lines lost"), tr("%1 lost"));
+    add(counts.onlyA, tr("1 invisible line kept"), tr("%1 invisible lines kept"),
+        tr("%1 kept wrongly"));
+    add(counts.endsApart, tr("1 line misplaced"), tr("%1 lines misplaced"), tr("%1 misplaced"));
     return {whole.join(tr(", ")), brief.join(tr(", "))};
 }
 

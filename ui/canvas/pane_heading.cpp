@@ -208,7 +208,7 @@ void PaneHeading::openMenu()
 
 void PaneHeading::fill(QMenu& menu)
 {
-    QMenu* const published = new QMenu(tr("As &published"), &menu);
+    QMenu* const published = new QMenu(tr("&Published forms"), &menu);
     for (const clipping::Algorithm& row : clipping::algorithms()) {
         addChoice(menu, {&row});
         if (row.published)
