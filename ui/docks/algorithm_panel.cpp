@@ -26,13 +26,14 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 {
     auto* label = new QLabel(tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
-    corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
+    corrected_->setToolTip(tr("With the faults of the published form corrected"));
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop);
     // So that the layout does not jump.
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing());
     verdict_->setAccessibleName(tr("Agreement"));
     tick_->setFixedSize(16, 16);
+    ask_->setToolTip(tr("Check whether all algorithms give the same result (F7)"));
 
     auto* form = new QHBoxLayout;
     form->setContentsMargins(space::dockMargin, 4, space::dockMargin, 0);
@@ -113,9 +114,9 @@ void AlgorithmPanel::follow()
     const app::Variant used = session_.variant();
     const bool both = used.algorithm->published;
     published_->setEnabled(both);
-    published_->setText(both ? tr("as published") : tr("as published: none"));
+    published_->setText(both ? tr("as published") : tr("published: none"));
     published_->setToolTip(both ? tr("As its authors printed it, faults included")
-                                : tr("%1 has no published form: it is always the corrected one")
+                                : tr("%1 has no published form, so the corrected form is used")
                                       .arg(QLatin1StringView(used.algorithm->name)));
     (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();

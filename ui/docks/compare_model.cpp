@@ -45,18 +45,19 @@ QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0
 
 // In the order of CompareModel::Column.
 constexpr std::array columns{
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "Algorithm"),
-               QT_TRANSLATE_NOOP("Compare", "A filled marker: the corrected form. A hollow one: as "
-                                            "its authors published it."),
-               nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
+    ColumnInfo{
+        QT_TRANSLATE_NOOP("Compare", "Algorithm"),
+        QT_TRANSLATE_NOOP("Compare",
+                          "Filled marker: the corrected form. Hollow marker: the published form."),
+        nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "last 40 frames"),
-               QT_TRANSLATE_NOOP("Compare", "Clipping time, 40 % above and below the median; the "
-                                            "band is between the quartiles."),
+               QT_TRANSLATE_NOOP("Compare", "Clipping times, from 40 % below to 40 % above the "
+                                            "median. The band lies between the quartiles."),
                [](const Cell&) { return QString(); },
                [](const Cell& c) { return orderOf(c, c.row.milliseconds.back()); }},
     ColumnInfo{
         QT_TRANSLATE_NOOP("Compare", "median"),
-        QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame, the middle of several rounds."),
+        QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame: the median of several rounds."),
         [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.median)); },
         [](const Cell& c) { return orderOf(c, c.summary.median); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "± spread"),
@@ -65,16 +66,16 @@ constexpr std::array columns{
                [](const Cell& c) { return orderOf(c, c.summary.spread); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "ops/line"),
                QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
-                                            "a line, counted on an even sample of the lines."),
+                                            "per line, counted on evenly spaced lines."),
                [](const Cell& c) { return app::numberText(c.row.operations, 1); },
                [](const Cell& c) { return QVariant(c.row.operations); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "visible"),
-               QT_TRANSLATE_NOOP("Compare", "Lines of which something is visible."),
+               QT_TRANSLATE_NOOP("Compare", "Lines that are visible, wholly or in part."),
                [](const Cell& c) { return app::countText(c.row.visible); },
                [](const Cell& c) { return QVariant(qulonglong(c.row.visible)); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "differ"),
-               QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept too many, or misplaced by "
-                                            "more than rounding, against exact arithmetic."),
+               QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept wrongly, or misplaced by "
+                                            "more than rounding, compared with exact arithmetic."),
                [](const Cell& c) { return app::countText(c.row.differences.all()); },
                [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }}};
 
@@ -89,10 +90,11 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
     QString tip = Compare::tr("%1 (%2)\n%3")
                       .arg(name, QString::number(algorithm.year), app::latin(algorithm.idea));
     if (&algorithm == &clipping::exactAlgorithm())
-        tip += u'\n'
-               + Compare::tr("Here it clips line by line as the others do. In the editor's own "
-                             "frames it also uses boxes around many lines, which takes less time "
-                             "and leaves the same.");
+        tip +=
+            u'\n'
+            + Compare::tr(
+                "Here it clips line by line, like the others. In the editor's own frames it also "
+                "uses bounding boxes of many lines, which is faster and gives the same result.");
     return tip;
 }
 

@@ -40,7 +40,7 @@ QLabel* caption(const QFont& font)
 
 ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), race_(session),
-      forms_(new Segments(tr("Forms"), {tr("Ours"), tr("As published"), tr("Both")})),
+      forms_(new Segments(tr("Forms"), {tr("Corrected"), tr("Published"), tr("Both")})),
       table_(new CompareTable(session)), state_(caption(font())), groups_(caption(font())),
       field_(caption(font()))
 {

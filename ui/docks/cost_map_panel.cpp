@@ -29,8 +29,8 @@ constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Pu
 
 CostMapPanel::CostMapPanel(const app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), plan_(app::usualCostPlan(session.window())),
-      algorithm_(new VariantBox(tr("Algorithm"), {tr("Which is cheapest, corrected"),
-                                                  tr("Which is cheapest, as published")})),
+      algorithm_(new VariantBox(tr("Algorithm"), {tr("Cheapest algorithm, corrected"),
+                                                  tr("Cheapest algorithm, as published")})),
       measure_(new ToolList), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
       view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
       questions_(std::make_unique<Questions>(*this))
@@ -56,7 +56,7 @@ void CostMapPanel::addChoosers()
     auto* exports = new QToolButton;
     exports->setObjectName(QStringLiteral("export-cost-map"));
     exports->setIcon(icon("export"));
-    exports->setToolTip(tr("Export the map"));
+    exports->setToolTip(tr("Export the cost map"));
     exports->setAccessibleName(exports->toolTip());
     exports->setAutoRaise(true);
     exports->setPopupMode(QToolButton::InstantPopup);
@@ -90,7 +90,7 @@ void CostMapPanel::addChoosers()
 
 void CostMapPanel::addMap()
 {
-    words_->setAccessibleName(tr("Under the pointer"));
+    words_->setAccessibleName(tr("Cost under the pointer"));
     words_->setFont(semiBold(font()));
     words_->setWordWrap(true);
     notes_->setWordWrap(true);
@@ -168,7 +168,7 @@ void CostMapPanel::point(const std::optional<app::Point>& at)
     if (at && isVisible())
         words_->setText(app::costWords(plan_, *at));
     else
-        words_->setText(tr("Drag the fixed end, the dot, or move it with the arrow keys."));
+        words_->setText(tr("The dot is the fixed end. Drag it, or move it with the arrow keys."));
 }
 
 std::optional<QString> CostMapPanel::exportTo(const QString& path)
@@ -193,7 +193,7 @@ void CostMapPanel::exportAs(const QString& key)
     if (path.isEmpty())
         return;
     const auto error = exportTo(path);
-    emit told(error.value_or(tr("Written: %1").arg(path)));
+    emit told(error.value_or(tr("Wrote %1.").arg(path)));
 }
 
 void CostMapPanel::showEvent(QShowEvent* event)

@@ -56,9 +56,10 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
 void DifferencePanel::addChoosers()
 {
     ulps_->setRange(asInContract, mostUlps);
-    ulps_->setAccessibleName(tr("Ulps that ends may be apart"));
-    ulps_->setToolTip(tr("How far ends may be apart and still be called the same, in units in the "
-                         "last place of the largest coordinate of line and clip window"));
+    ulps_->setAccessibleName(tr("Ulps by which ends may differ"));
+    ulps_->setToolTip(
+        tr("Ends that differ by no more than this count as equal. One ulp is one unit in the last "
+           "place of the largest coordinate of the line and the clip window."));
     ulps_->setValue(asInContract);
     auto* exchange = new QToolButton;
     exchange->setObjectName(QStringLiteral("swap-comparison"));
@@ -77,7 +78,7 @@ void DifferencePanel::addChoosers()
     grid->addWidget(b_, 1, 1, 1, 2);
     auto* allowed = new QHBoxLayout;
     allowed->setSpacing(space::labelToField);
-    allowed->addWidget(quietLabel(tr("Ends may be apart by")));
+    allowed->addWidget(quietLabel(tr("Ends may differ by")));
     allowed->addWidget(ulps_);
     allowed->addStretch();
     grid->addLayout(allowed, 2, 1, 1, 2);

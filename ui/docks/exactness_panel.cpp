@@ -34,8 +34,8 @@ QHBoxLayout* within()
 
 ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session),
-      algorithm_(new VariantBox(tr("Algorithm"), {tr("The one that clips")})),
-      yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("its own")})),
+      algorithm_(new VariantBox(tr("Algorithm"), {tr("The current algorithm")})),
+      yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("own coordinate")})),
       end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
       lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
       heading_(new QLabel), magnified_(new QLabel), histogram_(new ErrorHistogram),
@@ -73,8 +73,9 @@ void ExactnessPanel::addChoosers()
     grid->addWidget(yardstick_, 1, 1, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    yardstick_->setToolTip(tr("A unit in the last place of the largest coordinate of line and clip "
-                              "window, as in the library's contract, or of the coordinate itself"));
+    yardstick_->setToolTip(tr(
+        "One ulp is one unit in the last place of a number: of the largest coordinate of the line "
+        "and the clip window, as in the library's contract, or of the wrong coordinate itself."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
 }
@@ -98,7 +99,7 @@ QWidget* ExactnessPanel::listPage()
     table_->sortByColumn(2, Qt::DescendingOrder);
     table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
     table_->setColumnWidth(1, 220);
-    auto* hint = quietLabel(tr("Double click or Enter magnifies the worse end."));
+    auto* hint = quietLabel(tr("Double click or Enter: magnify the worse end."));
     hint->setFont(captionFont(font()));
     auto* below = within();
     below->addWidget(hint);
@@ -128,7 +129,7 @@ QWidget* ExactnessPanel::magnifierPage()
     auto* back = new QToolButton;
     back->setObjectName(QStringLiteral("leave-magnifier"));
     back->setIcon(icon("step-back"));
-    back->setToolTip(tr("Back to the list (Esc)"));
+    back->setToolTip(tr("Return to the list (Esc)"));
     back->setAccessibleName(back->toolTip());
     back->setAutoRaise(true);
     auto* row = new QHBoxLayout;
@@ -138,8 +139,7 @@ QWidget* ExactnessPanel::magnifierPage()
     row->addWidget(end_);
     row->addStretch();
     row->addWidget(lattice_);
-    auto* hint =
-        quietLabel(tr("Wheel, + and −, Page Up and Page Down zoom; Home shows it as at first."));
+    auto* hint = quietLabel(tr("Wheel, +, −, Page Up, Page Down: zoom. Home: reset the zoom."));
     hint->setFont(captionFont(font()));
     magnified_->setWordWrap(true);
     magnified_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -235,10 +235,9 @@ void ExactnessPanel::showEnd()
         app::magnified(variant, session_.scene.lines()[line_], session_.window(), end_->chosen());
     magnifier_->setVisible(seen.has_value());
     if (!seen)
-        return magnified_->setText(
-            tr("%1 leaves nothing of this line that could be magnified: nothing is visible, or an "
-               "end is no number.")
-                .arg(app::nameOf(variant)));
+        return magnified_->setText(tr("There is nothing to magnify: %1 keeps no part of this line, "
+                                      "or an end is not a number.")
+                                       .arg(app::nameOf(variant)));
     magnifier_->show(*seen, app::nameOf(variant));
     magnified_->setText(app::magnifiedText(*seen, app::nameOf(variant)));
 }

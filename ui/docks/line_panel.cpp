@@ -21,9 +21,10 @@ enum Row { Verdict, Header, From, To, VisibleA, VisibleB, Cost };
 
 LinePanel::LinePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session),
-      nothing_(new QLabel(tr("Click a line to see what happens to it."))), table_(new QWidget),
+      nothing_(new QLabel(tr("Click a line to see how it is clipped."))), table_(new QWidget),
       grid_(new QGridLayout(table_)), verdict_(new QLabel), cost_(new QLabel),
-      steps_(new QPlainTextEdit), microscope_(new QPushButton(icon("microscope"), tr("Microscope")))
+      steps_(new QPlainTextEdit),
+      microscope_(new QPushButton(icon("microscope"), tr("Open microscope")))
 {
     nothing_->setForegroundRole(QPalette::PlaceholderText);
     nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
@@ -52,7 +53,8 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
     microscope_->setIconSize({16, 16});
-    microscope_->setToolTip(tr("Look at this line step by step (F2, or double click the line)"));
+    microscope_->setToolTip(
+        tr("Show how this line is clipped, step by step (F2, or double-click the line)"));
     connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
     auto* looking = new QHBoxLayout;
     looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
@@ -131,9 +133,9 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Header, XColumn, tr("x"), Qt::AlignRight);
     put(Header, YColumn, tr("y"), Qt::AlignRight);
     put(Header, RegionColumn, tr("region"));
-    put(Header, AfterColumn, tr("after"));
-    end(From, tr("From"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);
-    end(To, tr("To"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
+    put(Header, AfterColumn, tr("result"));
+    end(From, tr("End 1"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);
+    end(To, tr("End 2"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
     verdict_->setText(app::verdictText(line));
     put(VisibleA, Name, line.visible ? tr("Visible") : QString());
     for (const int row : {VisibleA, VisibleB})

@@ -88,10 +88,10 @@ StartPanel::StartPanel(QWidget* parent)
     : QWidget(parent), gallery_(new Gallery),
       noRecent_(new QLabel(tr("Drawings you open are listed here."))), recent_(new QListWidget)
 {
-    auto* draw = new StartButton("pencil", tr("Draw"), tr("a new A3 sheet"));
+    auto* draw = new StartButton("pencil", tr("Draw"), tr("on a new A3 page"));
     auto* open = new StartButton("folder", tr("Open…"), readableFormats());
     auto* lesson = new StartButton("book", tr("First lesson"), tr("why clip a line?"));
-    auto* paper = new StartButton("chart", tr("The paper…"), tr("which way is fastest"));
+    auto* paper = new StartButton("chart", tr("The paper…"), tr("which is fastest?"));
     recent_->setAccessibleName(tr("Recent drawings"));
     recent_->setFrameShape(QFrame::NoFrame);
     recent_->setMouseTracking(true);
@@ -156,7 +156,8 @@ void StartPanel::showRecent(const std::vector<app::RecentFile>& files)
         auto* item = new QListWidgetItem(QFileInfo(file.path).fileName(), recent_);
         item->setToolTip(file.path);
         item->setData(PathRole, file.path);
-        item->setData(LinesRole, tr("%1 lines").arg(app::countText(file.lines)));
+        item->setData(LinesRole, file.lines == 1 ? tr("1 line")
+                                                 : tr("%1 lines").arg(app::countText(file.lines)));
         item->setData(DayRole, app::dayText(file.when.toLocalTime().date(), today));
         if (file.missing())
             item->setFlags(Qt::NoItemFlags);

@@ -83,7 +83,7 @@ QWidget* WindowPanel::makeFields()
     chain_->setIcon(icon("chain"));
     chain_->setCheckable(true);
     chain_->setAutoRaise(true);
-    chain_->setToolTip(tr("Keep the proportion of width and height"));
+    chain_->setToolTip(tr("Keep the ratio of width to height"));
     chain_->setAccessibleName(chain_->toolTip());
     grid->addWidget(which_, Which, 0, 1, 5);
     grid->addWidget(unit_, First, 4);
@@ -101,7 +101,7 @@ QWidget* WindowPanel::makeFields()
 
 QWidget* WindowPanel::makeOffer()
 {
-    auto* text = new QLabel(tr("No clip window (W draws one): nothing is cut."));
+    auto* text = new QLabel(tr("There is no clip window, so nothing is cut. Draw one (W), or:"));
     text->setWordWrap(true);
     auto* button = new QPushButton(tr("Lay window on page"));
     button->setToolTip(tr("Lay a clip window on the whole page"));
@@ -120,8 +120,8 @@ void WindowPanel::sayWhich()
 {
     const QString text = app::whichText(session_.windows());
     which_->setWhole(text);
-    which_->setToolTip(tr("%1\nOn the canvas windows that add are solid, those that cut out are "
-                          "dashed, those that intersect are dotted.")
+    which_->setToolTip(tr("%1\nOutlines on the canvas: solid for windows that add, dashed for "
+                          "windows that cut out, dotted for windows that intersect.")
                            .arg(text));
     if (which_->isHidden() != text.isEmpty()) {
         which_->setHidden(text.isEmpty());

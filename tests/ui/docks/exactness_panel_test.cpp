@@ -124,7 +124,7 @@ private slots:
         stage.choose("md");
         const QString before = stage.panel.summary();
         for (QToolButton* button : stage.panel.findChildren<QToolButton*>())
-            if (button->text() == "its own")
+            if (button->text() == "own coordinate")
                 QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(stage.session.exactness.asked()->yardstick, app::Yardstick::Own);
         QTRY_VERIFY(stage.panel.summary() != before);
@@ -205,7 +205,7 @@ private slots:
         QVERIFY(!stage.panel.magnifier().isVisible());
         bool said = false;
         for (const QLabel* label : stage.panel.findChildren<QLabel*>())
-            said = said || label->text().contains("an end is no number");
+            said = said || label->text().contains("an end is not a number");
         QVERIFY(said);
     }
 

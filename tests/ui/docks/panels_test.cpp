@@ -281,9 +281,9 @@ private slots:
         QCOMPARE(radios[1]->text(), "as published");
         choose(app::usualAlgorithm());
         QVERIFY(!radios[1]->isEnabled() && radios[0]->isChecked());
-        QCOMPARE(radios[1]->text(), "as published: none");
+        QCOMPARE(radios[1]->text(), "published: none");
         QCOMPARE(radios[1]->toolTip(),
-                 "Exact has no published form: it is always the corrected one");
+                 "Exact has no published form, so the corrected form is used");
         QVERIFY(t.action("form-corrected")->isChecked());
         QVERIFY(!t.action("form-published")->isEnabled());
     }
