@@ -25,16 +25,18 @@ std::span<const ToolInfo> tools()
     // THE CATALOGUE. To add a tool: write its file, declare its maker above, and add its row here.
     static const std::array all{
         ToolInfo{"select", tr("Select"),
-                 tr("Click a line to select it, drag to box-select. Shift adds."),
+                 tr("Click a line to select it, or drag a box around objects. Shift adds to the "
+                    "selection."),
                  QKeySequence("V"), makeSelectTool},
         ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), makeHandTool},
-        ToolInfo{"zoom", tr("Zoom"), tr("Drag to zoom to a rectangle, click to zoom in, Alt: out."),
+        ToolInfo{"zoom", tr("Zoom"),
+                 tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
-                 tr("Click the corners. Ctrl+Z takes one back. Enter, Esc or a double-click ends "
-                    "and keeps the polyline."),
+                 tr("Click to place corners. Ctrl+Z removes the last one. Enter, Esc or a double "
+                    "click ends and keeps the polyline."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
                  makePencilTool},
@@ -44,7 +46,7 @@ std::span<const ToolInfo> tools()
         ToolInfo{"ellipse", tr("Ellipse"),
                  tr("Drag to draw an ellipse. Shift: circle, Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
-        ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window, Shift: square"),
+        ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };
     return all;

@@ -237,16 +237,17 @@ QString SelectTool::hint(const Workbench& bench) const
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
         return QCoreApplication::translate(
-                   "Tools", "Line %1 in %2. Click selects it, Shift adds it, drag moves it.")
+                   "Tools",
+                   "Line %1 in %2. Click selects it, Shift+click adds it, dragging moves it.")
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())
         return QCoreApplication::translate(
-                   "Tools", "%1 selected. Drag to move, Delete removes, arrow keys nudge.")
+                   "Tools", "%1 selected. Dragging or the arrow keys move, Delete removes.")
             .arg(app::countText(session.selection().size()));
     if (const auto line = session.inspected())
         return QCoreApplication::translate(
-                   "Tools", "Line %1 is in the Line panel. Click a line to select it.")
+                   "Tools", "The Line panel shows line %1. Click a line to select it.")
             .arg(app::countText(*line + 1));
     return {};
 }

@@ -319,7 +319,7 @@ private slots:
         stage.session.select({});
         QCOMPARE(stage.canvas->toolHint(), usual);
         stage.session.inspect(1);
-        QVERIFY(stage.canvas->toolHint().startsWith("Line 2 is in the Line panel."));
+        QVERIFY(stage.canvas->toolHint().startsWith("The Line panel shows line 2."));
     }
 
     void withoutAWindowADragDrawsOneAndTheOfferLaysOne()
