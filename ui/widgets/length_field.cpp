@@ -91,7 +91,7 @@ bool LengthField::takesTyped()
     lineEdit()->setText(textFromValue(value()));
     emit refused(length.error.contains(quoted) // the text is not quoted twice
                      ? tr("%1: %2.").arg(name_, length.error)
-                     : tr("%1: %2 is no length: %3.").arg(name_, quoted, length.error));
+                     : tr("%1: %2 is not a length: %3.").arg(name_, quoted, length.error));
     return false;
 }
 

@@ -30,11 +30,11 @@ WindowNote::WindowNote(const app::Session& session) : session_(session)
 
 void WindowNote::follow()
 {
-    const QString first = session_.clipWindow()
-                              ? tr("<b>Drag the clip window,</b> or draw one (W).")
-                              : tr("<b>Draw a clip window (W),</b> or lay one on the page with the "
-                                   "button <i>Lay window on page</i>.");
-    setText(first + u' ' + tr("What it leaves out is cut, at every frame."));
+    const QString first =
+        session_.clipWindow()
+            ? tr("<b>Drag the clip window,</b> or draw one (W).")
+            : tr("<b>Draw a clip window (W),</b> or press <i>Lay window on page</i>.");
+    setText(first + u' ' + tr("What it removes is cut at every frame."));
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)

@@ -43,7 +43,7 @@ private slots:
         QTest::addColumn<QString>("sentence");
         const auto row = [](const char* text, const char* why) {
             QTest::addRow("%s", text) << QString(text)
-                                      << QString::fromUtf8("Width: “%1” is no length: %2.")
+                                      << QString::fromUtf8("Width: “%1” is not a length: %2.")
                                              .arg(QString(text), QString::fromUtf8(why));
         };
         row("10+", "the sum ends without a number");
