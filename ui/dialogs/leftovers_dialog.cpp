@@ -64,16 +64,16 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
     dialog.setObjectName(QStringLiteral("leftovers"));
     dialog.setWindowTitle(tr("Unsaved drawings"));
     auto* column = new QVBoxLayout(&dialog);
-    auto* sentence = new QLabel(leftovers.size() == 1
-                                    ? tr("Clearcut was ended before this drawing was saved.")
-                                    : tr("Clearcut was ended before these drawings were saved."));
+    auto* sentence =
+        new QLabel(leftovers.size() == 1 ? tr("Clearcut ended before this drawing was saved.")
+                                         : tr("Clearcut ended before these drawings were saved."));
     column->addWidget(sentence);
     auto* list = makeList(leftovers);
     list->setMinimumWidth(listWidth);
     column->addWidget(list);
     auto* buttons = new QDialogButtonBox;
-    auto* recover = buttons->addButton(tr("Recover"), QDialogButtonBox::AcceptRole);
-    auto* discard = buttons->addButton(tr("Discard"), QDialogButtonBox::DestructiveRole);
+    auto* recover = buttons->addButton(tr("Recover drawing"), QDialogButtonBox::AcceptRole);
+    auto* discard = buttons->addButton(tr("Discard drawing"), QDialogButtonBox::DestructiveRole);
     buttons->addButton(tr("Not Now"), QDialogButtonBox::RejectRole);
     recover->setDefault(true);
     column->addWidget(buttons);

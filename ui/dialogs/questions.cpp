@@ -127,10 +127,9 @@ QString Questions::libraryToOpen(const QString& folder)
 bool Questions::trustLibrary(const QString& path)
 {
     return ask(window_, tr("Run %1?").arg(QFileInfo(path).fileName()),
-               tr("A library is a program. It runs in a process of its own, so a crash harms "
-                  "nothing, but with all your rights: run only what you or people you trust have "
-                  "written."),
-               {tr("Run")}, Usual::Cancel)
+               tr("A library is a program with all your rights. It runs in a process of its own, "
+                  "so a crash does no harm, but run only libraries from people you trust."),
+               {tr("Run library")}, Usual::Cancel)
            == 0;
 }
 
@@ -143,33 +142,35 @@ bool Questions::overwriteFiles(const QStringList& existing, int all)
     if (existing.size() > mostNamed)
         names << QStringLiteral("…");
     return ask(window_,
-               tr("%1 of %2 files exist in %3.")
+               tr("%1 already contains %2 of the %3 files.")
+                   .arg(QFileInfo(existing.front()).path())
                    .arg(existing.size())
-                   .arg(all)
-                   .arg(QFileInfo(existing.front()).path()),
-               tr("Writing replaces what is there now: %1").arg(names.join(QStringLiteral(", "))),
-               {tr("Overwrite")}, Usual::Cancel)
+                   .arg(all),
+               tr("Overwriting replaces: %1").arg(names.join(QStringLiteral(", "))),
+               {tr("Overwrite files")}, Usual::Cancel)
            == 0;
 }
 
 Questions::Answer Questions::saveChanges(const QString& name)
 {
-    const int verb = ask(window_, tr("Save the changes to %1?").arg(name),
-                         tr("Without saving they are lost."), {tr("Save"), tr("Don't Save")});
+    const int verb =
+        ask(window_, tr("Save the changes to %1?").arg(name),
+            tr("If you do not save them, they are lost."), {tr("Save"), tr("Don't Save")});
     return verb == 0 ? Answer::Save : verb == 1 ? Answer::DontSave : Answer::Cancel;
 }
 
 bool Questions::saveAsNewFile(const std::vector<app::Loss>& losses)
 {
     return ask(window_, tr("%1 Save as a new file?").arg(app::lossSentence(losses)),
-               tr("The file it came from stays as it is."), {tr("Save as…")})
+               tr("The original file stays as it is."), {tr("Save as…")})
            == 0;
 }
 
 void Questions::showLosses(const QString& name, const std::vector<app::Loss>& losses)
 {
     QMessageBox box(QMessageBox::NoIcon, QCoreApplication::applicationName(),
-                    tr("What became of %1").arg(name), QMessageBox::Close, &window_);
+                    tr("What was changed or left out when %1 was opened").arg(name),
+                    QMessageBox::Close, &window_);
     box.setInformativeText(app::lossLines(losses).join(u'\n'));
     box.exec();
 }
@@ -182,7 +183,7 @@ Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Lefto
 bool Questions::overwriteChanged(const QString& path)
 {
     return ask(window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
-               tr("Saving replaces what is there now."), {tr("Overwrite")}, Usual::Cancel)
+               tr("Overwriting it replaces those changes."), {tr("Overwrite file")}, Usual::Cancel)
            == 0;
 }
 

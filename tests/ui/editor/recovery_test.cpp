@@ -121,7 +121,7 @@ void recover(MainWindow& window, const std::function<void()>& then)
 {
     if (!offer())
         return then();
-    press("Recover");
+    press("Recover drawing");
     when([&window] { return window.isWindowModified(); }, then);
 }
 
@@ -179,7 +179,7 @@ const std::map<QString, Scenario>& scenarios()
          [](MainWindow&) {
              sayOffer();
              const auto count = filesLeft();
-             press("Discard");
+             press("Discard drawing");
              when([count] { return filesLeft() < count; }, ready);
          }},
         {"not now", [](MainWindow&) { sayOffer(), press("Not Now"), ready(); }},
