@@ -15,8 +15,8 @@ QString tr(const char* text) { return QCoreApplication::translate("Display", tex
 
 QString instead()
 {
-    return tr("Start it from a desktop, or use a command that needs none: clearcut clip IN -o OUT "
-              "(clearcut --help lists them).");
+    return tr("Start the editor from a desktop, or use a command that needs no display, such as "
+              "clearcut clip IN -o OUT (clearcut --help lists all commands).");
 }
 
 /// The display or platform that was requested.

@@ -88,19 +88,19 @@ std::optional<QString> take(Options& options, const QString& name, const QString
     else if (name == "--screenshot" && !value.isEmpty())
         options.screenshot = value;
     else if (name == "--renderer")
-        return tr("--renderer is auto, opengl or raster.");
+        return tr("--renderer must be auto, opengl or raster.");
     else if (name == "--theme")
-        return tr("--theme is system, light or dark.");
+        return tr("--theme must be system, light or dark.");
     else if (name == "--panes")
-        return tr("--panes is 1, 2, 4 or all.");
+        return tr("--panes must be 1, 2, 4 or all.");
     else if (name == "--microscope")
-        return tr("--microscope is a line, such as \"10, 20 -> 70, 130\", or first.");
+        return tr("--microscope must be a line, such as \"10, 20 -> 70, 130\", or first.");
     else if (name == "--algorithm")
-        return tr("--algorithm is one of those that clearcut algorithms lists.");
+        return tr("--algorithm must be one that \"clearcut algorithms\" lists.");
     else if (name == "--step")
-        return tr("--step is a number from 1.");
+        return tr("--step must be a number of at least 1.");
     else if (name == "--size")
-        return tr("--size is a width and a height of at most %1 pixels, such as 1280x800.")
+        return tr("--size must be a width and a height of at most %1 pixels, such as 1280x800.")
             .arg(mostPixels);
     else
         return tr("There is no option %1 with the value \"%2\". Try --help.").arg(name, value);
@@ -122,7 +122,7 @@ std::optional<app::Refusal> parse(Options& options, const QStringList& arguments
             if (const auto error = take(options, argument.section(u'=', 0, 0), value))
                 return wrong(*error);
         } else if (!options.file.isEmpty()) {
-            return wrong(tr("Name one file: %1 is one too many.").arg(argument));
+            return wrong(tr("Name only one file: %1 is the second.").arg(argument));
         } else {
             const QUrl url(argument);
             options.file = url.isLocalFile() ? url.toLocalFile() : argument;

@@ -65,7 +65,7 @@ void Recovery::keep(int signal) const
         if (written.error)
             say(tr("The unsaved drawing is lost: %1").arg(*written.error));
         else if (written.unsaved)
-            say(tr("The unsaved drawing is kept; the next start offers it."));
+            say(tr("The unsaved drawing is kept; the next start offers to recover it."));
     } catch (const std::exception&) { // std::bad_alloc
         say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
     }
