@@ -51,7 +51,7 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
       seed_(numberField(tr("Seed"), 0, std::numeric_limits<int>::max())),
       order_(new Segments(tr("Order"), {tr("As they come"), tr("Shuffled"), tr("By class")})),
       forms_(new Segments(tr("Forms"), {tr("Published"), tr("Corrected"), tr("Both")})),
-      drawn_(new QCheckBox(tr("Draw what is visible, too"))),
+      drawn_(new QCheckBox(tr("Also draw the visible parts"))),
       explained_(new QCheckBox(tr("Explain the times")))
 {
     describeFields();
@@ -74,25 +74,23 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
 void ChoicePanel::describeFields()
 {
     const std::size_t all = clipping::algorithms().size();
-    runs_->setToolTip(tr("Ten, as in the paper, or as many as it takes to tell which algorithms "
-                         "differ: %1 for %2 algorithms. With fewer there are no ranks.")
+    runs_->setToolTip(tr("The paper used ten runs. Telling %2 algorithms apart takes at least %1 "
+                         "runs; with fewer there are no ranks.")
                           .arg(app::leastRounds(all))
                           .arg(all));
     seed_->setValue(1);
     seed_->setGroupSeparatorShown(false);
     lines_->setSpecialValueText(tr("as in the paper"));
-    order_->setToolTip(
-        tr("As they come: in the drawing's order. Shuffled: the same lines in random "
-           "order. By class: lines inside, rejected, "
-           "cut and missed together, which spares "
-           "the processor from guessing."));
-    forms_->setToolTip(
-        tr("Published: as the authors printed it, faults included. Corrected: without them."));
+    order_->setToolTip(tr("As they come: in the drawing's order. Shuffled: the same lines in "
+                          "random order. By class: lines grouped into inside, rejected, cut and "
+                          "missed, so that the processor predicts branches well."));
+    forms_->setToolTip(tr("Published: as the authors printed the algorithm, faults included. "
+                          "Corrected: without these faults."));
     drawn_->setChecked(true);
-    drawn_->setToolTip(tr("The paper timed making, clipping and drawing together."));
+    drawn_->setToolTip(tr("The paper timed generating, clipping and drawing the lines together."));
     explained_->setChecked(true);
     explained_->setToolTip(
-        tr("What a line of each class costs, how much arithmetic it takes, and how true it is."));
+        tr("Measure the time for each class of lines, the number of operations and the accuracy."));
     meaning_->setMinimumHeight(3 * meaning_->fontMetrics().lineSpacing() + 2);
     meaning_->setAlignment(Qt::AlignTop);
 }

@@ -52,13 +52,13 @@ QLabel* aside(const QString& text)
 QWidget* invitation()
 {
     auto* text = new QLabel(ExperimentWindow::tr(
-        "<p><b>Which way of cutting lines at a window is the fastest?</b></p>"
-        "<p>In 2019 D. Matthes and V. Drakopoulos cut one and ten million random lines at a window "
-        "by seven methods, six well-known ones and their own, ten times each, and found their own "
-        "the fastest.</p>"
-        "<p><b>Run</b> repeats that on this machine and says what came out. <b>Quick run</b> takes "
-        "fewer lines and a few seconds. Other lines, and those of your drawing, can be chosen at "
-        "the left.</p>"));
+        "<p><b>Which algorithm clips lines fastest?</b></p>"
+        "<p>In 2019 D. Matthes and V. Drakopoulos clipped one and ten million random lines at a "
+        "window with seven algorithms: six well-known ones and their own. Each ran ten times, and "
+        "their own was the fastest.</p>"
+        "<p><b>Run</b> repeats this on your machine and reports the result. <b>Quick run</b> uses "
+        "fewer lines and takes a few seconds. At the left you can choose other lines, also those "
+        "of your drawing.</p>"));
     text->setWordWrap(true);
     text->setMaximumWidth(460);
     auto* page = new QWidget;
@@ -218,8 +218,8 @@ void ExperimentWindow::addTools()
     export_->setFixedHeight(space::fieldHeight);
     export_->setProperty("framed", true);
     copy_->setFocusPolicy(Qt::TabFocus); // a click leaves the focus in the table
-    copy_->setToolTip(tr("The table that was clicked last, or the first: with tabs, for a "
-                         "spreadsheet."));
+    copy_->setToolTip(tr("Copy the table that you clicked last, or else the first one, for a "
+                         "spreadsheet (separated by tabs)."));
     connect(copy_, &QPushButton::clicked, this, [this] {
         results_->copyTable();
         state_->setText(tr("The table is on the clipboard."));
@@ -239,7 +239,7 @@ void ExperimentWindow::run(app::Choice choice)
         return showEffort();
     bar_->setValue(0);
     results_->markOld();
-    state_->setText(tr("Begins…"));
+    state_->setText(tr("Starting…"));
     taken_.start();
     thought_ = app::roughSeconds(*plan.value);
     measuring_.start(std::move(*plan.value));
@@ -270,7 +270,7 @@ void ExperimentWindow::showProgress(const app::Progress& progress)
 {
     bar_->setValue(int(1000 * progress.share));
     state_->setText(
-        tr("%1. Working elsewhere meanwhile disturbs the times.").arg(app::progressText(progress)));
+        tr("%1. Other work on this computer distorts the times.").arg(app::progressText(progress)));
 }
 
 /// Shows how long the run will take, or why it is impossible.

@@ -137,7 +137,7 @@ QString Exports::pathFor(const app::StudyFile& row, const app::Study& study)
     if (files == 1)
         return remembered(questions_->fileToWrite(tr("Export"), proposed, row.name, row.ending));
     const QString path = remembered(
-        questions_->filesToWrite(tr("Export %n files, whose names begin so", nullptr, files),
+        questions_->filesToWrite(tr("Choose how the names of the %n files begin", nullptr, files),
                                  proposed, row.name, row.ending));
     if (path.isEmpty())
         return {};
@@ -164,11 +164,10 @@ void Exports::tell(const Written& written)
     if (!written)
         return emit told({Message::Kind::Warning, written.error});
     const QStringList& paths = *written.value;
-    emit told(
-        {Message::Kind::Done,
-         paths.size() == 1
-             ? tr("Wrote %1.").arg(paths.front())
-             : tr("Wrote %n files: %1 and so on.", nullptr, int(paths.size())).arg(paths.front())});
+    emit told({Message::Kind::Done, paths.size() == 1 ? tr("Wrote %1.").arg(paths.front())
+                                                      : tr("Wrote %n files, the first of them %1.",
+                                                           nullptr, int(paths.size()))
+                                                            .arg(paths.front())});
 }
 
 } // namespace ui

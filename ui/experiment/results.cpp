@@ -45,14 +45,14 @@ TableView::Rows rowsOf(const app::Table& table)
 Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout), trial_(new QComboBox),
       reasons_(new Segments(tr("Explanation"), {tr("By class"), tr("Operations"), tr("Accuracy")})),
-      age_(new QLabel(tr("Results of the run before"))), verdict_(sentences()),
+      age_(new QLabel(tr("Results of the previous run"))), verdict_(sentences()),
       reason_(sentences()), summary_(new QScrollArea), tabs_(new QTabWidget),
       charts_(new ChartsPage), reasonChart_(new ChartView), tables_(new TablesPage),
       why_(new TablesPage), circumstances_(new TablesPage)
 {
     trial_->setAccessibleName(tr("Result"));
     trial_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    verdict_->setAccessibleName(tr("What came out"));
+    verdict_->setAccessibleName(tr("Verdict"));
     row_->setSpacing(space::labelToField);
     row_->addWidget(trial_);
     row_->addStretch();
@@ -125,8 +125,11 @@ void Results::show(std::shared_ptr<const app::Study> study)
     showTrial();
     const int why = tabs_->indexOf(why_);
     tabs_->setTabEnabled(why, study_->explanation.has_value());
-    tabs_->setTabToolTip(why, study_->explanation ? QString()
-                                                  : tr("“Explain the times” was not ticked."));
+    tabs_->setTabToolTip(
+        why,
+        study_->explanation
+            ? QString()
+            : tr("There is no explanation of this run. Tick “Explain the times” and run again."));
     if (study_->explanation)
         showReasons();
     circumstances_->show({{app::circumstancesTable(*study_), TableView::Rows::Plain}});

@@ -158,7 +158,7 @@ private slots:
                     QCOMPARE(digitsOf(model->index(row, column).data().toString()),
                              wanted[t].rows[std::size_t(row)][column]);
         }
-        QVERIFY(stage.named<QLabel>("What came out")->text().contains("ranking"));
+        QVERIFY(stage.named<QLabel>("Verdict")->text().contains("ranking"));
     }
 
     void thereAreAsManyRunsAsItTakesToTellWhichAlgorithmsDiffer()
