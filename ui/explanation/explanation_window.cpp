@@ -100,8 +100,8 @@ QWidget* ExplanationWindow::bar()
 {
     back_ = button("step-back", tr("Back"), QKeySequence(QStringLiteral("Alt+Left")));
     forward_ = button("step-on", tr("Forward"), QKeySequence(QStringLiteral("Alt+Right")));
-    auto* look = button("microscope", tr("Watch it through the microscope"), {});
-    look->setText(tr("Watch it work"));
+    auto* look = button("microscope", tr("Show this algorithm step by step in the microscope"), {});
+    look->setText(tr("Open microscope"));
     look->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* smaller = button({}, tr("A− Smaller text"), QKeySequence::ZoomOut);
     auto* larger = button({}, tr("A+ Larger text"), QKeySequence::ZoomIn);
