@@ -105,9 +105,10 @@ void Files::open(const QString& path)
     noteRecent();
     if (const auto& losses = session_.losses(); !losses.empty()) {
         const QString sentence = app::lossSentence(losses);
-        emit told({Message::Kind::Warning,
-                   sentence.isEmpty() ? tr("Some things were kept in another way.") : sentence,
-                   tr("Details"), [this, losses] { questions_->showLosses(name(), losses); }});
+        emit told(
+            {Message::Kind::Warning,
+             sentence.isEmpty() ? tr("%1 was opened with some changes.").arg(name()) : sentence,
+             tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
     }
 }
 
@@ -148,10 +149,9 @@ bool Files::saveAs()
         Questions::Formats::Native);
     if (path.isEmpty() || isNative(path))
         return !path.isEmpty() && write(path);
-    emit told({Message::Kind::Warning,
-               tr("%1 was not saved: a drawing is saved as SVG. “Export cut drawing…” writes other "
-                  "types.")
-                   .arg(QFileInfo(path).fileName())});
+    emit told({Message::Kind::Warning, tr("%1 was not saved, because drawings are saved only as "
+                                          "SVG. “Export cut drawing…” writes other types.")
+                                           .arg(QFileInfo(path).fileName())});
     return false;
 }
 
@@ -249,9 +249,10 @@ void Files::crop()
     auto command = std::make_unique<app::CropToWindow>(session_.document, options);
     const app::CutCounts counts = command->counts();
     if (const QString leftAlone = app::leftAloneText(counts); !command->changes())
-        return emit told({Message::Kind::Done, leftAlone.isEmpty()
-                                                   ? tr("Nothing to crop: all of it is kept.")
-                                                   : tr("Nothing was cropped.") + leftAlone});
+        return emit told({Message::Kind::Done,
+                          leftAlone.isEmpty()
+                              ? tr("Nothing was cropped: the clip window keeps all of the drawing.")
+                              : tr("Nothing was cropped.") + leftAlone});
     session_.history.push(command.release());
     emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
 }

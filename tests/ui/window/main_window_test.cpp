@@ -341,7 +341,7 @@ private slots:
         t.show();
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().history.count(), 0);
-        QCOMPARE(t.window->message(), "Nothing to crop: all of it is kept.");
+        QCOMPARE(t.window->message(), "Nothing was cropped: the clip window keeps all of the drawing.");
     }
     void keysOfTheSelectionSayThatNothingIsSelected()
     {
