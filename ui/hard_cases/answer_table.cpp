@@ -122,7 +122,7 @@ QVariant AnswerModel::headerData(int section, Qt::Orientation, int role) const
     if (role == Qt::TextAlignmentRole)
         return int((section == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && section == Error)
-        return tr("How far the ends are off, in units in the last place of the largest coordinate");
+        return tr("Error of the ends in ulps: units in the last place of the largest coordinate");
     return {};
 }
 
@@ -131,7 +131,7 @@ AnswerTable::AnswerTable(QWidget* parent) : DenseTable(parent)
     setModel(&model_);
     keepChoice(*this);
     setItemDelegate(new AnswerCells(model_, *this));
-    setAccessibleName(tr("What each algorithm makes of it"));
+    setAccessibleName(tr("Result of each algorithm"));
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     horizontalHeader()->setSectionsClickable(false);

@@ -30,8 +30,8 @@ QLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
 CaseView::CaseView(QWidget* parent)
     : QScrollArea(parent), title_(text()), origin_(text(Qt::TextBrowserInteraction)), why_(text()),
       numbers_(text()), expected_(text()), note_(text()), portrait_(new PortraitView),
-      microscope_(new QPushButton(tr("Look through the &microscope"))),
-      draw_(new QPushButton(tr("Put on the &canvas"))), table_(new AnswerTable)
+      microscope_(new QPushButton(tr("Open in &microscope"))),
+      draw_(new QPushButton(tr("Open as &drawing"))), table_(new AnswerTable)
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
@@ -48,7 +48,7 @@ CaseView::CaseView(QWidget* parent)
     expected_->setObjectName(QStringLiteral("expected"));
     note_->setFont(captionFont(font()));
     note_->setForegroundRole(QPalette::PlaceholderText);
-    note_->setText(tr("Not to scale: distances are drawn so that all of them can be seen."));
+    note_->setText(tr("Not to scale: only the order of the coordinates is true."));
     microscope_->setIcon(icon("microscope"));
     microscope_->setAutoDefault(false);
     draw_->setIcon(icon("pencil"));
@@ -107,14 +107,13 @@ void CaseView::show(const app::HardCase& hard)
     numbers_->setText(tr("Line from %1. Window from %2.")
                           .arg(app::pieceText(hard.line), app::pieceText(clipping::Segment{
                                                               hard.window.min, hard.window.max})));
-    expected_->setText(tr("Truly visible: %1").arg(app::pieceText(hard.visible)));
+    expected_->setText(tr("Exact visible part: %1").arg(app::pieceText(hard.visible)));
     showOrigin();
     const auto document = app::documentOf(hard);
     draw_->setEnabled(document.value.has_value());
-    draw_->setToolTip(document
-                          ? tr("As a new drawing with the very same numbers. In drawings y points "
-                               "down, so that it is seen upside down.")
-                          : document.error);
+    draw_->setToolTip(document ? tr("Open a new drawing with exactly these numbers. It appears "
+                                    "upside down, because y points down in drawings.")
+                               : document.error);
     table_->show(hard, app::firstToLookAt(hard));
     ensureVisible(0, 0);
 }
@@ -125,7 +124,7 @@ void CaseView::showOrigin()
     if (!hard_)
         return;
     origin_->setText(hard_->isOurs()
-                         ? tr("A case of our own.")
+                         ? tr("This case was made for Clearcut.")
                          : tr("From <a href=\"%1\">%2</a>")
                                .arg(hard_->link.toHtmlEscaped(), hard_->origin.toHtmlEscaped()));
     origin_->setToolTip(hard_->link);
@@ -141,10 +140,10 @@ void CaseView::showAnswer()
     portrait_->setAccessibleName(
         tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
     microscope_->setEnabled(!answer->variant.misprint);
-    microscope_->setToolTip(
-        answer->variant.misprint
-            ? tr("A known misprint: its steps are not recorded.")
-            : tr("With %1, the row that is chosen below").arg(app::nameOf(answer->variant)));
+    microscope_->setToolTip(answer->variant.misprint
+                                ? tr("A known misprint: its steps are not recorded.")
+                                : tr("Show this case step by step with %1, the row selected below")
+                                      .arg(app::nameOf(answer->variant)));
 }
 
 void CaseView::changeEvent(QEvent* event)

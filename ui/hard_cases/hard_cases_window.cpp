@@ -24,8 +24,8 @@ constexpr int leastLeft = 330;
 
 HardCasesWindow::HardCasesWindow(MainWindow& window)
     : QDialog(&window, Qt::Window), window_(window), search_(new QLineEdit), choice_(new QComboBox),
-      nothing_(new QLabel(tr("No hard case is like that."))), list_(new CaseList),
-      view_(new CaseView), choices_(app::caseChoices())
+      nothing_(new QLabel(tr("No hard case matches. Change the search or the choice above."))),
+      list_(new CaseList), view_(new CaseView), choices_(app::caseChoices())
 {
     setObjectName(QStringLiteral("hard-cases"));
     setWindowTitle(tr("Hard cases"));

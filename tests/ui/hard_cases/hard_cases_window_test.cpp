@@ -154,7 +154,7 @@ private slots:
     {
         Visit visit;
         visit.casesWindow->choose(theCase("one-decimal"));
-        auto* draw = visit.button("canvas");
+        auto* draw = visit.button("drawing");
         QTest::mouseClick(draw, Qt::LeftButton);
         const app::Session& session = visit.test.window->session();
         QCOMPARE(session.scene.lines().size(), std::size_t(1));
@@ -176,7 +176,7 @@ private slots:
         visit.test.answers->answer = Questions::Answer::Cancel;
         const app::Document before = visit.test.window->session().now();
         visit.casesWindow->choose(theCase("one-decimal"));
-        QTest::mouseClick(visit.button("canvas"), Qt::LeftButton);
+        QTest::mouseClick(visit.button("drawing"), Qt::LeftButton);
         QCOMPARE(visit.test.answers->asked, 1);
         QVERIFY(visit.test.window->session().now() == before);
     }
