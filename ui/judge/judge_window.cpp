@@ -118,9 +118,9 @@ QWidget* JudgeWindow::top()
     file_->setObjectName(QStringLiteral("file"));
     file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut off
     follow_->setChecked(true);
-    strict_->setToolTip(tr("Holds it to the contract of Clearcut's own algorithms: no end outside "
-                           "the window, not even by rounding. Textbooks do not speak of "
-                           "rounding."));
+    strict_->setToolTip(
+        tr("Demands what Clearcut's own algorithms guarantee: no end outside the window, not even "
+           "by rounding. Textbook algorithms do not promise this."));
     auto* whole = new QWidget;
     auto* layout = row(whole, space::labelToField);
     layout->addWidget(choose_);
@@ -136,15 +136,15 @@ QWidget* JudgeWindow::invitation()
 {
     auto* text = new QLabel(tr(
         "<p><b>Is your own line clipping right, and how fast is it?</b></p>"
-        "<p>1. <b>Save header and examples</b>: among them skeleton.c, one function in C to fill "
+        "<p>1. <b>Save header and examples</b>. One of them is skeleton.c, a C function to fill "
         "in, with its contract and the command that compiles it.<br>"
         "2. Write your algorithm into it, and compile it to a shared library (.so).<br>"
-        "3. <b>Choose library</b>: it is tested on more than 100,000 lines, from corners and "
-        "edges to infinities and random lines. Every result is compared with exact arithmetic; "
-        "each category of lines gives points. Then it is timed beside the other algorithms.</p>"
-        "<p>A crash or an endless loop harms nothing: the library runs in a process of its own. "
-        "But it is a program with your rights, so choose only what you or people you trust have "
-        "written.</p>"));
+        "3. <b>Choose library</b>. Clearcut tests it on more than 100,000 lines: at corners and "
+        "edges, with infinities, and random ones. Every result is compared with exact arithmetic; "
+        "each category of lines gives points. Then your algorithm is timed beside the others.</p>"
+        "<p>A crash or an endless loop does no harm, because the library runs in a process of its "
+        "own. But it is a program with all your rights, so choose only libraries from people you "
+        "trust.</p>"));
     text->setWordWrap(true);
     text->setMaximumWidth(textWidth);
     auto* page = new QWidget;
@@ -215,7 +215,7 @@ void JudgeWindow::run()
     settled_.stop();
     written_ = QFileInfo(path_).lastModified();
     bar_->setValue(0);
-    state_->setText(tr("Begins…"));
+    state_->setText(tr("Starting…"));
     app::plug_in::Case which{.library = path_, .program = program_};
     if (strict_->isChecked())
         which.contract.strictness = app::plug_in::Strictness::Clearcuts;
@@ -268,8 +268,8 @@ void JudgeWindow::saveExample()
     const auto result = app::plug_in::writeExample(folder, app::plug_in::Existing::Replace);
     const QString skeleton = QDir(folder).filePath(QStringLiteral("skeleton.c"));
     strip_->tell(result ? Message{Message::Kind::Done,
-                                  tr("Wrote %1 to fill in, and example.c, which is finished. Their "
-                                     "first lines say how to compile them.")
+                                  tr("Wrote %1 for you to fill in, and a finished example, "
+                                     "example.c. The first lines of each say how to compile it.")
                                       .arg(QDir::toNativeSeparators(skeleton))}
                         : Message{Message::Kind::Warning, result.error});
 }
@@ -279,7 +279,7 @@ void JudgeWindow::lookAt(const app::plug_in::Finding& finding)
 {
     session_.microscope.open({app::exactVariant(), finding.question.line, finding.question.window,
                               app::YAxis::Up,
-                              tr("%1, where your algorithm is wrong")
+                              tr("%1: your algorithm clips this line wrongly")
                                   .arg(app::plug_in::categories()[finding.category].name)});
 }
 
@@ -291,7 +291,7 @@ void JudgeWindow::showState()
     cancel_->setVisible(active);
     copy_->setVisible(view_->verdict() && !view_->verdict()->unusable);
     view_->setEnabled(!active);
-    file_->setText(path_.isEmpty() ? tr("No library yet") : QFileInfo(path_).fileName());
+    file_->setText(path_.isEmpty() ? tr("No library chosen") : QFileInfo(path_).fileName());
     file_->setToolTip(QDir::toNativeSeparators(path_));
 }
 

@@ -42,7 +42,7 @@ TableView::Rows rowsOf(const app::Table& table)
 
 VerdictView::VerdictView(QWidget* parent)
     : QWidget(parent), sign_(new QLabel), sentence_(text()), remarks_(text()),
-      look_(new QPushButton(tr("Look at the line in the &microscope"))), tables_(new TablesPage)
+      look_(new QPushButton(tr("Open line in &microscope"))), tables_(new TablesPage)
 {
     sentence_->setObjectName(QStringLiteral("verdict"));
     sentence_->setAccessibleName(tr("Verdict"));
@@ -52,8 +52,8 @@ VerdictView::VerdictView(QWidget* parent)
     remarks_->setForegroundRole(QPalette::PlaceholderText);
     remarks_->setAccessibleName(tr("Remarks"));
     look_->setAutoDefault(false);
-    look_->setToolTip(tr("How exact clips the line that is chosen below, step by step. A double "
-                         "click on the line does the same."));
+    look_->setToolTip(tr("Show how the algorithm “exact” clips the line selected below, step by "
+                         "step (or double-click the line)"));
     auto* top = new QHBoxLayout;
     top->setSpacing(space::labelToField);
     top->addWidget(sign_, 0, Qt::AlignTop);

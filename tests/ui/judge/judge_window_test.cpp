@@ -85,7 +85,7 @@ private slots:
         QVERIFY2(stage.sentence().startsWith("Passed: Liang-Barsky, the example"),
                  qPrintable(stage.sentence()));
         QVERIFY(!stage.table("findings"));
-        QVERIFY(!stage.button("Look at the line in the microscope")->isVisible());
+        QVERIFY(!stage.button("Open line in microscope")->isVisible());
         const auto* race = stage.table("race");
         QVERIFY(race);
         QCOMPARE(std::size_t(race->model()->rowCount()), clipping::algorithms().size() + 1);
@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(microscope.tracedLine().window, verdict.findings[2].question.window);
         QCOMPARE(microscope.tracedLine().variant, app::exactVariant());
         findings->selectRow(1);
-        stage.click("Look at the line in the microscope");
+        stage.click("Open line in microscope");
         QCOMPARE(microscope.tracedLine().line, verdict.findings[1].question.line);
     }
 
