@@ -36,7 +36,7 @@ ChoiceList::ChoiceList(QWidget* parent)
     giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
     giveUp_->setAutoDefault(true); // Enter presses it
     giveUp_->setToolTip(
-        tr("Says which answer is right, and why. This question gives no points then."));
+        tr("Show the right answer and its reason. You then get no points for this question."));
     connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
     column_->addWidget(verdict_);

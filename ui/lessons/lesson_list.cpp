@@ -122,8 +122,8 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     column->addLayout(head);
     auto* about =
         new QLabel(tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
-                      "build on earlier ones, but you may begin anywhere. A tick marks a lesson "
-                      "that is passed: with at least three quarters of its points."));
+                      "build on earlier ones, but you may begin anywhere. To pass a lesson you "
+                      "need three quarters of its points; a tick marks it then."));
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);

@@ -51,10 +51,10 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
       place_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
       body_(new QScrollArea), choices_(new ChoiceList),
-      back_(button(tr("Back"), tr("The page before (Page Up)"))),
-      again_(button(tr("Show again"), tr("Shows in the microscope what this page is about"))),
-      next_(button(tr("Next"), tr("The next page (Page Down)"))),
-      repeat_(button(tr("Repeat the lesson"), tr("Begins this lesson again; the best points stay")))
+      back_(button(tr("Back"), tr("Previous page (Page Up)"))),
+      again_(button(tr("Show example"), tr("Show this page's example in the microscope again"))),
+      next_(button(tr("Next"), tr("Next page (Page Down)"))),
+      repeat_(button(tr("Repeat lesson"), tr("Start this lesson again; your best points are kept")))
 {
     setObjectName(QStringLiteral("lessons"));
     setAccessibleName(tr("Lessons"));
@@ -109,7 +109,7 @@ QLayout* LessonPanel::makeHead()
     auto* all = new QToolButton;
     all->setIcon(icon("list"));
     all->setAutoRaise(true);
-    all->setToolTip(tr("All lessons"));
+    all->setToolTip(tr("Show all lessons"));
     all->setAccessibleName(all->toolTip());
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
     title_->setFont(semiBold(font()));
@@ -217,8 +217,9 @@ void LessonPanel::showPage()
     showEnding();
     back_->setEnabled(course_.page() > 0);
     next_->setEnabled(!course_.isOpen());
-    next_->setToolTip(course_.isOpen() ? tr("Answer the question first, or let the answer be shown")
-                                       : tr("The next page (Page Down)"));
+    next_->setToolTip(course_.isOpen()
+                          ? tr("First answer the question, or choose “Show the answer”")
+                          : tr("Next page (Page Down)"));
     setFocusProxy(course_.isOpen() ? choices_->firstOpen() : next_);
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));

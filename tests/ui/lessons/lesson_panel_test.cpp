@@ -143,7 +143,7 @@ private slots:
         };
         const auto repeat = [&] {
             const auto buttons = stage.panel.findChildren<QPushButton*>();
-            return *std::ranges::find(buttons, "Repeat the lesson", &QPushButton::text);
+            return *std::ranges::find(buttons, "Repeat lesson", &QPushButton::text);
         };
         stage.course.begin(1);
         answerAll(false);
