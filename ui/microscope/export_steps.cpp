@@ -51,7 +51,7 @@ QStringList StepExports::pathsFor(const app::TraceFormat& format, const app::Tra
     const bool several = format.files == app::TraceFormat::Files::OneAStep && !trace.only;
     const QString inFolder = folder() + u'/';
     const QString path =
-        several ? questions_->filesToWrite(tr("Export steps, whose names begin so"),
+        several ? questions_->filesToWrite(tr("Choose how the file names begin"),
                                            inFolder + app::traceStem(trace) + u'.' + ending,
                                            format.name, ending)
                 : questions_->fileToWrite(tr("Export steps"),
@@ -81,14 +81,15 @@ void StepExports::write(const app::TraceFormat& format, const app::TraceExport& 
     const auto error =
         bytes
             ? app::writeTrace(paths, *bytes)
-            : std::optional(tr("There is not enough memory for the pictures; export fewer steps."));
+            : std::optional(tr("There is not enough memory for the pictures. Export fewer steps."));
     if (error)
         emit told({Message::Kind::Warning, *error});
     else
-        emit told({Message::Kind::Done, paths.size() == 1 ? tr("Wrote %1.").arg(paths.front())
-                                                          : tr("Wrote %n files: %1 and so on.",
-                                                               nullptr, int(paths.size()))
-                                                                .arg(paths.front())});
+        emit told({Message::Kind::Done,
+                   paths.size() == 1
+                       ? tr("Wrote %1.").arg(paths.front())
+                       : tr("Wrote %n files, the first of them %1.", nullptr, int(paths.size()))
+                             .arg(paths.front())});
 }
 
 } // namespace ui

@@ -39,7 +39,7 @@ ExportStepsDialog::ExportStepsDialog(app::TraceExport trace, std::size_t step, Q
       oneStep_(new QCheckBox(tr("Only &this step (%1 of %2)")
                                  .arg(step + 1)
                                  .arg(std::max<std::size_t>(trace_.narration.steps.size(), 1)))),
-      pictureOnly_(new QCheckBox(tr("Only the &picture, nothing beside it")))
+      pictureOnly_(new QCheckBox(tr("Only the &picture, without text and tables")))
 {
     setWindowTitle(tr("Export steps"));
     setObjectName(QStringLiteral("export-steps-dialog"));
@@ -60,7 +60,7 @@ void ExportStepsDialog::addFields()
                              space::betweenGroups);
     form->setVerticalSpacing(space::labelToField);
     form->addRow(preview_);
-    form->addRow(tr("&Type of file"), format_);
+    form->addRow(tr("File &type"), format_);
     form->addRow(tr("&Colours"), ground_);
     form->addRow(QString(), oneStep_);
     form->addRow(QString(), pictureOnly_);

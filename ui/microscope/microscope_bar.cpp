@@ -139,8 +139,8 @@ void MicroscopeBar::addEnd()
         row_->addWidget(button);
         return button;
     };
-    export_ = addFramed("export", tr("Export steps…"), tr("Export the steps as pictures"));
-    close_ = addFramed("close", tr("Close"), tr("Back to the drawing (Esc)"));
+    export_ = addFramed("export", tr("Export steps…"), tr("Export the steps as pictures or text"));
+    close_ = addFramed("close", tr("Close"), tr("Return to the drawing (Esc)"));
     export_->setObjectName(QStringLiteral("export-steps-button"));
     close_->setObjectName(QStringLiteral("close-microscope"));
     connect(export_, &QPushButton::clicked, this, &MicroscopeBar::exportWanted);
@@ -169,9 +169,9 @@ void MicroscopeBar::follow()
     const bool both = algorithm->published;
     published_->setEnabled(both);
     published_->setToolTip(both ? tr("As its authors printed it, faults included")
-                                : tr("%1 has no published form: it is always the corrected one")
+                                : tr("%1 has no published form, so the corrected form is used")
                                       .arg(app::latin(algorithm->name)));
-    corrected_->setToolTip(tr("Corrected form: the published defects are fixed"));
+    corrected_->setToolTip(tr("With the faults of the published form corrected"));
     (tracedLine.variant.form == clipping::Form::Published ? published_ : corrected_)
         ->setChecked(true);
     line_->show(tracedLine.line);

@@ -65,10 +65,10 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     place_->setAutoFillBackground(true); // it may cover lines if no corner is free
     place_->setBackgroundRole(QPalette::Base);
     place_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    back_->setText(tr("Back to the line of the drawing"));
+    back_->setText(tr("Return to the drawing's line"));
     back_->setObjectName(QStringLiteral("back-to-line"));
     fit_->setText(tr("Fit"));
-    fit_->setToolTip(tr("Show window and line again (double click)"));
+    fit_->setToolTip(tr("Fit the clip window and the line into the view (double click)"));
     for (QToolButton* button : {back_, fit_}) {
         button->setProperty("framed", true);
         button->setFocusPolicy(Qt::TabFocus);

@@ -96,7 +96,8 @@ void MicroscopeView::choose(std::optional<LineEnd> end)
 QString MicroscopeView::hint() const
 {
     if (chosen_)
-        return tr("End %1: arrow keys move it, Shift by ten; Esc gives them back to the steps.")
+        return tr("End %1: arrow keys move it, with Shift ten times as far. After Esc they change "
+                  "the step again.")
             .arg(*chosen_ == LineEnd::One ? 1 : 2);
     return tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping.");
 }

@@ -35,8 +35,7 @@ QFont sentenceFont(const QFont& body)
 
 StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     : QWidget(parent), microscope_(microscope), playback_(microscope), sentence_(new QLabel),
-      count_(new QLabel),
-      keys_(new QLabel(tr("Left and Right step, Space plays, Home and End jump"))),
+      count_(new QLabel), keys_(new QLabel(tr("Left, Right: step. Space: play. Home, End: jump."))),
       speed_(new QComboBox), timeline_(new Timeline(microscope)), legend_(new Legend),
       foot_(new QWidget)
 {

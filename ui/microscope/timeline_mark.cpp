@@ -60,7 +60,7 @@ struct Row {
 };
 
 /// In the order of app::Mark.
-constexpr std::array rows{Row{QT_TRANSLATE_NOOP("Timeline", "look"), paintDot},
+constexpr std::array rows{Row{QT_TRANSLATE_NOOP("Timeline", "compute"), paintDot},
                           Row{QT_TRANSLATE_NOOP("Timeline", "compare"), paintTick},
                           Row{QT_TRANSLATE_NOOP("Timeline", "divide"), paintDivided},
                           Row{QT_TRANSLATE_NOOP("Timeline", "cut"), paintDiamond},
