@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks the library everything that it can be asked. No test of its own: see answers.h.
+// Calls the library in every way that it offers. Not a test itself: see answers.h.
 #include "tests/clipping/answers.h"
 
 #include "clipping/algorithm.h"

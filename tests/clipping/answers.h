@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// What a question is asked about: the numbers of a window and of the segments that are clipped at
-/// it. All kinds are given in double; those for float hold floats alone.
+/// The input of a question: the numbers of a window and of the segments that are clipped at
+/// it. All kinds are stored as double; those for float hold only floats.
 struct Block {
     std::string name;
     std::vector<double> window;   ///< xmin, ymin, xmax, ymax; in space with z; or corners x, y ...
@@ -16,7 +16,7 @@ struct Block {
 /// The kinds of numbers that a question takes.
 enum class Numbers { Plane, PlaneInFloat, Space, Polygon };
 
-/// One thing that the library can be asked: a row, a form and a use ("skala published double").
+/// One question to the library: a row, a form and a use ("skala published double").
 struct Question {
     std::string name;
     Numbers numbers;

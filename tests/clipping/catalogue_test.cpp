@@ -22,7 +22,10 @@ private slots:
         QVERIFY(!clipping::findAlgorithm("nobody"));
     }
 
-    void namesTheExactOne() { QCOMPARE(clipping::exactAlgorithm().key, std::string_view("exact")); }
+    void exactAlgorithmIsTheRowExact()
+    {
+        QCOMPARE(clipping::exactAlgorithm().key, std::string_view("exact"));
+    }
 };
 
 QTEST_APPLESS_MAIN(CatalogueTest)

@@ -58,10 +58,10 @@ class ChunksTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void findsWhatClippingEverythingFinds() { compareWithAll<double>(); }
-    void findsWhatClippingEverythingFindsInFloat() { compareWithAll<float>(); }
+    void boxesGiveTheSameResultAsClippingEverything() { compareWithAll<double>(); }
+    void boxesGiveTheSameResultAsClippingEverythingInFloat() { compareWithAll<float>(); }
 
-    void leavesNumbersThatAreNotFiniteToTheClipper()
+    void nonFiniteNumbersAreLeftToTheClipper()
     {
         auto scene = allInside<double>(1000);
         scene.segments[70].a.x = double(NAN);
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(sameAsAll(Chunks(scene.segments), scene));
     }
 
-    void followsChanges()
+    void boxesFollowChanges()
     {
         auto scene = strokes<double>(10000);
         Chunks chunks(scene.segments);

@@ -48,7 +48,7 @@ template <glm::length_t N>
 bool within(const glm::vec<N, double>& p, const BasicWindow<double, N>& w)
 {
     for (glm::length_t k = 0; k < N; ++k)
-        if (!(p[k] >= w.min[k] && p[k] <= w.max[k])) // also a number that is none
+        if (!(p[k] >= w.min[k] && p[k] <= w.max[k])) // also if it is not finite
             return false;
     return true;
 }
@@ -99,7 +99,7 @@ std::string fault(const std::optional<BasicSegment<double, N>>& result, const Ba
     if ((within(s.a, w) && !sameBits(result->a, s.a))
         || (within(s.b, w) && !sameBits(result->b, s.b)))
         return "an inner end has moved: " + text(*result);
-    // The truth is rounded, too: to a double.
+    // The exact value is rounded to a double, too.
     const bool single = number == oracle::Number::Single;
     const double off = ulpsOff(result, input, truth, number);
     if (off > (single ? k + 1e-6 : std::max(k - 1, 0.0)))

@@ -20,17 +20,17 @@ template <glm::length_t N>
 std::string exactly(const BasicInput<N>& input);
 inline std::string exactly(const Input& input) { return exactly<2>(input); }
 
-/// The truth about an input that is finite and whose window is in order.
+/// The exact result for a finite input whose window is not inverted.
 template <glm::length_t N>
 Truth<N> truthOf(const BasicInput<N>& input);
 
-/// How a result breaks the contract of clipping/algorithm.h with this k; empty if it keeps it.
+/// How a result breaks the contract of clipping/algorithm.h with this k; empty if it does not.
 template <glm::length_t N>
 std::string fault(const std::optional<clipping::BasicSegment<double, N>>& result,
                   const BasicInput<N>& input, const Truth<N>& truth, double k,
                   oracle::Number number = oracle::Number::Double);
 
-/// How far a result is off the truth, in ulps of the largest |coordinate|; 0 unless both are seen.
+/// The error of a result in ulps of the largest |coordinate|; 0 unless both are visible.
 template <glm::length_t N>
 double ulpsOff(const std::optional<clipping::BasicSegment<double, N>>& result,
                const BasicInput<N>& input, const Truth<N>& truth,

@@ -14,7 +14,7 @@ using namespace clipping;
 
 namespace {
 
-/// One family with its truth; only the last one asked for is kept.
+/// A family with its exact results; only the last one requested is stored.
 struct Known {
     const Family* family = nullptr;
     std::vector<Input> inputs;
@@ -31,7 +31,7 @@ const Known& known(const Family& family)
     return last;
 }
 
-/// What the row's form for float data makes of an input whose numbers are all floats.
+/// The result of the row's float form for an input whose numbers are all floats.
 std::optional<Segment> clippedInFloat(const Algorithm& algorithm, const Input& input)
 {
     const auto& [s, w] = input;
@@ -70,7 +70,7 @@ class ContractTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void corrected_data()
+    void correctedFormsKeepTheContract_data()
     {
         QTest::addColumn<const Family*>("family");
         QTest::addColumn<const Algorithm*>("algorithm");
@@ -78,7 +78,7 @@ private slots:
             for (const Algorithm& a : algorithms())
                 QTest::addRow("%s %s", f.name, a.key.data()) << &f << &a;
     }
-    void corrected()
+    void correctedFormsKeepTheContract()
     {
         QFETCH(const Family*, family);
         QFETCH(const Algorithm*, algorithm);
@@ -93,7 +93,7 @@ private slots:
     }
 
     // The same bound in float, for data that is float.
-    void single_data()
+    void floatFormsKeepTheContract_data()
     {
         QTest::addColumn<const Family*>("family");
         QTest::addColumn<const Algorithm*>("algorithm");
@@ -101,7 +101,7 @@ private slots:
             for (const Algorithm& a : algorithms())
                 QTest::addRow("%s %s", f.name, a.key.data()) << &f << &a;
     }
-    void single()
+    void floatFormsKeepTheContract()
     {
         QFETCH(const Family*, family);
         QFETCH(const Algorithm*, algorithm);
@@ -122,10 +122,10 @@ private slots:
         QVERIFY(algorithm->ulps > 0 && algorithm->ulps <= 64);
     }
 
-    // On small whole numbers nothing is near a limit of rounding: no wrong decision is excused,
+    // On small whole numbers nothing is near a limit of rounding: every decision must be right,
     // and a contact is a point.
-    void decidesRightlyOnTheGrid_data() { everyAlgorithm(); }
-    void decidesRightlyOnTheGrid()
+    void visibilityIsRightOnTheGrid_data() { everyAlgorithm(); }
+    void visibilityIsRightOnTheGrid()
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Input& input : notEmpty(grid())) {
@@ -139,7 +139,7 @@ private slots:
         }
     }
 
-    // What meets a window at a corner alone, on whole numbers too large for the grid.
+    // Lines that meet a window only at a corner, with whole numbers too large for the grid.
     void contactsAtCornersArePoints_data() { everyAlgorithm(); }
     void contactsAtCornersArePoints()
     {
@@ -148,7 +148,7 @@ private slots:
         for (int i = 0; i < 50'000; ++i) {
             const glm::dvec2 low(random.whole(-250, 230), random.whole(-250, 230));
             const Window w{low, low + glm::dvec2(random.whole(0, 20), random.whole(0, 20))};
-            // Falling past the upper right corner or the lower left one, or rising past the others.
+            // Falling past the top right or bottom left corner, or rising past the other two.
             const bool falls = i % 2 == 0, high = i % 4 < 2;
             const glm::dvec2 corner(high ? w.max.x : w.min.x, high == falls ? w.max.y : w.min.y);
             const glm::dvec2 step(random.whole(1, 40), random.whole(1, 40) * (falls ? -1 : 1));
@@ -162,8 +162,8 @@ private slots:
         }
     }
 
-    void seesNothingWithoutNumbers_data() { everyAlgorithm(); }
-    void seesNothingWithoutNumbers()
+    void nonFiniteNumbersGiveNothing_data() { everyAlgorithm(); }
+    void nonFiniteNumbersGiveNothing()
     {
         QFETCH(const Algorithm*, algorithm);
         for (int index = 0; index < 8; ++index)
@@ -173,8 +173,8 @@ private slots:
             }
     }
 
-    void seesNothingInAWindowInsideOut_data() { everyAlgorithm(); }
-    void seesNothingInAWindowInsideOut()
+    void invertedWindowsGiveNothing_data() { everyAlgorithm(); }
+    void invertedWindowsGiveNothing()
     {
         QFETCH(const Algorithm*, algorithm);
         const Segment s{{-1, 0.5}, {3, 0.5}};
@@ -183,9 +183,9 @@ private slots:
         QVERIFY(seesNothing(algorithm->corrected, {{{1, 1}, {1, 1}}, {{2, 2}, {0, 0}}}));
     }
 
-    // Whatever comes, the published form must come back from it.
-    void publishedReturns_data() { everyAlgorithm(); }
-    void publishedReturns()
+    // The published form must return for every input.
+    void publishedFormsAlwaysReturn_data() { everyAlgorithm(); }
+    void publishedFormsAlwaysReturn()
     {
         QFETCH(const Algorithm*, algorithm);
         if (!algorithm->published)

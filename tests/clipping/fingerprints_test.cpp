@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library returns what it has always returned, bit for bit: each row, form and use is asked
-// about every hard block, and its answers have the fingerprint that fingerprints.txt keeps.
-// CLEARCUT_FINGERPRINTS=FILE writes the fingerprints of now into a file.
+// The library's results do not change, bit for bit: each row, form and use is called
+// with every hard block, and its results have the fingerprint that fingerprints.txt keeps.
+// CLEARCUT_FINGERPRINTS=FILE writes the current fingerprints into a file.
 #include "clipping/algorithm.h"
 
 #include <QFile>
@@ -31,13 +31,13 @@ class FingerprintsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void answersAreAsEver_data()
+    void resultsHaveNotChanged_data()
     {
         QTest::addColumn<QString>("name");
         for (const Question& question : clipping::questions())
             QTest::newRow(question.name.c_str()) << QString::fromStdString(question.name);
     }
-    void answersAreAsEver()
+    void resultsHaveNotChanged()
     {
         QFETCH(QString, name);
         for (const Question& question : clipping::questions())
@@ -50,7 +50,7 @@ private slots:
     }
 
     /// Only instructions that this processor lacks may be missing.
-    void nothingIsLeftOut()
+    void everyFingerprintIsTested()
     {
         QVERIFY(was_.size() >= 54);
         for (const QString& name : was_.keys())
@@ -69,7 +69,7 @@ private slots:
     }
 
 private:
-    /// Whether it is asked of a row ("KEY corrected") of which no fingerprint is kept at all.
+    /// Whether the question is about a row ("KEY corrected") that has no fingerprint at all.
     bool isNew(const QString& name) const
     {
         const QString key = name.section(' ', 0, 0);

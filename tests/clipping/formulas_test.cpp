@@ -88,7 +88,7 @@ class FormulasTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyRowIsTold()
+    void everyFormHasPseudoCode()
     {
         for (const Algorithm& algorithm : algorithms())
             for (const Form form : {Form::Published, Form::Corrected})
@@ -119,8 +119,8 @@ private slots:
             QVERIFY2(line.size() <= 72 && !line.endsWith(' '), qPrintable(line));
     }
 
-    void formulasGiveWhatIsShown_data() { everyCode(); }
-    void formulasGiveWhatIsShown()
+    void formulasGiveTheValuesInTheTrace_data() { everyCode(); }
+    void formulasGiveTheValuesInTheTrace()
     {
         const Told told{algorithm(), form()};
         std::optional<formulas::Code> code;
@@ -145,8 +145,8 @@ private slots:
                     ("an exception that is not needed: " + std::string(e.line)).c_str());
     }
 
-    void alteredFormulasAreFound_data() { everyCode(); }
-    void alteredFormulasAreFound()
+    void alteredFormulasAreReported_data() { everyCode(); }
+    void alteredFormulasAreReported()
     {
         const Told told{algorithm(), form()};
         const auto alterations = formulas::alterationsOf(codeOf(*told.algorithm, told.form));

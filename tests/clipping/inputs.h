@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-/// What the algorithms are tried on: families of segments with their windows, the same at every
+/// The test inputs: families of segments with their windows, the same in every
 /// run.
 template <glm::length_t N>
 struct BasicInput {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What clipping/algorithm.h promises about lines and rays, against whole numbers of any length.
+// The contract of clipping/algorithm.h for lines and rays, checked with integers of any length.
 
 #include "clipping/algorithm.h"
 
@@ -32,7 +32,7 @@ struct Ratio {
     bool operator<(const Ratio& t) const { return over * t.under < t.over * under; }
 };
 
-/// What is visible, from one parameter to another; an end that is none of a cut has no parameter.
+/// The visible part, from one parameter to another; an end that is not a cut has no parameter.
 struct Part {
     std::optional<Ratio> from, to;
 };

@@ -11,7 +11,7 @@ using namespace clipping;
 
 namespace {
 
-/// What a row does with one of both.
+/// The functions of a row for lines or for rays.
 template <class S>
 struct Row {
     const Algorithm* algorithm;
@@ -55,7 +55,7 @@ void compareFamilies()
     }
 }
 
-/// On small whole numbers no wrong decision is excused.
+/// On small whole numbers every decision must be right.
 template <class S>
 void compareGrid()
 {
@@ -123,7 +123,7 @@ class LinesAndRaysTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void rowsAreThere()
+    void fourRowsHaveLinesAndRays()
     {
         for (const char* key : {"liang-barsky", "cyrus-beck", "skala", "matthes-drakopoulos"}) {
             QVERIFY2(findAlgorithm(key)->line, key);
@@ -134,10 +134,10 @@ private slots:
     void raysOfTheGrid() { compareGrid<Ray>(); }
     void lines() { compareFamilies<Line>(); }
     void rays() { compareFamilies<Ray>(); }
-    void usesOfLines() { compareUses<Line>(); }
-    void usesOfRays() { compareUses<Ray>(); }
-    void linesWithoutNumbers() { compareWithoutNumbers<Line>(); }
-    void raysWithoutNumbers() { compareWithoutNumbers<Ray>(); }
+    void clipAllTraceAndCountAgreeForLines() { compareUses<Line>(); }
+    void clipAllTraceAndCountAgreeForRays() { compareUses<Ray>(); }
+    void nonFiniteLinesGiveNothing() { compareWithoutNumbers<Line>(); }
+    void nonFiniteRaysGiveNothing() { compareWithoutNumbers<Ray>(); }
 };
 
 QTEST_APPLESS_MAIN(LinesAndRaysTest)

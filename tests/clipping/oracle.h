@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The truth about a segment and a window, in whole numbers of any length: every finite double is a
-// whole number of some power of two. Shares no code with clipping/, nor its types.
+// The exact result for a segment and a window, in integers of any length: every finite double is a
+// multiple of a power of two. Shares neither code nor types with clipping/.
 
 #include <optional>
 
@@ -19,7 +19,7 @@ struct BasicLine {
     P a, b;
 };
 template <class P> // clang 14 needs to be told
-BasicLine(P, P) -> BasicLine<P>;
+BasicLine(P, P)->BasicLine<P>;
 template <class P>
 struct BasicBox {
     P min, max;
@@ -32,7 +32,7 @@ template <class P>
 struct BasicPart {
     BasicLine<P> line;
     bool newA, newB;
-    bool contact = false; ///< the ends are truly one point
+    bool contact = false; ///< the exact ends are one point
 };
 using Line = BasicLine<Point>;
 using Box = BasicBox<Point>;

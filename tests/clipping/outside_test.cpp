@@ -62,14 +62,14 @@ class OutsideTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void insideAndOutsideAreTheWhole_data()
+    void insideAndOutsideTogetherAreTheWhole_data()
     {
         QTest::addColumn<QByteArray>("key");
         for (const Algorithm& a : algorithms())
             QTest::newRow(a.key.data()) << QByteArray(a.key.data(), qsizetype(a.key.size()));
     }
 
-    void insideAndOutsideAreTheWhole()
+    void insideAndOutsideTogetherAreTheWhole()
     {
         QFETCH(QByteArray, key);
         const Algorithm& algorithm =
@@ -107,14 +107,14 @@ private slots:
         QCOMPARE(outside[1].cut, cutAt(Edge::Right, Edge::None));
     }
 
-    void aPieceThatIsTurnedRoundIsStillCutOut()
+    void aReversedPieceIsStillCutOut()
     {
         const std::vector<Segment> in{{{-2, 0.5}, {7, 1}}, {{7, 1}, {-2, 0.5}}};
         const Algorithm& skala = *findAlgorithm("skala");
         std::vector<Clipped> inside(in.size());
         inside.resize(skala.published->clipAll(in, window, inside));
         QCOMPARE(inside.size(), 2u);
-        QVERIFY(inside[0].segment.a.x > inside[0].segment.b.x); // turned round
+        QVERIFY(inside[0].segment.a.x > inside[0].segment.b.x); // reversed
         const auto outside = outsideOf(in, inside);
         QCOMPARE(outside.size(), 4u);
         for (const Clipped& piece : outside)

@@ -84,7 +84,7 @@ bool isOn(Edge edge, const dvec2& p, const Window& w)
     return edge != Edge::None && p[axisOf(edge)] == levelOf(edge, w);
 }
 
-/// How runs are not the true ones; empty if they are.
+/// How the runs differ from the exact ones; empty if they do not.
 std::string fault(const PolylineRuns& all, std::vector<TrueRun> truth, const Points& points,
                   const Window& w)
 {
@@ -112,7 +112,7 @@ std::string fault(const PolylineRuns& all, std::vector<TrueRun> truth, const Poi
     }
     if (total != all.points.size())
         return "points of no run";
-    // Nothing of the polyline itself is lost or doubled: each point inside is there as often.
+    // No point of the polyline is lost or doubled: each inner point occurs equally often.
     for (const dvec2& p : points)
         if (std::ranges::all_of(points, finite) && contains(w, p)
             && std::ranges::count(all.points, p) < std::ranges::count(points, p))
@@ -163,7 +163,7 @@ private slots:
             }
     }
 
-    void longOnesOnTheGrid()
+    void longPolylinesOnTheGrid()
     {
         Random r(41);
         for (int round = 0; round < 3'000; ++round) {
@@ -207,7 +207,7 @@ private slots:
         }
     }
 
-    void whatIsInsideIsOneRunOfAllItsPoints()
+    void anInnerPolylineIsOneRunOfAllItsPoints()
     {
         const Points points{{0, 0}, {0.5, 0.5}, {0.5, 0.5}, {-0.0, 1}, {1, 0}};
         const auto open = clipped(Kind::Open, points, unit);
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(clipped(Kind::Closed, points, unit).points == round);
     }
 
-    void aRunGoesThroughTheStartOfAClosedOne()
+    void aRunPassesTheStartOfAClosedPolyline()
     {
         const auto all =
             clipped(Kind::Closed, {{0.5, 0.5}, {2, 0.5}, {2, 0.75}, {0.5, 0.75}}, unit);
@@ -229,7 +229,7 @@ private slots:
         QVERIFY(all.runs[0].begin == Edge::Right && all.runs[0].end == Edge::Right);
     }
 
-    void touchesAreRunsOfOnePoint()
+    void contactsAreRunsOfOnePoint()
     {
         for (const Points& points : {Points{{0, 2}, {1, 2}, {0, 3}}, // with a point of its own
                                      Points{{0, 2}, {2, 0}}}) {      // with a segment, at a corner
@@ -243,7 +243,7 @@ private slots:
     }
 
     // Also where the window's own number has another sign.
-    void aPointItTouchesWithKeepsItsBits()
+    void aContactPointKeepsItsBits()
     {
         const auto all = clipped(Kind::Open, {{-1, 0}, {-0.0, 0.5}, {-1, 1}}, unit);
         QVERIFY((all.points == Points{{0, 0.5}}));
@@ -259,7 +259,7 @@ private slots:
         QCOMPARE(all.runs[0].source, 0U);
     }
 
-    void aPointOfTheirOwn()
+    void emptyAndSinglePointPolylines()
     {
         for (const Kind kind : {Kind::Open, Kind::Closed}) {
             QVERIFY(clipped(kind, {}, unit).runs.empty());
@@ -273,7 +273,7 @@ private slots:
         QVERIFY((closed.points == Points{{0.5, 1}, {0.5, 1}}) && closed.runs.at(0).count == 2);
     }
 
-    void whatWasInTheBufferIsReplacedAndItsMemoryReused()
+    void theBufferIsReplacedAndItsMemoryReused()
     {
         PolylineRuns out{{{7, 7}}, {{0, 1, 0, Edge::None, Edge::None}}};
         Points points;

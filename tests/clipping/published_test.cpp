@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The published forms: right where their authors were, wrong where they were, and at their cost.
+// The published forms have the correctness, the faults and the cost of the printed algorithms.
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -88,8 +88,8 @@ double total(const OperationCounts& c)
     return double(c.additions + c.multiplications + c.divisions + c.comparisons + c.negations);
 }
 
-/// What is visible is a contact, or lies along an edge: where the published forms of Skala and
-/// of Slater and Barsky may lose it.
+/// The visible part is a contact, or lies along an edge: the published forms of Skala and
+/// of Slater and Barsky may lose such a part.
 bool onlyTouches(const oracle::Part& part, const Window& w)
 {
     const auto& [a, b] = part.line;
@@ -97,8 +97,8 @@ bool onlyTouches(const oracle::Part& part, const Window& w)
            || (a.y == b.y && (a.y == w.min.y || a.y == w.max.y));
 }
 
-/// What the published form of Kodituwakku-Wijeweera-Chamikara drops: what is shorter than 1, and
-/// straight lines on an edge.
+/// The published form of Kodituwakku-Wijeweera-Chamikara drops parts shorter than 1, and
+/// horizontal and vertical lines on an edge.
 bool underOnePixel(const oracle::Part& part, const Segment& s, const Window& w)
 {
     const auto& [a, b] = part.line;
@@ -141,10 +141,10 @@ private slots:
         const auto corrected = algorithm.corrected.clip(input.segment, input.window);
         const auto wrong = fault(corrected, input, truth, algorithm.ulps);
         QVERIFY2(wrong.empty(), wrong.c_str());
-        QVERIFY(!truth || corrected); // none of these is near enough to be excused
+        QVERIFY(!truth || corrected); // none of these is within the tolerance
     }
 
-    void skalaSeesTheEdgeBackwards()
+    void skalaKeepsALeftwardLineOnTheBottomEdge()
     {
         QVERIFY(row("Skala").published->clip({{1, 0}, {-1, 0}}, two));
     }
@@ -167,8 +167,8 @@ private slots:
         QVERIFY(row("CS").corrected.trace(input.segment, input.window).outcome == Outcome::Visible);
     }
 
-    // Exactly right: everybody, but for what Skala, Kodituwakku and others, and Slater and Barsky
-    // printed, and for Cyrus-Beck at a window without area, which is no polygon.
+    // Every published form is exactly right, except for the printed faults of Skala, of Kodituwakku
+    // and others, of Slater and Barsky, and of Cyrus-Beck at a window without area.
     void onTheGrid_data() { everyAlgorithm(); }
     void onTheGrid()
     {
@@ -201,13 +201,13 @@ private slots:
         QCOMPARE(lost > 0, skala || kwc || sb);
     }
 
-    void costsWhatWasWorkedOutByHand_data()
+    void costsEqualTheHandCounts_data()
     {
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < costs.size(); ++i)
             QTest::newRow(costs[i].name) << int(i);
     }
-    void costsWhatWasWorkedOutByHand()
+    void costsEqualTheHandCounts()
     {
         QFETCH(int, index);
         const Cost& cost = costs[std::size_t(index)];
@@ -227,7 +227,7 @@ private slots:
     }
 
     // The means over the paper's scene, and a corrected form within a few per cent of its own.
-    void costsOnThePapersScene_data()
+    void costsOnThePapersSceneAreKnown_data()
     {
         QTest::addColumn<QByteArray>("abbreviation");
         QTest::addColumn<std::array<double, 4>>("mean");
@@ -243,7 +243,7 @@ private slots:
         QTest::newRow("SPY") << QByteArray("SPY") << Mean{6.9, 2.6, 0.7, 0.65};
         QTest::newRow("SB") << QByteArray("SB") << Mean{6.6, 2.9, 1.1, 0.31};
     }
-    void costsOnThePapersScene()
+    void costsOnThePapersSceneAreKnown()
     {
         QFETCH(QByteArray, abbreviation);
         using Mean = std::array<double, 4>;

@@ -44,7 +44,7 @@ constexpr int leastExponent = Limits<T>::min_exponent - Limits<T>::digits;
 template <class T>
 constexpr int mostExponent = Limits<T>::max_exponent - 1;
 
-/// A number of any size: plain, huge, tiny, denormal, far off zero.
+/// A number of any size: ordinary, huge, tiny, denormal, or far from zero.
 template <class T = double>
 T anyNumber(Random& r)
 {

@@ -3,7 +3,8 @@
 
 #include <cstring>
 
-/// Whether two values are the same bits: NaN is itself, and -0 is not 0. For what has no padding.
+/// Whether two values have the same bits: NaN equals itself, and -0 differs from 0. For types
+/// without padding.
 template <class T>
 bool sameBits(const T& p, const T& q)
 {

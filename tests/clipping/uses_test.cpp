@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// clip, clipAll, count and trace are one algorithm; and a window and a segment that are mirrored,
-// exchanged or turned round have a result that is.
+// clip, clipAll, count and trace agree; and if a window and a segment are mirrored,
+// exchanged or reversed, the result is transformed in the same way.
 #include <QFile>
 #include <QRegularExpression>
 
@@ -135,8 +135,8 @@ class UsesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void clipAllIsClipOneByOne_data() { everyAlgorithm(); }
-    void clipAllIsClipOneByOne()
+    void clipAllAgreesWithClip_data() { everyAlgorithm(); }
+    void clipAllAgreesWithClip()
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Form form : formsOf(*algorithm))
@@ -162,8 +162,8 @@ private slots:
             }
     }
 
-    void traceIsClip_data() { everyAlgorithm(); }
-    void traceIsClip()
+    void traceAgreesWithClip_data() { everyAlgorithm(); }
+    void traceAgreesWithClip()
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Form form : formsOf(*algorithm))
@@ -189,8 +189,8 @@ private slots:
                 }
     }
 
-    void everyStepIsALineOfThePage_data() { everyAlgorithm(); }
-    void everyStepIsALineOfThePage()
+    void everyStepNamesALineOfThePseudoCode_data() { everyAlgorithm(); }
+    void everyStepNamesALineOfThePseudoCode()
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Form form : formsOf(*algorithm)) {
@@ -247,9 +247,9 @@ private slots:
         }
     }
 
-    // A new end of a line along an axis has the line's own coordinate, bit for bit.
-    void staysStraight_data() { everyAlgorithm(); }
-    void staysStraight()
+    // A new end of a horizontal or vertical line keeps the line's coordinate, bit for bit.
+    void linesAlongAnAxisKeepTheirCoordinate_data() { everyAlgorithm(); }
+    void linesAlongAnAxisKeepTheirCoordinate()
     {
         QFETCH(const Algorithm*, algorithm);
         const auto [segments, window] = batches(2'000).back(); // the paper's scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Watching costs nothing where nobody watches: the machine code of the fast path neither counts nor
-// records nor allocates, and is no longer than what the compiler makes where the calls of the
+// Counting and tracing cost nothing when unused: the machine code of the fast path neither counts
+// nor records nor allocates, and is no longer than what the compiler makes where the calls of the
 // watcher are taken out of the source (the library `unwatched`).
 #include <QHash>
 #include <QProcess>
@@ -23,7 +23,7 @@ struct Function {
 };
 using Functions = QHash<QString, Function>;
 
-/// `.text.unlikely+0x1c` is told by its section alone: a function that is nobody's by name.
+/// `.text.unlikely+0x1c` is given by its section alone: a function without a name.
 QString withoutOffset(QString symbol)
 {
     return symbol.remove(QRegularExpression("[+-]0x[0-9a-f]+$"));
@@ -65,8 +65,8 @@ Functions functionsIn(const QString& archive)
     return functions;
 }
 
-/// Everything in the library that clips: clipOne, clipMany, clipBatch, clipAll …, but not
-/// the templates that are there to be watched as well.
+/// Every clipping function of the library: clipOne, clipMany, clipBatch, clipAll …, but not
+/// the templates that also count and trace.
 QStringList fastPath(const Functions& functions)
 {
     static const QRegularExpression clips("([5-9]|[1-9]\\d)clip[A-Z]|10outsideAll|5Exact4many");
@@ -132,7 +132,7 @@ private slots:
             qlonglong(fastPath(library_).size()), reached);
     }
 
-    /// The other two uses are seen to do what the fast path does not.
+    /// The other two uses are found to count and trace.
     void countingAndTracingAreSeen()
     {
         int counting = 0, recording = 0;
@@ -147,7 +147,7 @@ private slots:
 
     /// Instruction for instruction, or nearly: a text without calls may lead the compiler to lay
     /// out the same work in another way. clipMany holds its whole algorithm, whatever its length.
-    void theCodeIsThatWithoutTheCalls()
+    void theFastCodeIsTheSameWithoutTheCalls()
     {
         const Functions unwatched = functionsIn(UNWATCHED_ARCHIVE);
         int loops = 0, same = 0;

@@ -15,7 +15,7 @@ using namespace clipping;
 
 namespace {
 
-/// The truth: Liang and Barsky's intervals in rational numbers.
+/// The exact result: Liang and Barsky's intervals in rational numbers.
 struct Truth {
     bool visible = false;
     Rational ax, ay, bx, by;
@@ -142,14 +142,14 @@ class ExactTest : public QObject {
     const Algorithm& exact_ = exactAlgorithm();
 
 private slots:
-    void decidesRightAndRoundsOnce() { compareWithTruth(exact_.corrected); }
-    void decidesRightAndRoundsOnceInFloat() { compareWithTruth(*exact_.single); }
-    void givesTheSameBitsWhicheverEndComesFirst() { compareWithReversed(exact_.corrected); }
-    void givesTheSameBitsWhicheverEndComesFirstInFloat() { compareWithReversed(*exact_.single); }
-    void staysInsideAndKeepsEndsThatWereInside() { compareEnds(exact_.corrected); }
-    void staysInsideAndKeepsEndsThatWereInsideInFloat() { compareEnds(*exact_.single); }
+    void visibilityIsExactAndEndsAreRoundedOnce() { compareWithTruth(exact_.corrected); }
+    void visibilityIsExactAndEndsAreRoundedOnceInFloat() { compareWithTruth(*exact_.single); }
+    void reversedSegmentsGiveTheSameBits() { compareWithReversed(exact_.corrected); }
+    void reversedSegmentsGiveTheSameBitsInFloat() { compareWithReversed(*exact_.single); }
+    void endsStayInsideAndInnerEndsAreUnchanged() { compareEnds(exact_.corrected); }
+    void endsStayInsideAndInnerEndsAreUnchangedInFloat() { compareEnds(*exact_.single); }
 
-    void findsNothingInEmptyWindowsAndNumbersThatAreNotFinite()
+    void emptyWindowsAndNonFiniteNumbersGiveNothing()
     {
         const auto clip = exact_.corrected.clip;
         const Segment across{{-3, 0}, {3, 1}};
@@ -165,7 +165,7 @@ private slots:
             }
     }
 
-    void decidesByHalfAnUlp()
+    void visibilityIsDecidedToHalfAnUlp()
     {
         // The segment of algorithms.md X12: it misses the corner by half an ulp.
         const double u = std::numeric_limits<double>::epsilon();
@@ -174,7 +174,7 @@ private slots:
         QVERIFY(exact_.corrected.clip({{-1, 1 + u}, {3, 1 - 3 * u}}, unit));
     }
 
-    void isOursAlone() { QVERIFY(!exact_.published && exact_.single); }
+    void hasNoPublishedForm() { QVERIFY(!exact_.published && exact_.single); }
 };
 
 QTEST_APPLESS_MAIN(ExactTest)

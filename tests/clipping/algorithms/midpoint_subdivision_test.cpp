@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only halving does: how it stops, and where it leaves a contact.
+// Properties of halving alone: how it stops, and where it puts a contact.
 #include <cmath>
 
 #include "tests/clipping/contract.h"
@@ -25,7 +25,7 @@ class MidpointSubdivisionTest : public QObject {
 private slots:
     // The middle of two neighbours is the even one: at an edge whose last bit is odd, the outer
     // one.
-    void publishedEndsAtOddEdges()
+    void publishedEndsAtEdgesWithAnOddLastBit()
     {
         const Window odd{{-0.3, -0.3}, {0.3, 0.3}};
         for (int i = 0; i < 100; ++i) {
@@ -36,8 +36,8 @@ private slots:
     }
 
     // Past a corner the last two points may be neighbours that are outside for different reasons:
-    // there is nothing left to halve, and what was found is not visible.
-    void publishedLeavesNothingOutsideAtACorner()
+    // nothing is left to halve, and the point found is not visible.
+    void publishedRejectsASegmentPastACorner()
     {
         constexpr int line20 = 20; // of the pseudo-code: reject, for near != 0000
         Random random(1);
@@ -79,7 +79,7 @@ private slots:
         QVERIFY(contacts > 1'000);
     }
 
-    // An end that alone is visible comes back as it was given: not as End 1 and the whole way from
+    // If only one end is visible, it is returned unchanged: not as End 1 plus the whole way from
     // there, which rounding may take elsewhere.
     void correctedKeepsAnEndThatTouches()
     {

@@ -34,7 +34,7 @@ const Uses<BasicSegment<T>, BasicWindow<T>>& exactUses()
         return *exactAlgorithm().single;
 }
 
-/// What `exact` finds, one segment after the other.
+/// The result of `exact`, one segment after the other.
 template <class T>
 std::vector<Piece<T>> oneByOne(const Scene<T>& scene)
 {
@@ -45,7 +45,7 @@ std::vector<Piece<T>> oneByOne(const Scene<T>& scene)
     return pieces;
 }
 
-/// What a set of instructions finds between begin and end, in a buffer that fits exactly.
+/// The result of an instruction set between begin and end, in a buffer of exactly that size.
 template <class T>
 std::vector<Piece<T>> clipped(const InstructionSet& set, const Scene<T>& scene, std::size_t begin,
                               std::size_t end)
@@ -73,7 +73,7 @@ bool sameSegments(const std::vector<Piece<T>>& p, const std::vector<Piece<T>>& q
     return p.size() == q.size();
 }
 
-/// Numbers that are no numbers, among those that are.
+/// Non-finite numbers among finite ones.
 template <class T>
 Scene<T> spoilt(Scene<T> scene)
 {
@@ -120,7 +120,7 @@ void compareSets()
     }
 }
 
-/// Blocks that lie wholly inside but for one number that is none.
+/// Blocks that lie wholly inside, apart from one non-finite number.
 template <class T>
 void spoilOneNumber()
 {
@@ -160,7 +160,7 @@ class KernelsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void saysWhatThisProcessorLacks()
+    void missingInstructionSetsAreReported()
     {
         QVERIFY(instructionSets().front().available);
         for (const InstructionSet& set : instructionSets())
@@ -168,14 +168,14 @@ private slots:
                 qWarning("%s is not available here and was not tested", set.name.data());
     }
 
-    void givesTheSameBitsInAllInstructions() { compareSets<double>(); }
-    void givesTheSameBitsInAllInstructionsInFloat() { compareSets<float>(); }
-    void findsOneNumberThatIsNone() { spoilOneNumber<double>(); }
-    void findsOneNumberThatIsNoneInFloat() { spoilOneNumber<float>(); }
-    void clipsAnyPartAndWritesNoFurther() { comparePartsOfTheWhole<double>(); }
-    void clipsAnyPartAndWritesNoFurtherInFloat() { comparePartsOfTheWhole<float>(); }
+    void everyInstructionSetGivesTheSameBits() { compareSets<double>(); }
+    void everyInstructionSetGivesTheSameBitsInFloat() { compareSets<float>(); }
+    void aSingleNonFiniteNumberIsFound() { spoilOneNumber<double>(); }
+    void aSingleNonFiniteNumberIsFoundInFloat() { spoilOneNumber<float>(); }
+    void anyPartIsClippedWithoutWritingBeyondIt() { comparePartsOfTheWhole<double>(); }
+    void anyPartIsClippedWithoutWritingBeyondItInFloat() { comparePartsOfTheWhole<float>(); }
 
-    void settlesThePapersSceneInVectors()
+    void thePapersSceneIsDecidedInVectors()
     {
         const auto scene = paperScene<double>(100000);
         std::vector<Clipped> out(scene.segments.size());
@@ -187,7 +187,7 @@ private slots:
             }
     }
 
-    void settlesLongFloatsInVectors()
+    void longFloatsAreDecidedInVectors()
     {
         std::vector<BasicClipped<BasicSegment<float>>> out(20011);
         const auto scene = hardScenes<float>(out.size())[5]; // up to 2^40 long
@@ -200,7 +200,7 @@ private slots:
             }
     }
 
-    void isWhatTheRowUses()
+    void theRowUsesTheFirstKernel()
     {
         const auto scene = paperScene<double>(3000);
         std::vector<Clipped> out(scene.segments.size());

@@ -25,7 +25,7 @@ void everyBoxForm()
             QTest::newRow(a.key.data()) << &a;
 }
 
-/// One family with its truth; only the last one asked for is kept.
+/// A family with its exact results; only the last one requested is stored.
 struct Known {
     const BoxFamily* family = nullptr;
     std::vector<BoxInput> inputs;
@@ -86,7 +86,7 @@ class BoxTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theRowsHaveThem()
+    void fiveRowsHaveABoxForm()
     {
         for (const char* key : {"cohen-sutherland", "liang-barsky", "cyrus-beck",
                                 "matthes-drakopoulos", "midpoint-subdivision"})
@@ -124,9 +124,9 @@ private slots:
         QVERIFY(visible > all.inputs.size() / 50 && visible < all.inputs.size());
     }
 
-    // On small whole numbers no wrong decision is excused, and a contact is a point.
-    void decidesRightlyOnTheGrid_data() { everyBoxForm(); }
-    void decidesRightlyOnTheGrid()
+    // On small whole numbers every decision must be right, and a contact is a point.
+    void visibilityIsRightOnTheGrid_data() { everyBoxForm(); }
+    void visibilityIsRightOnTheGrid()
     {
         QFETCH(const Algorithm*, algorithm);
         const Known& all = known(boxFamilies().front());
@@ -140,7 +140,7 @@ private slots:
         }
     }
 
-    // Where the paper's last question, asked on the x axis alone, is carried over to three axes.
+    // The paper's last test, made on the x axis alone, fails when it is extended to three axes.
     void theCounterexampleIsInvisible_data() { everyBoxForm(); }
     void theCounterexampleIsInvisible()
     {
@@ -151,8 +151,8 @@ private slots:
         QVERIFY(!algorithm->box->clip({{-1, 0, 0}, {0, 0, -1}}, unit));
     }
 
-    void seesNothingWithoutNumbers_data() { everyBoxForm(); }
-    void seesNothingWithoutNumbers()
+    void nonFiniteNumbersGiveNothing_data() { everyBoxForm(); }
+    void nonFiniteNumbersGiveNothing()
     {
         QFETCH(const Algorithm*, algorithm);
         const BoxInput through{{{-1, 0.5, 0.5}, {3, 0.5, 0.5}}, {{0, 0, 0}, {2, 2, 2}}};
@@ -171,8 +171,8 @@ private slots:
         }
     }
 
-    void clipAllTraceAndCountAreClip_data() { everyBoxForm(); }
-    void clipAllTraceAndCountAreClip()
+    void clipAllTraceAndCountAgreeWithClip_data() { everyBoxForm(); }
+    void clipAllTraceAndCountAgreeWithClip()
     {
         QFETCH(const Algorithm*, algorithm);
         const auto& uses = *algorithm->box;
@@ -219,7 +219,7 @@ private slots:
             QVERIFY(std::ranges::count(trace.steps, side, &BasicStep<3>::edge) > 0);
     }
 
-    // Whatever decision a row takes, it takes it in the mirror, too, but for ties in rounding.
+    // Every decision is the same for mirrored input, apart from ties in rounding.
     void isSymmetricOnTheGrid_data() { everyBoxForm(); }
     void isSymmetricOnTheGrid()
     {

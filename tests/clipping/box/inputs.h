@@ -6,7 +6,7 @@
 using BoxInput = BasicInput<3>;
 using BoxFamily = BasicFamily<3>;
 
-/// What the algorithms are tried on in three dimensions, the same at every run.
+/// The test inputs in three dimensions, the same in every run.
 std::span<const BoxFamily> boxFamilies();
 
 /// Every segment between points of a small grid, with boxes of volume, without extent on one, two

@@ -81,7 +81,7 @@ private slots:
         }
     }
 
-    void isShifted()
+    void shifts()
     {
         for (const auto& [ours, truth] : numbers())
             for (const int count : {0, 1, 31, 32, 33, 300})

@@ -66,7 +66,7 @@ private slots:
         QVERIFY2(same(found, value), qPrintable(QString::number(found, 'g', 17)));
     }
 
-    void held()
+    void heldClampsToTheWindow()
     {
         using clipping::Edge;
         QCOMPARE(valueOf("held(1)", Edge::Right, 0), 7.0); // across the edge: the edge itself
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(formulasOf(code).size(), 6U); // copies and x[1] ... y[2] are none
     }
 
-    void linesThatDoNotRead_data()
+    void unreadableLinesAreRefused_data()
     {
         QTest::addColumn<QString>("line");
         for (const char* line : {"if", "x1", "x1 = ", "x1 = 1 y1 = 2", "reject it", "g(1)",
@@ -120,7 +120,7 @@ private slots:
                                  "if x1 < 1: 5", "f(p): q", "x1 = 1;", "else x1 = 1"})
             QTest::newRow(line) << QString(line);
     }
-    void linesThatDoNotRead()
+    void unreadableLinesAreRefused()
     {
         QFETCH(QString, line);
         QVERIFY_THROWS_EXCEPTION(Unreadable, read(line.toStdString()));

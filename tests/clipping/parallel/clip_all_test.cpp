@@ -48,8 +48,8 @@ class ClipAllTest : public QObject {
     tbb::global_control enough_{tbb::global_control::max_allowed_parallelism, 8};
 
 private slots:
-    void findsTheSameWithAnyNumberOfThreads() { compareThreads<double>(); }
-    void findsTheSameWithAnyNumberOfThreadsInFloat() { compareThreads<float>(); }
+    void anyNumberOfThreadsGivesTheSameResult() { compareThreads<double>(); }
+    void anyNumberOfThreadsGivesTheSameResultInFloat() { compareThreads<float>(); }
 };
 
 QTEST_APPLESS_MAIN(ClipAllTest)

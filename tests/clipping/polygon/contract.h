@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What clipping/algorithm.h promises about convex polygons (polygonUlps), against whole numbers.
+// The contract of clipping/algorithm.h for convex polygons (polygonUlps), checked with integers.
 
 #include "clipping/algorithm.h"
 
@@ -94,7 +94,7 @@ inline bool isOnEdge(const glm::dvec2& p, std::uint32_t number, const clipping::
 
 } // namespace polygon_contract
 
-/// How a result breaks the promise; empty if it keeps it.
+/// How a result breaks the contract; empty if it does not.
 inline std::string fault(const std::optional<clipping::Clipped>& found, const clipping::Segment& s,
                          const clipping::ConvexPolygon& polygon, bool decidesExactly)
 {

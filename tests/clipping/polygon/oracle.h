@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The truth about a segment and a convex polygon in whole numbers: the polygon as the common part
-// of half-planes, whatever is asked answered by comparing fractions. Int is cpp_int for any
-// doubles, or long long for small whole numbers. Shares no code with clipping/, but its plain
+// The exact result for a segment and a convex polygon in integers: the polygon is the common part
+// of half-planes, and every question is answered by comparing fractions. Int is cpp_int for any
+// doubles, or long long for small integers. Shares no code with clipping/ except its plain
 // types.
 
 #include "clipping/geometry.h"
@@ -161,7 +161,7 @@ private:
             for (const auto& r : corners)
                 flat = flat && ex * (r.y - p.y) == ey * (r.x - p.x);
             if (i == 1 && n > 50)
-                flat = false; // what the tests make that large is not flat
+                flat = false; // polygons of that size in the tests are not flat
         }
         if (!flat)
             return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What clipping/algorithm.h promises about convex polygons (polygonUlps), for every form of the
+// The contract of clipping/algorithm.h for convex polygons (polygonUlps), for every form of the
 // catalogue, against whole numbers.
 #include "clipping/algorithm.h"
 #include "clipping/exact/turn.h"
@@ -59,7 +59,7 @@ bool isPolygon(const ConvexPolygon& polygon)
     return flat ? !c.empty() : round > 6 && round < 7;
 }
 
-/// On small whole numbers everything is certain: what is seen, and where its ends are.
+/// On small whole numbers everything is known exactly: the visibility and the ends.
 std::string gridFault(const Clipped* found, const Segment& s,
                       const std::optional<polygon_oracle::Interval<long long>>& part)
 {
@@ -104,7 +104,7 @@ void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
     }
 }
 
-/// A segment that has to do with the polygon: through it, by a corner, along an edge, to a corner.
+/// A segment related to the polygon: through it, past a corner, along an edge, or to a corner.
 Segment someSegment(RandomNumbers& random, const ConvexPolygon& polygon, double size)
 {
     const auto& c = polygon.corners;
@@ -270,9 +270,9 @@ private slots:
         }
     }
 
-    // Beside a polygon so small, the segment's ends leave no digit to tell its corners apart.
-    void cornersBelowTheSegmentsDigits_data() { everyPolygonForm(); }
-    void cornersBelowTheSegmentsDigits()
+    // The polygon is so small that, relative to the segment's ends, its corners differ by no digit.
+    void polygonsSmallerThanTheSegmentsPrecision_data() { everyPolygonForm(); }
+    void polygonsSmallerThanTheSegmentsPrecision()
     {
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
@@ -296,7 +296,7 @@ private slots:
         }
     }
 
-    // So thin that its long edges, and the normals, are one line to all but the box.
+    // So thin that its long edges and their normals coincide; only the box tells them apart.
     void besideTheTipOfANeedle_data() { everyPolygonForm(); }
     void besideTheTipOfANeedle()
     {
@@ -321,7 +321,7 @@ private slots:
     }
 
     // "if tL < 1 and tE == tL: x1 = x2, y1 = y2" of the pseudo-code.
-    void aContactIsTheOtherEnd()
+    void aContactTakesTheOtherEnd()
     {
         const ConvexPolygon square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
         const Trace trace = findAlgorithm("cyrus-beck")->polygon->trace({{0, 2}, {2, 0}}, square);
@@ -330,8 +330,8 @@ private slots:
         QCOMPARE(std::ranges::count(trace.steps, 22, &Step::line), 1);
     }
 
-    // Products too small to compute: the sign of what is on the line is known all the same.
-    void anEndOnTheLineIsKnownByItsSign()
+    // The products underflow, but the sign of a point on the line is known all the same.
+    void anEndOnTheLineIsRecognisedByItsSign()
     {
         const Cross<double> beside{0, -1}, on{0, 0};
         QCOMPARE(shareBefore(beside, on), 1.0);
@@ -392,8 +392,8 @@ private slots:
         }
     }
 
-    void seesNothingWithoutNumbers_data() { everyPolygonForm(); }
-    void seesNothingWithoutNumbers()
+    void nonFiniteNumbersGiveNothing_data() { everyPolygonForm(); }
+    void nonFiniteNumbersGiveNothing()
     {
         QFETCH(const PolygonUses*, uses);
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -411,8 +411,8 @@ private slots:
             }
     }
 
-    void clipAndTraceAndCountAreOne_data() { everyPolygonForm(); }
-    void clipAndTraceAndCountAreOne()
+    void clipTraceAndCountAgree_data() { everyPolygonForm(); }
+    void clipTraceAndCountAgree()
     {
         QFETCH(const PolygonUses*, uses);
         RandomNumbers random(5);
@@ -436,7 +436,7 @@ private slots:
         }
     }
 
-    void searchedIsOneByOne()
+    void searchingGivesTheSameAsTestingEveryCorner()
     {
         const Algorithm* skala = findAlgorithm("skala");
         RandomNumbers random(6);
@@ -459,7 +459,7 @@ private slots:
     }
 
     // 16 times the corners: 16 times the work one by one, and a few questions more when searched.
-    void searchingTakesFewQuestions()
+    void searchingNeedsFewComparisons()
     {
         const Algorithm* skala = findAlgorithm("skala");
         const auto comparisons = [&](const PolygonUses& uses, int corners) {
@@ -498,8 +498,8 @@ private slots:
         QCOMPARE(polygonEdgeOfB(down->cut), 1U);
     }
 
-    void numbersManyEdges_data() { everyPolygonForm(); }
-    void numbersManyEdges()
+    void edgesOfLargePolygonsAreNumbered_data() { everyPolygonForm(); }
+    void edgesOfLargePolygonsAreNumbered()
     {
         QFETCH(const PolygonUses*, uses);
         ConvexPolygon polygon; // on a parabola, whole numbers

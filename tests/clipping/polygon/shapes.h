@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the polygon tests share: every form, and random polygons.
+// Shared by the polygon tests: every form, and random polygons.
 
 #include <QTest>
 
