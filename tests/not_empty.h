@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-/// The same range, for a loop over what was found: `for (const QString& link : notEmpty(links))`.
-/// The test fails if there is nothing in it, for a loop that checks nothing would pass. The place
+/// Returns the same range, for a loop over results: `for (const QString& link : notEmpty(links))`.
+/// Fails the test if the range is empty, because a loop that checks nothing would pass. The place
 /// is the caller's (clang 14 has no std::source_location).
 template <class Range>
 Range notEmpty(Range&& range, const char* file = __builtin_FILE(), int line = __builtin_LINE())

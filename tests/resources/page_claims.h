@@ -8,16 +8,16 @@
 #include <cmath>
 #include <vector>
 
-/// A number of a page that was measured, as resources/README.md says: `8.7 %<!-- outside / visible
+/// A measured number on a page, as resources/README.md defines it: `8.7 %<!-- outside / visible
 /// @ published -->`, and after it in the same paragraph the command that prints it.
 struct Claim {
     QString number;     ///< as it stands on the page: "8.7", "1,088"
-    bool percent;       ///< it is told in per cent
+    bool percent;       ///< given in per cent
     QString expression; ///< which of the numbers that the command prints
     QString command;    ///< without the program's name; empty if there is none
 };
 
-/// Paragraphs of markdown, each in one line: what stands between empty lines. Rows of tables and
+/// Paragraphs of markdown, each as one line: the text between empty lines. Rows of tables and
 /// lines of code count as one paragraph too.
 inline QStringList paragraphsOf(const QString& markdown)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way once, by mouse and keyboard: open a drawing that another program might have
-// written, draw a clip window, nudge it, switch algorithms, undo, export; then compare what was
-// exported with a picture that librsvg makes of the original, clipped by it at the same window.
+// The whole workflow once, by mouse and keyboard: open a drawing of the kind another program
+// writes, draw a clip window, nudge it, switch algorithms, undo, export; then compare the
+// export with the picture that librsvg makes of the original, clipped at the same window.
 #include "ui/files/files.h"
 #include "ui/window/main_window.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 const QString foreign = QStringLiteral(SOURCE_DIR "/tests/ui/data/foreign.svg");
 
-/// Answers with one file name, and never needs to be asked anything else.
+/// Answers with one file name; no other question is expected.
 struct Answers : ui::Questions {
     Answers(QWidget& window, QString file) : Questions(window), path(std::move(file)) {}
     QString fileToSave(const QString&, const QString& given, Formats) override
@@ -44,7 +44,7 @@ QImage rendered(const QString& svg, const QString& png)
                : QImage();
 }
 
-/// The original with everything in it behind an SVG clip path: what a viewer shows of it.
+/// The original inside an SVG clip path, as a viewer shows it.
 void writeMasked(const QString& path, const clipping::Window& window)
 {
     QFile in(foreign);
@@ -141,7 +141,7 @@ private slots:
         const clipping::Window nudged = sheetOf(session.document).window;
         QVERIFY(nudged.min.x > drawn.min.x && nudged.min.y > drawn.min.y);
 
-        // Every algorithm by its digit leaves the same.
+        // Every algorithm, chosen by its digit, keeps the same.
         for (std::size_t i = 0; i < clipping::algorithms().size() && i < 9; ++i) {
             QTest::keyClick(canvas, Qt::Key(Qt::Key_1 + int(i)));
             QCOMPARE(session.display().variant.algorithm, &clipping::algorithms()[i]);

@@ -23,7 +23,7 @@ void collect(QtMsgType type, const QMessageLogContext&, const QString& text)
         warnings << text;
 }
 
-// Gives the current row of a list another name, and ends that by a key, or (Key_unknown) as by a
+// Renames the current row of a list, and ends the editing with a key, or (Key_unknown) as by a
 // click elsewhere.
 void rename(MainWindow& window, QListView& list, const char* name, Qt::Key end)
 {
@@ -52,12 +52,12 @@ void openAndClose(TestWindow& test, QComboBox& list, Qt::Key end)
 
 } // namespace
 
-// Small things that a person meets in the first hour.
+// Small things that users notice in the first hour.
 class FirstUseTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void outsideCountsWhatIsLeftOutside()
+    void keepOutsideCountsTheLinesOutside()
     {
         TestWindow t;
         t.window->files().open(t.twoLines()); // with a window around both
@@ -66,7 +66,7 @@ private slots:
         ui::setKeep(t.window->session(), app::Keep::Outside);
         QTRY_COMPARE(t.window->status().visibility(), "0 of 2 visible");
     }
-    void repeatedPastesAndDuplicatesLieBesideEachOther()
+    void repeatedPastesAndDuplicatesAreOffset()
     {
         for (const char* const how : {"paste", "duplicate"}) {
             TestWindow t;
@@ -90,7 +90,7 @@ private slots:
             QVERIFY(near(shapes.back().paths[0].start, {25, 75}, 1e-9));
         }
     }
-    void whatIsHoveredIsNoLongerWhenThePointerLeaves()
+    void theHoverEndsWhenThePointerLeaves()
     {
         const auto leave = [](Stage& stage) {
             QEvent event(QEvent::Leave);
@@ -113,7 +113,7 @@ private slots:
             }
         }
     }
-    void aCornerNotYetClickedIsGoneWithThePointer()
+    void thePreviewedCornerDisappearsWithThePointer()
     {
         Stage stage(Backend::Raster, {});
         stage.canvas->setTool("polyline");
@@ -126,7 +126,7 @@ private slots:
         QApplication::sendEvent(&stage.surface(), &event);
         QVERIFY(stage.picture() == before);
     }
-    void aClickBesideTheRowsKeepsTheHighlight()
+    void aClickBesideTheRowsKeepsTheSelection()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -152,7 +152,7 @@ private slots:
         }
         QVERIFY(lists >= 2); // layers and algorithms
     }
-    void renamingALayerIsQuietAndKeepsItChosen()
+    void renamingALayerKeepsItSelected()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -177,13 +177,14 @@ private slots:
         qInstallMessageHandler(before);
         QCOMPARE(warnings, QStringList());
     }
-    void listsGiveTheKeyboardBack()
+    void listsReturnTheFocus()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
         t.show();
         QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
-        // Of the window: here nothing makes it active again when a list is closed.
+        // The focus within the window: without a window manager, closing a list does not make the
+        // window active again.
         const auto focus = [&] { return t.window->focusWidget(); };
         const auto lists = t.window->findChildren<QComboBox*>();
         int tried = 0;
@@ -204,7 +205,7 @@ private slots:
         QTest::keyClick(t.window->focusWidget(), Qt::Key_L);
         QCOMPARE(t.window->canvas().tool(), std::string_view("line"));
     }
-    void escapeLeadsOutOfEveryPlaceToTheCanvas()
+    void escapeReturnsTheFocusToTheCanvas()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());

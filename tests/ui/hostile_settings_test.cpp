@@ -14,14 +14,14 @@
 
 #include "tests/ui/test_window.h"
 
-// The settings are a file that anything may have written.
+// The settings are a file that any program may have written.
 
 namespace ui {
 
 class HostileSettingsTest : public QObject {
     Q_OBJECT
 
-    // What a session of the program writes; theKeysAreAll holds it against the sources.
+    // The settings that a session writes; everySettingsKeyIsTested compares them with the sources.
     static QStringList keys()
     {
         return {"theme",
@@ -55,7 +55,7 @@ class HostileSettingsTest : public QObject {
     }
 
 private slots:
-    void theKeysAreAll()
+    void everySettingsKeyIsTested()
     {
         QStringList known = keys();
         QDirIterator files(SOURCE_DIR, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
@@ -77,7 +77,7 @@ private slots:
         QVERIFY(found >= 10);
     }
 
-    void garbageOfEveryKeyStartsTheProgram_data()
+    void theProgramStartsWithGarbageInEveryKey_data()
     {
         QTest::addColumn<QVariant>("value");
         QTest::newRow("nothing") << QVariant(QString());
@@ -92,7 +92,7 @@ private slots:
         QTest::newRow("list") << QVariant(QStringList(3000, "x"));
         QTest::newRow("panes") << QVariant("4 99 exact exact exact exact");
     }
-    void garbageOfEveryKeyStartsTheProgram()
+    void theProgramStartsWithGarbageInEveryKey()
     {
         QFETCH(QVariant, value);
         TestWindow usual; // sets the settings' place
@@ -122,7 +122,7 @@ private slots:
     }
 
     // QMainWindow crashes on some of these.
-    void aDamagedLayoutIsNoLayout()
+    void aDamagedLayoutIsIgnored()
     {
         TestWindow test;
         test.show();
@@ -140,7 +140,7 @@ private slots:
         }
     }
 
-    void asLargeAsAskedWithinTheScreen()
+    void theRequestedSizeIsLimitedToTheScreen()
     {
         TestWindow test;
         test.window->resize(30'000, 20'000);

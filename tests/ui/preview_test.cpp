@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is dragged is the session's preview: everything follows that, and nothing waits for a frame.
+// A drag sets the session's preview: everything follows it, and nothing waits for a frame.
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/cost_map_panel.h"
 #include "ui/docks/line_panel.h"
@@ -31,8 +31,7 @@ struct Frames : QObject {
     int count = 0;
 };
 
-/// The window of the program with a drawing in millimetres, of 100 by 100 user units, all of it in
-/// sight.
+/// The main window with a drawing in millimetres, of 100 by 100 user units, all visible.
 struct Desk : TestWindow {
     Desk()
     {
@@ -76,19 +75,19 @@ struct Desk : TestWindow {
     {
         QTest::mouseRelease(drawingArea(), Qt::LeftButton, Qt::ControlModifier, at(point));
     }
-    /// X, Y, W, H as they are shown.
+    /// The shown texts of X, Y, W and H.
     std::array<double, 4> numbers() const
     {
         return {fields[0]->value(), fields[1]->value(), fields[2]->value(), fields[3]->value()};
     }
-    /// The numbers of a window, as the fields round them.
+    /// The numbers of a clip window, rounded like the fields.
     std::array<double, 4> numbersOf(const clipping::Window& w) const
     {
         const auto rounded = [&](double v) { return std::round(v * 100) / 100; };
         return {rounded(w.min.x), rounded(w.min.y), rounded(w.max.x - w.min.x),
                 rounded(w.max.y - w.min.y)};
     }
-    /// What `exact` sees of the window as it is now.
+    /// The number of lines that `exact` keeps in the current clip window.
     std::size_t visible() const
     {
         return session().scene.clip(session().region(), app::exactVariant()).visible;
@@ -103,7 +102,7 @@ class PreviewTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theNumbersMoveWithTheHand_data()
+    void theNumbersFollowTheDrag_data()
     {
         QTest::addColumn<QString>("tool");
         QTest::addColumn<app::Point>("from");
@@ -118,7 +117,7 @@ private slots:
         QTest::addRow("drawn") << "window" << app::Point(5, 10) << app::Point(20, 22)
                                << std::vector{true, true, true, true};
     }
-    void theNumbersMoveWithTheHand()
+    void theNumbersFollowTheDrag()
     {
         QFETCH(QString, tool);
         QFETCH(app::Point, from);
@@ -211,8 +210,8 @@ private slots:
         QTRY_COMPARE(panel->steps(), before);
     }
 
-    /// Nobody sees the window jump back between the gesture and its command.
-    void theWindowIsNeverBackInBetween()
+    /// The clip window does not jump back between the gesture and its command.
+    void theClipWindowNeverJumpsBack()
     {
         Desk t;
         std::vector<clipping::Window> seen;
@@ -225,13 +224,13 @@ private slots:
         QCOMPARE(seen.back(), sheetOf(t.session().document).window);
     }
 
-    void whatEndsAGestureEndsThePreview_data()
+    void everyEndOfAGestureEndsThePreview_data()
     {
         QTest::addColumn<QString>("how");
         for (const char* how : {"undo", "tool", "open"})
             QTest::addRow("%s", how) << how;
     }
-    void whatEndsAGestureEndsThePreview()
+    void everyEndOfAGestureEndsThePreview()
     {
         QFETCH(QString, how);
         Desk t;
@@ -252,7 +251,7 @@ private slots:
         QCOMPARE(t.session().history.count(), 0);
     }
 
-    void theLineThatIsDrawnIsInIt()
+    void thePreviewHoldsTheDrawnLine()
     {
         Desk t;
         t.window->canvas().setTool("line");
@@ -266,7 +265,7 @@ private slots:
         QCOMPARE(t.session().history.count(), 1);
     }
 
-    void onlyAnotherPreviewIsSaid()
+    void onlyAChangedPreviewIsSignalled()
     {
         app::Session session;
         QSignalSpy changed(&session, &app::Session::previewChanged);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Somebody who does anything with everything: keys, clicks, half gestures and commands at random.
-// CLEARCUT_EVENTS and CLEARCUT_SEED in the environment make it longer, or another one.
+// Random keys, clicks, unfinished gestures and commands on all widgets.
+// The environment variables CLEARCUT_EVENTS and CLEARCUT_SEED set their number and the seed.
 #include <QApplication>
 #include <QListView>
 #include <QMenu>
@@ -32,7 +32,7 @@ public:
         for (QAction* action : test_.window->findChildren<QAction*>())
             if (!action->menu() && !action->isSeparator() && !leavesTheWindow(*action))
                 actions_ << action;
-        // What waits for an answer gets none.
+        // Questions get no answer.
         QObject::connect(&closer_, &QTimer::timeout, [] {
             if (QWidget* waiting = QApplication::activePopupWidget()
                                        ? QApplication::activePopupWidget()
@@ -45,7 +45,7 @@ public:
         start_ = sheetOf(session().document);
     }
 
-    /// Does something, and says what.
+    /// Sends one random event, and describes it.
     QString act()
     {
         switch (below(13)) {
@@ -71,7 +71,7 @@ public:
         }
     }
 
-    /// What is wrong now; nothing while all is well.
+    /// The fault found now, or empty.
     QString fault()
     {
         const app::Sheet& sheet = sheetOf(session().document);
@@ -100,7 +100,7 @@ public:
                    : "the scene is not the drawing";
     }
 
-    /// Whether undoing everything brings back what was opened, and redoing what was there.
+    /// Whether undoing everything restores the opened drawing, and redoing the edited one.
     bool historyHolds()
     {
         QTest::keyClick(test_.drawingArea(), Qt::Key_Escape); // ends a gesture
@@ -203,7 +203,7 @@ private:
         QTest::mouseRelease(test_.drawingArea(), Qt::LeftButton, held, place());
         return "drag";
     }
-    /// Another number of panes, another active one, or one less: in the middle of gestures too.
+    /// Changes the number of panes or the active pane, or closes one, also during gestures.
     QString pane()
     {
         Canvas& canvas = test_.window->canvas();
@@ -271,14 +271,14 @@ class RandomTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nothingBreaksIt()
+    void randomEventsBreakNothing()
     {
         const auto events = fromEnvironment("CLEARCUT_EVENTS", 600);
         Somebody somebody(fromEnvironment("CLEARCUT_SEED", 1));
         QString done;
         for (quint64 i = 0; i < events; ++i) {
             done = QStringLiteral("%1: %2").arg(i).arg(somebody.act());
-            if (events > 600) // for those who look for a crash
+            if (events > 600) // helps to find a crash
                 qInfo("%s", qPrintable(done));
             if (i % 3 == 0)
                 QCoreApplication::processEvents();

@@ -43,7 +43,7 @@ class TeachingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void f11ShowsTheDrawingToAClassAndBack()
+    void f11StartsAndEndsPresentation()
     {
         Stage stage;
         const QStringList docks = stage.shownDocks();
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(stage.shownDocks(), docks);
         QCOMPARE(stage.window->canvas().font().pointSizeF(), type);
     }
-    void theMicroscopeIsPresentedToo()
+    void theMicroscopeFollowsPresentation()
     {
         Stage stage;
         const QStringList docks = stage.shownDocks();
@@ -116,7 +116,7 @@ private slots:
         QCOMPARE(stage.course().lesson()->key, key);
         QVERIFY(stage.course().atLastPage());
     }
-    void lessonsGoWithTheMicroscope()
+    void lessonsCloseWithTheMicroscope()
     {
         Stage stage;
         const QStringList docks = stage.shownDocks();
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(!stage.course().lesson());
         QCOMPARE(stage.shownDocks(), docks);
     }
-    void startLeadsToTheFirstLesson()
+    void theStartPanelOpensTheFirstLesson()
     {
         Stage stage;
         emit stage.window->findChild<ui::StartPanel*>()->lessonWanted();
@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(stage.course().lesson()->key, app::lessons().front().key);
         QVERIFY(stage.window->findChild<ui::LessonPanel*>()->isVisible());
     }
-    void aLessonIsReadOnWhilePresenting()
+    void aLessonContinuesWhilePresenting()
     {
         Stage stage;
         stage.press(Qt::Key_F1, Qt::ControlModifier);

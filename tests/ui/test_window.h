@@ -23,8 +23,8 @@ public:
     QString open, save, proposed;
     Answer answer = Answer::Cancel;
     bool asNewFile = false, overwrite = false;
-    QStringList existing; ///< what was asked about before it was overwritten
-    int asked = 0;        ///< how often about unsaved changes
+    QStringList existing; ///< files that a question about overwriting named
+    int asked = 0;        ///< number of questions about unsaved changes
 
     QString fileToOpen(const QString&) override { return open; }
     QString fileToSave(const QString&, const QString& proposal, Formats) override

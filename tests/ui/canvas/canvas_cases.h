@@ -8,11 +8,11 @@
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/canvas/stage.h"
 
-// What both canvases must do, with real events: the tests of either call these.
+// The behaviour that both canvases share, tested with real events. Both tests call these.
 
 namespace cases {
 
-inline void showsWhatIsLeftAndGhostsTheRest(ui::Backend backend)
+inline void theKeptPartIsShownAndTheRestGhosted(ui::Backend backend)
 {
     Stage stage(backend);
     QCOMPARE(stage.colourAt({100, 50}), QColor(0, 0, 200));
@@ -104,7 +104,7 @@ inline void keysNavigate(ui::Backend backend)
 {
     Stage stage(backend);
     stage.canvas->setZoom(1);
-    QTest::qWait(750); // a stay of its own in the history
+    QTest::qWait(750); // a separate entry of the view history
     stage.key(Qt::Key_Plus, Qt::ControlModifier);
     QVERIFY(stage.canvas->zoom() > 1.1);
     stage.key(Qt::Key_Minus, Qt::ControlModifier);
@@ -138,7 +138,7 @@ inline void keysNavigate(ui::Backend backend)
     }
 }
 
-inline void theWindowIsDrawnMovedAndResized(ui::Backend backend)
+inline void theClipWindowIsDrawnMovedAndResized(ui::Backend backend)
 {
     Stage stage(backend);
     stage.key(Qt::Key_W);
@@ -183,7 +183,7 @@ inline void theClipFollowsTheGesture(ui::Backend backend)
 }
 
 /// Published KWC loses a line that leans by less than one unit.
-inline void whatDiffersIsColouredAndFollowsTheGesture(ui::Backend backend)
+inline void differencesAreColouredAndFollowTheGesture(ui::Backend backend)
 {
     Stage stage(backend, {line({100, 10}, {100.5, 90}), line({60, 30}, {90, 60})});
     const auto isMarked = [&](app::Point p) {

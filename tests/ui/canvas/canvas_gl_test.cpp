@@ -5,13 +5,16 @@ class CanvasGlTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void isTheOneAskedFor()
+    void theRequestedBackendIsUsed()
     {
         Stage stage(backend);
         QCOMPARE(stage.canvas->backend(), backend);
         QVERIFY(!stage.canvas->backendReason().isEmpty());
     }
-    void showsWhatIsLeftAndGhostsTheRest() { cases::showsWhatIsLeftAndGhostsTheRest(backend); }
+    void theKeptPartIsShownAndTheRestGhosted()
+    {
+        cases::theKeptPartIsShownAndTheRestGhosted(backend);
+    }
     void everyFrameClipsEverything() { cases::everyFrameClipsEverything(backend); }
     void theWheelZoomsAroundThePointerAndBack()
     {
@@ -20,11 +23,14 @@ private slots:
     void wheelsAndTouchpadsPan() { cases::wheelsAndTouchpadsPan(backend); }
     void buttonsAndSpacePan() { cases::buttonsAndSpacePan(backend); }
     void keysNavigate() { cases::keysNavigate(backend); }
-    void theWindowIsDrawnMovedAndResized() { cases::theWindowIsDrawnMovedAndResized(backend); }
-    void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
-    void whatDiffersIsColouredAndFollowsTheGesture()
+    void theClipWindowIsDrawnMovedAndResized()
     {
-        cases::whatDiffersIsColouredAndFollowsTheGesture(backend);
+        cases::theClipWindowIsDrawnMovedAndResized(backend);
+    }
+    void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
+    void differencesAreColouredAndFollowTheGesture()
+    {
+        cases::differencesAreColouredAndFollowTheGesture(backend);
     }
     void softwareOpenGlIsNotChosenByItself()
     {

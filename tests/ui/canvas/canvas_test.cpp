@@ -12,13 +12,16 @@ class CanvasTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void isTheOneAskedFor()
+    void theRequestedBackendIsUsed()
     {
         Stage stage(backend);
         QCOMPARE(stage.canvas->backend(), backend);
         QVERIFY(!stage.canvas->backendReason().isEmpty());
     }
-    void showsWhatIsLeftAndGhostsTheRest() { cases::showsWhatIsLeftAndGhostsTheRest(backend); }
+    void theKeptPartIsShownAndTheRestGhosted()
+    {
+        cases::theKeptPartIsShownAndTheRestGhosted(backend);
+    }
     void everyFrameClipsEverything() { cases::everyFrameClipsEverything(backend); }
     void theWheelZoomsAroundThePointerAndBack()
     {
@@ -27,11 +30,14 @@ private slots:
     void wheelsAndTouchpadsPan() { cases::wheelsAndTouchpadsPan(backend); }
     void buttonsAndSpacePan() { cases::buttonsAndSpacePan(backend); }
     void keysNavigate() { cases::keysNavigate(backend); }
-    void theWindowIsDrawnMovedAndResized() { cases::theWindowIsDrawnMovedAndResized(backend); }
-    void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
-    void whatDiffersIsColouredAndFollowsTheGesture()
+    void theClipWindowIsDrawnMovedAndResized()
     {
-        cases::whatDiffersIsColouredAndFollowsTheGesture(backend);
+        cases::theClipWindowIsDrawnMovedAndResized(backend);
+    }
+    void theClipFollowsTheGesture() { cases::theClipFollowsTheGesture(backend); }
+    void differencesAreColouredAndFollowTheGesture()
+    {
+        cases::differencesAreColouredAndFollowTheGesture(backend);
     }
     void withoutADisplayThereIsNoOpenGl()
     {
@@ -40,8 +46,8 @@ private slots:
         Stage stage(ui::Backend::OpenGL);
         QCOMPARE(stage.canvas->backend(), ui::Backend::Raster);
     }
-    // Slow pictures are painted behind the scenes; what is shown meanwhile is the last one, moved.
-    void manyLinesArriveInTheEnd()
+    // Slow pictures are painted on other threads; meanwhile the last picture is shown, moved.
+    void manyLinesAreEventuallyPainted()
     {
         std::vector<app::Shape> shapes;
         for (int i = 0; i < 60'000; ++i)
@@ -54,9 +60,9 @@ private slots:
         ::splice(stage.session.document, 0, shapes.size(), {});
         QCOMPARE(stage.colourAt({100, 30}), QColor(Qt::white));
     }
-    // Painted in one piece it would take minutes, longer than a test function may; so would waiting
-    // for it when the canvas goes.
-    void aStrokeThatCrossesItselfIsPaintedAndLeft()
+    // Painted in one piece it would take minutes, longer than a test may take; so would waiting
+    // for it when the canvas is destroyed.
+    void aSelfCrossingStrokeNeverBlocksTheCanvas()
     {
         Stage stage(ui::Backend::Raster);
         bool painting = false;

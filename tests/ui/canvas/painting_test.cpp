@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A paint event computes nothing but the clipping of its frame, the picture and its pixels: what
-// differs and how exact an algorithm is were found before.
+// A paint event computes only the clipping of its frame, the picture and its pixels. The
+// differences and the exactness of an algorithm are computed before.
 #include <functional>
 
 #include "tests/ui/canvas/pane_stage.h"
@@ -10,13 +10,13 @@ using namespace clipping;
 namespace {
 
 int painting = 0;  // paint events that are being handled
-int callsIn = 0;   // of the counted algorithm, in the paint event that is being handled
-int mostCalls = 0; // of it in any paint event
+int callsIn = 0;   // of the counted algorithm, in the current paint event
+int mostCalls = 0; // of the counted algorithm, in any paint event
 int callsOutside = 0;
 int paints = 0;
 std::function<void()> atPaint = [] {};
 
-/// Knows when a widget paints.
+/// Reports when a widget paints.
 class Application : public QApplication {
 public:
     using QApplication::QApplication;
@@ -42,7 +42,7 @@ std::size_t countedClipAll(std::span<const Segment> in, const Window& window,
     return findAlgorithm("kwc")->published->clipAll(in, window, out);
 }
 
-/// Published KWC, which loses lines, with its calls counted.
+/// Published KWC, which loses lines, with a counter of its calls.
 const Algorithm& counted()
 {
     static const auto uses = [] {
@@ -87,7 +87,7 @@ private slots:
         atPaint = [] {};
     }
 
-    void comparesNothing()
+    void paintingComparesNothing()
     {
         Stage stage(ui::Backend::Raster, steepLines());
         const app::Variant variant{&counted(), published};
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(stage.session.preview().window);
         QCOMPARE(mostCalls, 0);
         QVERIFY(callsOutside >= 8);
-        QCOMPARE(marked, paints); // no frame without its marks: they do not flicker
+        QCOMPARE(marked, paints); // every frame has its marks, so they do not flicker
         QVERIFY(!stage.session.differences.found().list.empty());
         stage.key(Qt::Key_Escape);
         QTRY_COMPARE(stage.session.differences.found().window, stage.session.window());

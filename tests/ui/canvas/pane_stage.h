@@ -16,7 +16,7 @@ inline app::Variant row(const char* key, clipping::Form form = clipping::Form::C
     return {clipping::findAlgorithm(key), form};
 }
 
-/// Thin lines, many of them nearly vertical: those KWC loses as it was published.
+/// Thin lines, many of them nearly vertical: published KWC loses these.
 inline std::vector<app::Shape> steepLines()
 {
     std::mt19937 random(5);
@@ -65,7 +65,7 @@ public:
         canvas->settle();
         return pane(i).grab().toImage();
     }
-    /// Where in a pane the orange outline is: its smallest rectangle.
+    /// The bounding box of the orange outline in a pane.
     QRect orange(std::size_t i)
     {
         const QImage image = shot(i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panes are as many OpenGL widgets, which share nothing but the window.
+// Each pane is an OpenGL widget of its own; panes share only the main window.
 #include "tests/ui/canvas/pane_stage.h"
 
 class PanesGlTest : public QObject {
@@ -8,7 +8,7 @@ class PanesGlTest : public QObject {
 private slots:
     void initTestCase() { ui::applyTheme(*qApp, ui::Theme::Light); }
 
-    void showTheSameInTheMiddleOfAGesture()
+    void panesAgreeDuringAGesture()
     {
         PaneStage stage(4, ui::Backend::OpenGL);
         QCOMPARE(stage.canvas->backend(), ui::Backend::OpenGL);
@@ -29,7 +29,7 @@ private slots:
         stage.send(2, QEvent::MouseButtonRelease, from + by, Qt::LeftButton);
         QCOMPARE(stage.session.history.count(), 1);
     }
-    void comeAndGo()
+    void panesAreAddedAndRemoved()
     {
         PaneStage stage(1, ui::Backend::OpenGL);
         const QImage alone = stage.shot(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panes side by side: one view, one gesture, an algorithm each.
+// Panes side by side share the view and the gesture; each has its own algorithm.
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -12,7 +12,7 @@ class PanesTest : public QObject {
 private slots:
     void initTestCase() { ui::applyTheme(*qApp, ui::Theme::Light); }
 
-    void showTheSameInEqualSizes()
+    void panesOfEqualSizeShowTheSame()
     {
         for (const std::size_t count : {2, 4, 12}) {
             PaneStage stage(1);
@@ -31,8 +31,8 @@ private slots:
             }
         }
     }
-    // In the middle of it, not only at the end.
-    void followAnyGesture_data()
+    // During the gesture, not only at its end.
+    void panesFollowAnyGesture_data()
     {
         QTest::addColumn<QString>("tool");
         QTest::addColumn<int>("button");
@@ -40,7 +40,7 @@ private slots:
         QTest::newRow("hand") << "hand" << int(Qt::LeftButton);
         QTest::newRow("window") << "window" << int(Qt::LeftButton);
     }
-    void followAnyGesture()
+    void panesFollowAnyGesture()
     {
         QFETCH(QString, tool);
         QFETCH(int, button);
@@ -68,7 +68,7 @@ private slots:
         if (tool == "window")
             QCOMPARE(stage.orange(0), before);
     }
-    void zoomTogether()
+    void panesZoomTogether()
     {
         PaneStage stage(4);
         const QRect before = stage.orange(1);
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(stage.orange(3), after);
         QCOMPARE(stage.canvas->panes().active(), std::size_t(0)); // the wheel chooses nothing
     }
-    void areWhatASingleCanvasShows()
+    void aPaneShowsTheSameAsASingleCanvas()
     {
         for (const std::size_t count : {4, 12}) {
             PaneStage stage(count);
@@ -90,7 +90,7 @@ private slots:
             single.canvas->resize(stage.pane(0).size() + QSize(20, 20));
             for (std::size_t i = 0; i < count; ++i) {
                 if (stage.canvas->panes().choices()[i].form == published)
-                    continue; // what it loses is marked in panes
+                    continue; // panes mark the lines that it loses
                 stage.canvas->activatePane(i);
                 app::Display display = single.session.display();
                 display.variant.algorithm = stage.canvas->panes().choices()[i].algorithm;
@@ -101,7 +101,7 @@ private slots:
             }
         }
     }
-    void clipEachWithItsOwn()
+    void eachPaneClipsWithItsOwnAlgorithm()
     {
         PaneStage stage(4);
         QCOMPARE(stage.canvas->panes().choices()[2], row("kwc", published));
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(dark(2) < dark(1) / 4);
         QCOMPARE(dark(1), dark(3));
     }
-    void theActiveOneIsWhatTheSessionHasChosen()
+    void theActivePaneHasTheSessionsAlgorithm()
     {
         PaneStage stage(4);
         QSignalSpy frames(stage.canvas.get(), &ui::Canvas::frameShown);
@@ -137,10 +137,10 @@ private slots:
         for (const auto& frame : frames) // the active pane's frames and no others
             QCOMPARE(frame[0].value<ui::FrameTimes>().choice, std::optional(row("skala")));
         QTest::keyClick(&stage.pane(1), Qt::Key_Backtab);
-        QTest::keyClick(&stage.pane(1), Qt::Key_Tab); // the keyboard gets around as well
+        QTest::keyClick(&stage.pane(1), Qt::Key_Tab); // the keyboard reaches every pane as well
         QVERIFY(stage.canvas->panes().chosen() == stage.chosen());
     }
-    void onlyTheActiveOneHasHandles()
+    void onlyTheActivePaneHasHandles()
     {
         PaneStage stage(2);
         stage.canvas->setTool("window");
@@ -150,7 +150,7 @@ private slots:
         QCOMPARE(stage.orange(0), other);
         QCOMPARE(stage.orange(1), one);
     }
-    void areEditedFromAny()
+    void theDrawingIsEditedFromAnyPane()
     {
         PaneStage stage(4);
         stage.canvas->setTool("line");
@@ -179,7 +179,7 @@ private slots:
         QTest::keyRelease(&stage.pane(1), Qt::Key_Space);
         QVERIFY(stage.session.history.count() == 0);
     }
-    void closeInTheMiddleOfAGesture()
+    void panesCanCloseDuringAGesture()
     {
         PaneStage stage(4);
         stage.canvas->setTool("window");
@@ -198,7 +198,7 @@ private slots:
         QCOMPARE(stage.canvas->focusProxy(), &stage.pane(stage.canvas->panes().active()));
         QVERIFY(stage.canvas->focusProxy()->hasFocus());
     }
-    void whatIsSeenStaysInSight()
+    void theVisiblePartStaysVisible()
     {
         PaneStage stage(1);
         stage.canvas->setZoom(2.5); // fitted to nothing
@@ -211,7 +211,7 @@ private slots:
         stage.show(1);
         QVERIFY(near(stage.canvas->view().visible(), before.visible(), 1e-6));
     }
-    void headingsCloseChooseAndMakeSingle()
+    void headingsCloseChooseAndShowOnlyOnePane()
     {
         PaneStage stage(4);
         QTest::mouseClick(&stage.heading(2), Qt::LeftButton);
@@ -231,8 +231,8 @@ private slots:
         QCOMPARE(stage.count(), std::size_t(1));
         QCOMPARE(stage.chosen(), row("md"));
     }
-    // In magenta, and counted, in the middle of a gesture too; nothing of it in a single pane.
-    void whatDiffersFromExactIsMarked()
+    // In magenta and counted, also during a gesture; a single pane shows none of it.
+    void differencesFromExactAreMarked()
     {
         PaneStage stage(4);
         const auto magenta = [&](std::size_t i) {
@@ -275,9 +275,9 @@ private slots:
         QTRY_VERIFY(stage.heading(3).time().endsWith("ms"));
         ::splice(stage.session.document, 0, 5000, {});
         stage.canvas->settle();
-        QTRY_COMPARE(stage.heading(3).time(), QString()); // too few to time
+        QTRY_COMPARE(stage.heading(3).time(), QString()); // too few lines to time
     }
-    void becomeFewerWhereThereIsNoRoom()
+    void fewerPanesAreShownWithoutRoom()
     {
         PaneStage stage(4);
         stage.canvas->activatePane(2);

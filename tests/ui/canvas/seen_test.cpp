@@ -29,7 +29,7 @@ class SeenTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void isOnlyThereWhenItIsAskedFor()
+    void theOverlayIsShownOnlyOnRequest()
     {
         Stage stage(ui::Backend::Raster);
         const QImage before = stage.picture();
@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(differing(stage.picture(), before), 0);
     }
 
-    void everyAlgorithmShowsSomethingOfItsOwn()
+    void everyAlgorithmHasItsOwnOverlay()
     {
         Stage stage(ui::Backend::Raster, {line({10, 90}, {120, 5})});
         stage.session.inspect(0);
@@ -63,7 +63,7 @@ private slots:
     }
 
     // Nicholl, Lee and Nicholl's rays turn about the first end while a line is drawn.
-    void followsTheLineThatIsDrawn()
+    void theOverlayFollowsTheDrawnLine()
     {
         Stage stage(ui::Backend::Raster, {});
         show(stage, true, "NLN");
@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(stage.session.scene.lines().size(), std::size_t(1));
     }
 
-    void eachPaneShowsItsOwn()
+    void eachPaneShowsItsOwnOverlay()
     {
         Stage stage(ui::Backend::Raster);
         stage.session.inspect(0);
@@ -97,8 +97,8 @@ private slots:
         QVERIFY(differing(one, other) > 1000);
     }
 
-    // The sample "The nine regions" writes each outcode into its region, too.
-    void theSamplesOwnOutcodesStayVisible()
+    // The sample "The nine regions" also writes each outcode into its region.
+    void theOutcodesInTheSampleStayVisible()
     {
         const auto read =
             app::readFile(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
@@ -136,7 +136,7 @@ private slots:
         }
     }
 
-    void aWindowOutOfSightIsNoTrouble()
+    void aClipWindowOutsideTheViewIsAccepted()
     {
         Stage stage(ui::Backend::Raster);
         stage.session.inspect(0);

@@ -12,7 +12,7 @@
 
 #include "tests/app/document/sheet.h"
 
-// A canvas on the screen with a drawing of 200 x 100 px at 100 %, and hands that work on it.
+// A canvas on the screen with a drawing of 200 x 100 px at 100 %, and functions that send events.
 
 inline app::Shape line(app::Point a, app::Point b)
 {
@@ -93,7 +93,7 @@ public:
                           phase, false);
         QApplication::sendEvent(&surface(), &event);
     }
-    /// The drawing without the rulers, at one pixel to the logical pixel.
+    /// The drawing without the rulers, with one pixel per logical pixel.
     QImage picture()
     {
         canvas->settle();

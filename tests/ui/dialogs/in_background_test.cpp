@@ -48,12 +48,12 @@ private slots:
         });
         watch.start(5);
         const auto answer = ui::inBackground(nullptr, "Working…", [seen] {
-            seen->acquire(); // as long as it takes until it is seen
+            seen->acquire(); // until the dialog is visible
             return 42;
         });
         QCOMPARE(answer.value_or(0), 42);
     }
-    void cancellingGivesNothing()
+    void aCancelledJobGivesNoResult()
     {
         QTimer watch;
         connect(&watch, &QTimer::timeout, this, [] {
@@ -67,7 +67,7 @@ private slots:
             return 42;
         });
         QVERIFY(!answer);
-        over->release(); // the thread ends unseen
+        over->release(); // the thread ends without a result
     }
 };
 

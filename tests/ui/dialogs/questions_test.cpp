@@ -15,7 +15,7 @@ using namespace ui;
 
 namespace {
 
-/// What the question's default button says, when Return is pressed on it.
+/// The text of the question's default button, which Return presses.
 template <class Ask>
 QString answeredByReturn(Ask ask)
 {
@@ -26,7 +26,7 @@ QString answeredByReturn(Ask ask)
             return;
         button = box->defaultButton()->text();
         QTest::keyClick(box->defaultButton(), Qt::Key_Return);
-        if (box->isVisible()) // Return is for the default button
+        if (box->isVisible()) // Return presses the default button
             box->defaultButton()->click();
     });
     ask();
@@ -39,8 +39,8 @@ class QuestionsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // What cannot be taken back is not answered by Return alone.
-    void returnLosesNothing()
+    // Return alone never confirms what cannot be undone.
+    void returnNeverOverwrites()
     {
         QWidget window;
         Questions questions(window);
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(saving, Questions::Answer::Save);
     }
 
-    void aFullDiskKeepsTheOldFileAndTheAsterisk()
+    void aFullDiskKeepsTheOldFileAndTheUnsavedMark()
     {
         TestWindow test;
         const QString file = test.twoLines();

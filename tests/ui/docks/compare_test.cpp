@@ -86,7 +86,7 @@ class CompareTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void racesOnlyWhileItIsOpen()
+    void theRaceRunsOnlyWhileThePanelIsOpen()
     {
         CompareWindow t(2000);
         QVERIFY(!t.dock().isVisible());
@@ -102,7 +102,7 @@ private slots:
         QVERIFY(!t.panel().race().running());
         QTRY_VERIFY(!t.action("compare-live")->isChecked());
     }
-    void behindAnotherTabItRests()
+    void theRacePausesBehindAnotherTab()
     {
         CompareWindow t(2000);
         t.openPanel();
@@ -124,7 +124,7 @@ private slots:
             if (t.text(row, CompareModel::Name) == "EX")
                 QCOMPARE(t.text(row, CompareModel::Visible), QLocale().toString(int(visible)));
     }
-    void theFormsAreChosen()
+    void theSegmentsChooseTheForms()
     {
         CompareWindow t(2000);
         t.openPanel();
@@ -158,7 +158,7 @@ private slots:
         QTest::keyClick(&t.table(), Qt::Key_Up);
         QCOMPARE(t.chosen(), first);
     }
-    void whatIsChosenElsewhereIsChosenHere()
+    void anAlgorithmChosenElsewhereIsSelectedHere()
     {
         CompareWindow t(2000);
         t.openPanel();
@@ -185,8 +185,8 @@ private slots:
             QCOMPARE(t.chosen(), chosen);
         }
     }
-    /// New numbers come ten times a second, a new order once.
-    void theOrderDoesNotJump()
+    /// Numbers are updated ten times a second, the order once a second.
+    void theOrderIsStable()
     {
         app::Session session;
         CompareTable table(session);
@@ -204,11 +204,11 @@ private slots:
         QElapsedTimer shown;
         shown.start();
         table.showRows(rowsWith(3, 2), 5000);
-        if (shown.elapsed() < 500) // or this program was not given a processor
+        if (shown.elapsed() < 500) // or this program got no processor time
             QCOMPARE(top(), before);
         QTRY_VERIFY((table.showRows(rowsWith(3, 2), 5000), top() != before));
     }
-    void whereSpaceIsShortColumnsGo()
+    void columnsAreHiddenWithoutRoom()
     {
         CompareWindow t(2000);
         t.openPanel();
@@ -227,7 +227,7 @@ private slots:
         QCOMPARE(hidden(640), QList<int>{});
         qsizetype before = 0;
         for (int width = 640; width >= 272; width -= 10) {
-            const auto columns = hidden(width); // in the order in which they may go
+            const auto columns = hidden(width); // in the order in which they are hidden
             QVERIFY(columns.size() >= before);
             before = columns.size();
             QCOMPARE(columns, (QList<int>{CompareModel::Visible, CompareModel::Spread,
@@ -254,7 +254,7 @@ private slots:
         t.clickHeader(CompareModel::Visible);
         QVERIFY(header->isSortIndicatorShown());
     }
-    void theColumnIsWideWhileItIsOpen()
+    void theDockAreaIsWideWhileThePanelIsOpen()
     {
         CompareWindow t(312);
         t.window->resize(1440, 900);
@@ -267,7 +267,7 @@ private slots:
         t.dock().close();
         QTRY_COMPARE(canvas->width(), before);
     }
-    void aLayoutOfOnesOwnIsLeftAlone()
+    void aUserLayoutIsLeftAlone()
     {
         CompareWindow t(312);
         auto* layers = t.window->findChild<Dock*>("layers");

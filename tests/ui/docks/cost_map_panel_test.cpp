@@ -60,7 +60,7 @@ private slots:
         QVERIFY(!stage.panel.live().asked() && !stage.panel.live().map());
     }
 
-    void theFixedEndFollowsTheHand()
+    void theFixedEndFollowsTheMouse()
     {
         Stage stage;
         stage.show();
@@ -69,7 +69,7 @@ private slots:
         QTest::mousePress(&stage.view(), Qt::LeftButton, {}, from);
         QTest::mouseMove(&stage.view(), to);
         QVERIFY(stage.panel.live().map() && stage.panel.live().map()->complete());
-        // While dragging there is soon a map for each place: at once if it takes less than a slice.
+        // While dragging, each position soon has a map: at once if it takes less than a slice.
         QTRY_COMPARE(stage.panel.live().map()->plan.fixed, stage.panel.live().asked()->fixed);
         QTest::mouseRelease(&stage.view(), Qt::LeftButton, {}, to);
         const app::Point fixed = stage.panel.live().asked()->fixed;
@@ -79,7 +79,7 @@ private slots:
                  app::costMap(*stage.panel.live().asked()).values);
     }
 
-    void arrowKeysMoveIt()
+    void arrowKeysMoveTheFixedEnd()
     {
         Stage stage;
         stage.show();
@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(stage.panel.live().asked()->fixed.x, stage.panel.live().asked()->area.min.x);
     }
 
-    void thePointerIsToldTheValue()
+    void theCostUnderThePointerIsShown()
     {
         Stage stage;
         stage.show();
@@ -122,7 +122,7 @@ private slots:
             }
     }
 
-    void misprintsHaveTimesAlone()
+    void misprintsAreTimedButNotCounted()
     {
         Stage stage;
         const int misprint = stage.algorithm->count() - 1;
@@ -131,11 +131,11 @@ private slots:
         stage.measure->setCurrentIndex(stage.measure->count() - 1);
         stage.algorithm->setCurrentIndex(misprint);
         QCOMPARE(stage.algorithm->currentIndex(), misprint);
-        stage.measure->setCurrentIndex(0); // which it has not
+        stage.measure->setCurrentIndex(0); // which the misprint lacks
         QCOMPARE(stage.algorithm->currentIndex(), 0);
     }
 
-    void itIsExported()
+    void theMapIsExported()
     {
         TestWindow test;
         test.show();
@@ -156,7 +156,7 @@ private slots:
         QVERIFY(!panel.live().asked());
     }
 
-    void theFixedEndStaysBesideTheWindow()
+    void theFixedEndKeepsItsPlaceRelativeToTheWindow()
     {
         Stage stage;
         stage.show();
@@ -169,10 +169,10 @@ private slots:
         stage.session.setPreview({});
         QTemporaryDir folder;
         QVERIFY(!stage.panel.exportTo(folder.filePath("map.csv")));
-        QCOMPARE(stage.panel.live().asked()->window, window); // not the one of before
+        QCOMPARE(stage.panel.live().asked()->window, window); // not the earlier one
     }
 
-    void itFollowsTheWindowOfTheDrawing()
+    void theMapFollowsTheDrawingsClipWindow()
     {
         TestWindow test;
         test.show();

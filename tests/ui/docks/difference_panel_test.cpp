@@ -51,7 +51,7 @@ struct Stage {
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         settle();
     }
-    /// The panel shows what was found after the next frame.
+    /// The panel shows the results after the next frame.
     void settle()
     {
         QTRY_VERIFY(session.differences.upToDate());
@@ -104,7 +104,7 @@ private slots:
         QVERIFY(stage.session.differences.piecesAt(stage.session.window()).empty());
     }
 
-    void itCountsAndLists()
+    void differencesAreCountedAndListed()
     {
         Stage stage;
         stage.show();
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
         QVERIFY(!wanted.isEmpty());
         const auto place = wanted.back()[0].value<clipping::Window>();
-        QCOMPARE(place.min.y, 0.); // all that exact leaves
+        QCOMPARE(place.min.y, 0.); // all that exact keeps
         QCOMPARE(place.max.y, 90.);
         // The keyboard too.
         QTest::keyClick(stage.table, Qt::Key_Down);
@@ -145,7 +145,7 @@ private slots:
         QVERIFY(stage.table->columnViewportPosition(5) < stage.table->viewport()->width());
     }
 
-    void sortedByAnyColumn()
+    void anyColumnSorts()
     {
         Stage stage;
         stage.show();
@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(app::countText(*stage.session.inspected() + 1), stage.cell(0, 0));
     }
 
-    void theChosenRowStaysTheSameLine()
+    void theSelectedRowKeepsItsLine()
     {
         Stage stage;
         stage.show();
@@ -176,7 +176,7 @@ private slots:
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(5));
     }
 
-    /// Which is filled once, however often the window moves before it.
+    /// The table is filled once, however often the window moves before.
     void theFrameComesBeforeTheTable()
     {
         struct Canvas : QObject {
@@ -209,7 +209,7 @@ private slots:
         QCOMPARE(filled.size(), 1);
     }
 
-    void nextAndPreviousGoRound()
+    void nextAndPreviousWrapAround()
     {
         Stage stage;
         stage.show();
@@ -221,7 +221,7 @@ private slots:
         QCOMPARE(visited, (std::vector<std::size_t>{2, 5, 8, 2, 8, 5}));
     }
 
-    void anotherComparisonChoosesNothing()
+    void anotherComparisonSelectsNothing()
     {
         Stage stage;
         stage.show();
@@ -236,12 +236,12 @@ private slots:
         QVERIFY(stage.session.inspected());
         stage.choose(stage.a, "LB  Liang-Barsky");
         QVERIFY(!stage.session.inspected());
-        stage.session.inspect(3); // which has nothing to do with it
+        stage.session.inspect(3); // which is not involved
         stage.choose(stage.a, "CS  Cohen-Sutherland");
         QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(3));
     }
 
-    void swappedTheySayTheSame()
+    void swappingKeepsTheDifferences()
     {
         Stage stage;
         stage.show();
@@ -253,7 +253,7 @@ private slots:
         QCOMPARE(stage.cell(0, 4), "–");
     }
 
-    void whereTheyAgree()
+    void agreementIsReported()
     {
         Stage stage;
         stage.show();
@@ -264,7 +264,7 @@ private slots:
         QTRY_COMPARE(stage.panel.summary(), "There are no lines to compare.");
     }
 
-    void theUlpsAllowed()
+    void theAllowedUlpsAreApplied()
     {
         Stage stage;
         stage.show();
@@ -301,7 +301,7 @@ private slots:
                  qPrintable(stage.panel.summary()));
     }
 
-    void itIsOpenedByTheMenuAndGoesToTheLineOnTheCanvas()
+    void theMenuOpensThePanelAndTheCanvasShowsTheLine()
     {
         TestWindow t;
         ::load(t.window->session().document, tenLines());

@@ -21,7 +21,7 @@ namespace {
 
 constexpr clipping::Window window{{0, 0}, {100, 100}};
 
-/// Ten lines across the window: numbers 2, 5 and 8 are lost by published KWC; the others leave it
+/// Ten lines across the window: published KWC loses numbers 2, 5 and 8; the others leave the window
 /// where a third of a unit is not a double.
 app::Sheet tenLines()
 {
@@ -52,7 +52,7 @@ struct Stage {
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         settle();
     }
-    /// The panel shows what was found after the next frame.
+    /// The panel shows the results after the next frame.
     void settle()
     {
         QTRY_VERIFY(session.exactness.upToDate());
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(stage.session.exactness.found().list.empty());
     }
 
-    void itSaysWhatIsWrongAndListsTheWorstFirst()
+    void errorsAreListedWorstFirst()
     {
         Stage stage;
         stage.show();
@@ -112,12 +112,12 @@ private slots:
         for (int row = 0; row < 3; ++row)
             QVERIFY2(stage.cell(row, 1).startsWith("lost: "), qPrintable(stage.cell(row, 1)));
         const auto& last = stage.session.exactness.piecesAt(window).back();
-        QCOMPARE(last.size(), std::size_t(3)); // painted as what differs
+        QCOMPARE(last.size(), std::size_t(3)); // painted like differing lines
         QVERIFY(
             stage.panel.findChild<ErrorHistogram*>()->accessibleDescription().endsWith("wrong: 3"));
     }
 
-    void theYardstickCanBeChanged()
+    void theUnitOfErrorCanBeChanged()
     {
         Stage stage;
         stage.show();
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(!magnifier.grab().toImage().isNull());
     }
 
-    void anEndThatIsNoNumberIsSaidInWords()
+    void anEndThatIsNotANumberIsReported()
     {
         Stage stage;
         app::Sheet sheet;
@@ -209,7 +209,7 @@ private slots:
         QVERIFY(said);
     }
 
-    void theLensIsInTheWindow()
+    void thePanelIsInTheMainWindow()
     {
         TestWindow test;
         test.show();

@@ -40,7 +40,7 @@ class PanelsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aNumberIsOneStep()
+    void aTypedNumberIsOneUndoStep()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -59,7 +59,7 @@ private slots:
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
     }
-    void quickStepsOfAFieldAreOne()
+    void quickStepsOfAFieldAreOneUndoStep()
     {
         using namespace std::chrono_literals;
         TestWindow t;
@@ -81,11 +81,11 @@ private slots:
                 session.history.clear();
             }
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
-        type(fields[0], "25"); // what is typed is a step of its own
+        type(fields[0], "25"); // typed text is a step of its own
         type(fields[0], "26");
         QCOMPARE(session.history.count(), 2);
     }
-    void quickStepsOfAStyleAreOne()
+    void quickStepsOfAStyleAreOneUndoStep()
     {
         TestWindow t;
         t.window->files().open(t.file("styles.svg",
@@ -120,7 +120,7 @@ private slots:
     }
     /// One rule for panels, status bar, ruler and `clip -w`: lengths with a unit count from the
     /// paper's corner, numbers without one from the drawing's origin.
-    void placesCountFromThePapersCorner()
+    void coordinatesCountFromThePagesCorner()
     {
         TestWindow t;
         t.window->files().open(t.file("centred.svg",
@@ -146,7 +146,7 @@ private slots:
         type(fields[0], "-45");
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-45, -50}, {55, 50}}));
     }
-    void enterLeadsBackToTheCanvas()
+    void enterReturnsTheFocusToTheCanvas()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -161,11 +161,11 @@ private slots:
         digit(Qt::Key_3);
         QCOMPARE(chosen(), &clipping::algorithms()[2]);
         QCOMPARE(fields[0]->text(), "25.00");
-        type(fields[2], "-5"); // is refused: to be typed anew
+        type(fields[2], "-5"); // is refused and must be typed again
         digit(Qt::Key_4);
         QCOMPARE(chosen(), &clipping::algorithms()[2]);
     }
-    void aNegativeWidthIsRefusedInWords()
+    void aNegativeWidthIsRefusedWithAMessage()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -176,7 +176,7 @@ private slots:
         QCOMPARE(t.window->message(), "Width must be at least 0.");
         QCOMPARE(fields[2]->text(), "100.00");
     }
-    void aRefusalGoesWithTheNextValueThatIsTaken()
+    void aRefusalDisappearsWithTheNextAcceptedValue()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -193,7 +193,7 @@ private slots:
             QCOMPARE(t.window->message(), "Markers were not kept."); // the import's remark again
             type(field, "abc");
             field->setFocus();
-            QTest::keyClick(field, Qt::Key_Return); // the number from before is taken
+            QTest::keyClick(field, Qt::Key_Return); // the previous number is accepted
             QCOMPARE(t.window->message(), "Markers were not kept.");
             t.window->tell({});
             type(field, "abc");
@@ -224,7 +224,7 @@ private slots:
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         QCOMPARE(fields[2]->text(), "3.937");
     }
-    void theVerdictCountsWhatIsLost()
+    void theVerdictCountsLostLines()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -256,7 +256,7 @@ private slots:
         session.setPreview({.window = clipping::Window{{1, 1}, {9, 9}}});
         QVERIFY(!(*verdict)->isVisible());
     }
-    void theFormIsChosen()
+    void theRadioButtonsChooseTheForm()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -266,7 +266,7 @@ private slots:
         QTest::mouseClick(radios[1], Qt::LeftButton, {}, QPoint(8, radios[1]->height() / 2));
         QCOMPARE(t.window->session().display().variant.form, clipping::Form::Published);
     }
-    void whatWasNeverPublishedSaysSo()
+    void aRowWithoutPublishedFormSaysSo()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -287,7 +287,7 @@ private slots:
         QVERIFY(t.action("form-corrected")->isChecked());
         QVERIFY(!t.action("form-published")->isEnabled());
     }
-    void theInspectorTellsTheSteps()
+    void theLinePanelShowsTheSteps()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -333,7 +333,7 @@ private slots:
         QTRY_VERIFY2(panel->steps().contains("Visible: (0.0000; 5.0000) to (10.0000; 5.0000)"),
                      qPrintable(panel->steps()));
     }
-    void theLastLineOfAPanelKeepsClearOfTheNextPanel_data()
+    void theLastLineOfAPanelKeepsADistanceFromTheNextPanel_data()
     {
         QTest::addColumn<std::function<QWidget*(app::Session&)>>("make");
         using Make = std::function<QWidget*(app::Session&)>;
@@ -342,7 +342,7 @@ private slots:
         QTest::addRow("compare") << Make(
             [](app::Session& session) { return new ComparePanel(session); });
     }
-    void theLastLineOfAPanelKeepsClearOfTheNextPanel()
+    void theLastLineOfAPanelKeepsADistanceFromTheNextPanel()
     {
         QFETCH(std::function<QWidget*(app::Session&)>, make);
         app::Session session; // without a clip window
@@ -373,7 +373,7 @@ private slots:
         QCOMPARE(sheetOf(session.document),
                  app::sheetOf(app::readFile(t.path("two.svg")).value->document));
     }
-    void layersAreAddedAndDeletedByButtonsThatAreSeen()
+    void layersAreAddedAndDeletedByVisibleButtons()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -389,7 +389,7 @@ private slots:
         QTest::mouseClick(buttons[1], Qt::LeftButton);
         QCOMPARE(sheetOf(t.window->session().document).layers.size(), std::size_t(1));
     }
-    void theStartPanelFitsAnyHeight() // once a scroll bar came and went in it without end
+    void theStartPanelFitsAnyHeight() // a scroll bar once appeared and disappeared endlessly
     {
         StartPanel panel;
         panel.show();
@@ -398,9 +398,9 @@ private slots:
                 panel.resize(width, height);
         QCOMPARE(panel.height(), 999);
     }
-    void theTimesAreOfWhatIsChosen()
+    void theTimesBelongToTheCurrentAlgorithm()
     {
-        TestWindow t; // never shown, so that no other frames come
+        TestWindow t; // never shown, so that there are no other frames
         const auto frame = [&](const char* algorithm, double clipMs) {
             FrameTimes times{.clipMs = clipMs, .drawMs = 1, .total = 5000};
             times.choice = app::findVariant(algorithm);
@@ -411,7 +411,7 @@ private slots:
         frame("md", 2);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }
-    void whatIsBeingPaintedIsSaid()
+    void theStatusBarSaysThatItPaints()
     {
         TestWindow t;
         const auto frame = [&](bool painting) {
@@ -423,16 +423,16 @@ private slots:
         frame(false);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }
-    void theFiguresOfAnotherFileAreNotShown()
+    void theTimesOfAnotherFileAreNotShown()
     {
-        TestWindow t; // never shown, so that no other frames come
+        TestWindow t; // never shown, so that there are no other frames
         emit t.window->canvas().frameShown({.visible = 18, .total = 41});
         QTRY_COMPARE(t.window->status().visibility(), "18 of 41 visible");
         emit t.window->canvas().frameShown({.visible = 17, .total = 41});
         t.window->files().open(t.twoLines());
         QCOMPARE(t.window->status().visibility(), "");
         QCOMPARE(t.window->status().times(), "");
-        QTest::qWait(150); // what came before is shown no more
+        QTest::qWait(150); // earlier times are no longer shown
         QCOMPARE(t.window->status().visibility(), "");
         emit t.window->canvas().frameShown({.visible = 2, .total = 2});
         QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");

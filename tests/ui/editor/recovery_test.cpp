@@ -24,15 +24,15 @@
 
 #include "tests/app/document/sheet_edits.h"
 
-// The editor in a process of its own is worked with by real events, ended by a signal, and started
-// again. That process is this program once more (--editor SCENARIO [FILE]): it runs the editor as
-// main() does, and a timer in it is the person.
+// The editor, in a process of its own, receives real events, is ended by a signal, and is started
+// again. That process is this test program (--editor SCENARIO [FILE]): it runs the editor as
+// main() does, and a timer in it acts as the user.
 
 namespace {
 
 using ui::MainWindow;
 
-/// Says to the test that started this process: now.
+/// Signals the test that started this process.
 void say(const QString& line)
 {
     std::printf("%s\n", qPrintable(line));
@@ -73,7 +73,7 @@ QDialog* offer()
     return nullptr;
 }
 
-/// What the offer lists, with the number of rows first.
+/// The rows of the offer, with their number first.
 void sayOffer()
 {
     QStringList rows;
@@ -138,7 +138,7 @@ const std::map<QString, Scenario>& scenarios()
              QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
              ready();
          }},
-        {"busy", // as in a painting that does not end
+        {"busy", // as if painting never ended
          [](MainWindow& w) {
              drawLine(w);
              ready();
@@ -189,7 +189,7 @@ const std::map<QString, Scenario>& scenarios()
 
 QString scenario;
 
-// When this comes, the queued events of the start are over, or wait for an answer to the offer.
+// When this runs, the events of the start have been handled, or wait for an answer to the offer.
 void play()
 {
     MainWindow* window = mainWindow();
@@ -218,7 +218,7 @@ class RecoveryTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aSignalKeepsTheWorkAndThenEndsTheProgram_data()
+    void aSignalSavesTheWorkAndEndsTheProgram_data()
     {
         QTest::addColumn<QString>("scenario");
         QTest::addColumn<int>("signal");
@@ -230,7 +230,7 @@ private slots:
         QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
         QTest::addRow("in a dialog") << "dialog" << SIGTERM << 2;
     }
-    void aSignalKeepsTheWorkAndThenEndsTheProgram()
+    void aSignalSavesTheWorkAndEndsTheProgram()
     {
         QFETCH(QString, scenario);
         QFETCH(int, signal);
@@ -245,7 +245,7 @@ private slots:
         qInfo("ended after %lld ms", clock.elapsed());
         QCOMPARE(contents(home.drawing()), saved);
         QCOMPARE(QDir(home.path.path()).entryList({"plan.svg*"}, QDir::Files),
-                 QStringList{"plan.svg"}); // no half of a file
+                 QStringList{"plan.svg"}); // no partial file
         const auto left = app::claimLeftovers(home.leftovers());
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left[0].origin.name, "plan.svg");
@@ -255,7 +255,7 @@ private slots:
         if (scenario == "polyline")
             QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
     }
-    void whereNothingIsUnsavedNothingIsLeft()
+    void withoutUnsavedWorkNothingIsLeftBehind()
     {
         for (const char* const scenario : {"look", "one corner"}) {
             const Home home;
@@ -265,7 +265,7 @@ private slots:
             QVERIFY2(app::claimLeftovers(home.leftovers()).empty(), scenario);
         }
     }
-    void whatWasIgnoredStaysIgnored() // nohup
+    void anIgnoredSignalStaysIgnored() // nohup
     {
         const Home home;
         Editor editor(home, "draw", {home.drawing()}, [] { std::signal(SIGHUP, SIG_IGN); });
@@ -273,7 +273,7 @@ private slots:
         kill(pid_t(editor.process.processId()), SIGHUP);
         QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
     }
-    void theNextStartOffersItOnce()
+    void theNextStartOffersTheWorkOnce()
     {
         const Home home;
         QVERIFY(leave(home, "draw"));
@@ -283,7 +283,7 @@ private slots:
             QVERIFY2(editor.said.contains("offers 1: plan.svg"), qPrintable(editor.said));
             QVERIFY2(editor.said.contains("2 shapes, plan.svg, not saved"),
                      qPrintable(editor.said));
-            Editor other(home, "recover", {}); // while the first has it
+            Editor other(home, "recover", {}); // while the first one has claimed it
             QVERIFY(other.waitsUntilReady());
             QVERIFY2(other.said.contains("offers 0"), qPrintable(other.said));
             QCOMPARE(other.endedBy(SIGTERM), SIGTERM);
@@ -311,7 +311,7 @@ private slots:
         QVERIFY2(editor.said.contains("offers 0"), qPrintable(editor.said));
         QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
     }
-    void severalAreOfferedTogetherAndGarbageIsNot()
+    void severalDrawingsAreOfferedTogetherWithoutGarbage()
     {
         const Home home;
         QVERIFY(leave(home, "draw"));
@@ -333,7 +333,7 @@ private slots:
         }
         QVERIFY(garbage.exists());
     }
-    void aDrawingThatIsGivenUpIsNotOfferedAgain()
+    void aDiscardedDrawingIsNotOfferedAgain()
     {
         const Home home;
         QVERIFY(leave(home, "draw"));
@@ -344,7 +344,7 @@ private slots:
         }
         QVERIFY(app::claimLeftovers(home.leftovers()).empty());
     }
-    void whereItCannotBeKeptItSaysSoAndEnds()
+    void anUnwritableFolderIsReportedAndTheProgramEnds()
     {
         const Home home;
         Editor editor(home, "draw", {home.drawing()}, {}, "/dev/null");
@@ -354,7 +354,7 @@ private slots:
         QVERIFY2(errors.contains("The unsaved drawing is lost: Cannot write /dev/null/"),
                  qPrintable(errors));
     }
-    void theProgramItselfEndsBySignals()
+    void signalsEndTheProgram()
     {
         const Home home;
         QVERIFY(leave(home, "draw"));

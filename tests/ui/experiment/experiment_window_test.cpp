@@ -23,8 +23,8 @@ using namespace ui;
 
 namespace {
 
-/// Whether a thread measures: it has that name. Others, such as those of Qt's pools, come and go as
-/// they like.
+/// Whether a measuring thread runs, recognised by its name. Other threads, such as Qt's pools,
+/// start and end at any time.
 bool aThreadMeasures()
 {
     for (const QString& id : QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
@@ -120,7 +120,7 @@ class ExperimentWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void itIsOneWindowAndComesUpAskingForThePaper()
+    void thereIsOneWindowAndThePaperIsItsFirstChoice()
     {
         const Stage stage;
         stage.test.action("reproduce-paper")->trigger();
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(!stage.measuring() && !stage.window->study());
     }
 
-    void clicksBringTheTables()
+    void aRunShowsTheTables()
     {
         const Stage stage;
         stage.runFew("all");
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(stage.named<QLabel>("Verdict")->text().contains("ranking"));
     }
 
-    void thereAreAsManyRunsAsItTakesToTellWhichAlgorithmsDiffer()
+    void thereAreEnoughRunsToTellTheAlgorithmsApart()
     {
         const Stage stage;
         const auto runs = [&] { return stage.named<QSpinBox>("Runs")->value(); };
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(runs(), 4);
     }
 
-    void exactIsShownBothWaysWithAMarkEach()
+    void exactIsShownInBatchesAndOneByOneWithDifferentMarks()
     {
         const Stage stage;
         stage.choose("near-miss");
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(std::size_t(names.size()), clipping::algorithms().size() + 1);
     }
 
-    void aSceneHasTheAlgorithmsThatAreTicked()
+    void onlyTickedAlgorithmsRun()
     {
         const Stage stage;
         stage.choose("near-miss");
@@ -210,7 +210,7 @@ private slots:
         const auto& timings = stage.window->study()->trials[0].record.timings;
         QCOMPARE(timings.size(), 2u);
         QCOMPARE(timings[0].variant.algorithm, clipping::findAlgorithm("CS"));
-        // The paper brings its seven, and does not forget what was ticked.
+        // The paper selects its seven algorithms, and the ticks of the user are kept.
         stage.choose("table1");
         QVERIFY(stage.named<QCheckBox>(clipping::findAlgorithm("MD")->name.data())->isChecked());
         stage.choose("long");
@@ -297,7 +297,7 @@ private slots:
         QVERIFY(stage.window->study());
     }
 
-    void theEditorMayGoInTheMiddle()
+    void theEditorMayCloseDuringARun()
     {
         {
             const Stage stage;
@@ -307,7 +307,7 @@ private slots:
         QVERIFY(!aThreadMeasures());
     }
 
-    void escStopsFirstAndClosesThen()
+    void escFirstCancelsThenCloses()
     {
         const Stage stage;
         stage.click("Run");
@@ -336,7 +336,7 @@ private slots:
             QCOMPARE(timing.found.visible, 1000u); // its window is the page
     }
 
-    void whatWasTypedStaysWhenTheDrawingChanges()
+    void typedValuesStayWhenTheDrawingChanges()
     {
         const Stage stage;
         stage.choose("drawing");
@@ -348,14 +348,14 @@ private slots:
         stage.choose("long");
         stage.choose("drawing");
         QCOMPARE(lines->value(), 100'000);
-        stage.window->hide(); // what it does not hear of, it asks for when it comes back
+        stage.window->hide(); // it asks for missed changes when it is shown again
         stage.test.window->files().startNew();
         QVERIFY(stage.named<QComboBox>("What is measured")->currentData().toString() == "drawing");
         stage.window->show();
         QCOMPARE(stage.named<QComboBox>("What is measured")->currentData().toString(), "all");
     }
 
-    void exportsAreWhatIsShown()
+    void exportsEqualTheShownResults()
     {
         const Stage stage;
         stage.runFew("table1");
@@ -386,7 +386,7 @@ private slots:
             "Cannot write /nowhere/at/all.json"));
     }
 
-    void whatExistsIsOverwrittenOnlyAfterAQuestion()
+    void existingFilesAreOverwrittenOnlyAfterAQuestion()
     {
         const Stage stage;
         stage.runFew("near-miss");
@@ -412,7 +412,7 @@ private slots:
                  qsizetype(app::tablesOf(*stage.window->study()).size()));
     }
 
-    void theMenuSaysHowManyFilesCome()
+    void theMenuSaysHowManyFilesAreWritten()
     {
         const Stage stage;
         stage.runFew("near-miss");
@@ -423,7 +423,7 @@ private slots:
         QVERIFY(stage.window->findChild<QAction*>("export-0-json")->text().contains("(one file)"));
     }
 
-    void whatIsShownIsOneFileOfTheNameThatWasChosen()
+    void theShownTableIsWrittenToTheChosenFile()
     {
         const Stage stage;
         stage.runFew("near-miss");
@@ -455,7 +455,7 @@ private slots:
         }
     }
 
-    void theReportSaysWhatTheWindowSays()
+    void theReportHasTheWindowsVerdict()
     {
         const Stage stage;
         stage.runFew("table1");
@@ -485,7 +485,7 @@ private slots:
         QCOMPARE(text.count('\n'), 4); // headings, two runs, their average
     }
 
-    void withoutExplanationItsTabIsOff()
+    void withoutAnExplanationItsTabIsDisabled()
     {
         const Stage stage;
         for (QCheckBox* box : stage.window->findChildren<QCheckBox*>())
@@ -498,7 +498,7 @@ private slots:
             QCOMPARE(tabs->isTabEnabled(i), tabs->tabText(i) != "&Why");
     }
 
-    void itIsNeverLargerThanTheScreen()
+    void theWindowIsNeverLargerThanTheScreen()
     {
         const Stage stage;
         const QRect free = stage.window->screen()->availableGeometry();
@@ -542,14 +542,14 @@ private slots:
         QCoreApplication::processEvents();
         QCOMPARE(place(), before);
         stage.click("Cancel");
-        QVERIFY(age->isVisible()); // they still are of the run before
+        QVERIFY(age->isVisible()); // they are still those of the previous run
         stage.runFew("long");
         QVERIFY(!age->isVisible());
         QCoreApplication::processEvents();
         QCOMPARE(place(), before);
     }
 
-    void aShortRunTellsNothingOfLongOnes()
+    void aShortRunDoesNotChangeTheEstimate()
     {
         const Stage stage;
         const QVariant before = QSettings().value("experimentPace");
@@ -557,7 +557,7 @@ private slots:
         QCOMPARE(QSettings().value("experimentPace"), before);
     }
 
-    void itRemembersItsSize()
+    void theWindowRemembersItsSize()
     {
         const Stage stage;
         stage.window->resize(700, 500);

@@ -31,7 +31,7 @@ const clipping::Algorithm& row(const char* abbreviation)
     return *clipping::findAlgorithm(abbreviation);
 }
 
-/// What every page tells, in this order; then its references, one or more.
+/// The headings of every page, in this order; then one or more references.
 const QStringList sections{
     "History and citation", "Pseudo-code", "Step by step",  "Strengths",
     "As published",         "Corrected",   "What it costs", "Three dimensions and polygons",
@@ -56,7 +56,7 @@ QStringList headingsOf(const QTextDocument& page)
     return headings;
 }
 
-/// Every link of a page, as it stands in the document.
+/// Every link of a page, in the order of the document.
 QStringList linksOf(const QTextDocument& page)
 {
     QStringList links;
@@ -68,7 +68,7 @@ QStringList linksOf(const QTextDocument& page)
     return links;
 }
 
-/// A link as the eye meets it: where its first letter is in the view.
+/// The position of a link's first letter in the view.
 QPoint placeOf(PageView& view, const QString& link)
 {
     for (QTextBlock block = view.document()->begin(); block.isValid(); block = block.next())
@@ -115,7 +115,7 @@ class ExplanationTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void f1ShowsWhatClips()
+    void f1ShowsTheCurrentAlgorithm()
     {
         Reader reader;
         QVERIFY(reader.window->isVisible());
@@ -130,7 +130,7 @@ private slots:
         QCOMPARE(reader.test.window->findChildren<ExplanationWindow*>().size(), 1);
     }
 
-    void f1ShowsWhatIsUnderTheMicroscope()
+    void f1ShowsTheMicroscopesAlgorithm()
     {
         Reader reader;
         auto& session = reader.test.window->session();
@@ -140,8 +140,8 @@ private slots:
         QCOMPARE(reader.page->algorithm(), &row("NLN"));
     }
 
-    void everyPageIsWhole_data() { everyAlgorithm(); }
-    void everyPageIsWhole()
+    void everyPageIsComplete_data() { everyAlgorithm(); }
+    void everyPageIsComplete()
     {
         QFETCH(const clipping::Algorithm*, algorithm);
         PageView page;
@@ -189,7 +189,7 @@ private slots:
         }
     }
 
-    void goesFromPageToPageAndBack()
+    void linksLeadToOtherPagesAndBack()
     {
         Reader reader;
         reader.window->show(row("MD"));
@@ -221,7 +221,7 @@ private slots:
         QVERIFY(casesWindow->list().model()->rowCount() > 10);
     }
 
-    void readsLinksToTheMicroscope_data()
+    void linksOpenTheMicroscope_data()
     {
         QTest::addColumn<QString>("link");
         QTest::addColumn<bool>("good");
@@ -236,7 +236,7 @@ private slots:
         link("clearcut:trace", false);
         link("https://example.org/trace?a=MD&line=1,1,-1,-1&w=0,0,3,3", false);
     }
-    void readsLinksToTheMicroscope()
+    void linksOpenTheMicroscope()
     {
         QFETCH(QString, link);
         QFETCH(bool, good);
@@ -246,8 +246,8 @@ private slots:
             QCOMPARE(tracedLine->y, app::YAxis::Up);
     }
 
-    // The very same numbers, through the text of a link and back.
-    void linksKeepEveryBit()
+    // Numbers survive the text of a link bit for bit.
+    void linksKeepEveryBitOfALine()
     {
         int links = 0;
         for (const app::HardCase& hard : app::hardCases()) {
@@ -265,7 +265,7 @@ private slots:
         QVERIFY(links > 30);
     }
 
-    void watchesAHardCase()
+    void aHardCaseOpensInTheMicroscope()
     {
         Reader reader;
         reader.window->show(row("CS"));
@@ -278,7 +278,7 @@ private slots:
         QVERIFY(microscope.narration().outcome == clipping::Outcome::DidNotEnd);
     }
 
-    void findsOnThePage()
+    void textIsFoundOnThePage()
     {
         Reader reader;
         reader.window->show(row("MD"));
@@ -300,7 +300,7 @@ private slots:
         QVERIFY(!field->isVisible() && reader.window->isVisible());
     }
 
-    void setsTextLargerAndSmaller()
+    void textBecomesLargerAndSmaller()
     {
         Reader reader;
         const double before = reader.page->document()->defaultFont().pointSizeF();
@@ -312,8 +312,8 @@ private slots:
         QVERIFY(reader.page->document()->defaultFont().pointSizeF() < before);
     }
 
-    // Neither too long to read, nor wider than the window.
-    void keepsLinesComfortable()
+    // Lines are neither too long to read nor wider than the window.
+    void linesHaveAReadableLength()
     {
         PageView page;
         page.resize(1800, 700);
@@ -328,7 +328,7 @@ private slots:
         QTRY_VERIFY(page.document()->rootFrame()->frameFormat().leftMargin() < 40);
     }
 
-    void followsTheTheme()
+    void pagesFollowTheTheme()
     {
         Reader reader;
         reader.window->show(row("MD"));
@@ -348,7 +348,7 @@ private slots:
         reader.test.window->setTheme(Theme::Light);
     }
 
-    void savesAPdf()
+    void aPageIsSavedAsPdf()
     {
         Reader reader;
         auto prepared = std::make_unique<PreparedAnswers>(*reader.window);

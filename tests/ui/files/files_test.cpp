@@ -10,7 +10,7 @@ using namespace ui;
 
 namespace {
 
-/// Dashed lines across the page: each piece of one begins elsewhere in the pattern.
+/// Dashed lines across the page: each piece begins at another place of the pattern.
 app::Document dashedLines()
 {
     app::DocumentBuilder builder;
@@ -54,7 +54,7 @@ private slots:
         QVERIFY(session.now().objects() == document.objects());
         const auto cut = app::readFile(t.path("out.svg"));
         QVERIFY(cut);
-        QVERIFY(cut.value->document.styles().size() > 30); // which the cut has made
+        QVERIFY(cut.value->document.styles().size() > 30); // made by the cut
     }
 };
 

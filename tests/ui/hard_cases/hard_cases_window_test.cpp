@@ -49,7 +49,7 @@ class HardCasesWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void opensByItsKeys()
+    void theShortcutOpensTheWindow()
     {
         TestWindow test;
         test.show();
@@ -62,7 +62,7 @@ private slots:
         QCOMPARE(test.window->findChildren<HardCasesWindow*>().size(), 1);
     }
 
-    void showsWhatIsClicked()
+    void aClickedCaseIsShown()
     {
         Visit visit;
         CaseList& list = visit.casesWindow->list();
@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(visit.casesWindow->view().hardCase(), &app::hardCases()[3]);
     }
 
-    void searchesByTyping()
+    void typingSearches()
     {
         Visit visit;
         visit.search->setFocus();
@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(visit.casesWindow->list().model()->rowCount(), int(app::hardCases().size()));
     }
 
-    void filtersByWhoFails()
+    void casesAreFilteredByTheFailingVariant()
     {
         Visit visit;
         const int skala =
@@ -114,7 +114,7 @@ private slots:
         QCOMPARE(visit.casesWindow->view().hardCase(), &theCase("sdl-6791"));
     }
 
-    void saysWhatEverybodyDoes()
+    void everyAlgorithmsResultIsShown()
     {
         Visit visit;
         visit.casesWindow->choose(theCase("far-outside"));
@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(std::size_t(wrong), theCase("far-outside").faults.size());
     }
 
-    void opensTheMicroscope()
+    void theButtonOpensTheMicroscope()
     {
         Visit visit;
         visit.casesWindow->choose(theCase("plotink-40"));
@@ -146,11 +146,11 @@ private slots:
         QCOMPARE(app::keyOf(microscope.tracedLine().variant),
                  QStringLiteral("cohen-sutherland:published"));
         visit.casesWindow->choose(
-            theCase("step-2-nothing")); // a known misprint is chosen, without steps
+            theCase("step-2-nothing")); // a known misprint is selected; it has no steps
         QVERIFY(!look->isEnabled());
     }
 
-    void drawsItAsANewDrawing()
+    void aCaseOpensAsANewDrawing()
     {
         Visit visit;
         visit.casesWindow->choose(theCase("one-decimal"));
@@ -168,7 +168,7 @@ private slots:
         }
     }
 
-    void asksBeforeADrawingIsLost()
+    void itAsksBeforeADrawingIsLost()
     {
         Visit visit;
         app::Session& session = visit.test.window->session();
@@ -182,7 +182,7 @@ private slots:
     }
 
     // Every picture can be painted, however large, small or absent its numbers are.
-    void paintsEveryCase()
+    void everyCaseIsPainted()
     {
         Visit visit;
         for (const app::HardCase& hard : notEmpty(app::hardCases())) {

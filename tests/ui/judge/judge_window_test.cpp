@@ -77,7 +77,7 @@ class JudgeWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aRightOnePassesAndIsRaced()
+    void aCorrectLibraryPassesAndIsRaced()
     {
         Stage stage;
         QVERIFY(!stage.window->verdict());
@@ -96,7 +96,7 @@ private slots:
             QCOMPARE(row[points.names.indexOf("points")], "10");
     }
 
-    void whatIsWrongInTheRaceIsShown()
+    void errorsInTheRaceAreShown()
     {
         Stage stage;
         stage.judge(pathOf("race_cheat"));
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(stage.table("findings")->table().names.back(), "error");
     }
 
-    void sourceCodeIsToldHowToCompile()
+    void choosingSourceCodeExplainsHowToCompileIt()
     {
         Stage stage;
         stage.judge(QStringLiteral(SOURCE_DIR "/resources/plug_in/example.c"));
@@ -115,8 +115,8 @@ private slots:
         }));
     }
 
-    /// And the line opens in the microscope, clipped by the reference.
-    void aWrongOneShowsItsLines()
+    /// The line opens in the microscope, clipped by the reference.
+    void aWrongLibraryShowsItsLines()
     {
         Stage stage;
         stage.judge(pathOf("lost_corner"));
@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(microscope.tracedLine().line, verdict.findings[1].question.line);
     }
 
-    void whatCannotBeLoadedSaysWhy()
+    void anUnloadableLibrarySaysWhy()
     {
         Stage stage;
         stage.judge(pathOf("not_a_plug_in"));
@@ -148,7 +148,7 @@ private slots:
         QVERIFY(stage.button("Judge again")->isEnabled());
     }
 
-    void aLibraryRunsOnlyWithLeave()
+    void aLibraryRunsOnlyWithPermission()
     {
         Stage stage;
         stage.answers->trusts = false;
@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(stage.answers->trustAsked, 2);
     }
 
-    void whatGoesOnCanBeCancelled()
+    void judgingCanBeCancelled()
     {
         Stage stage;
         stage.answers->open = pathOf("endless_loop");
@@ -181,8 +181,8 @@ private slots:
         QVERIFY(!stage.window->isVisible());
     }
 
-    /// As students work: compile, look, compile.
-    void whatIsCompiledAnewIsJudgedAgain()
+    /// The way students work: compile, look, compile again.
+    void aRebuiltLibraryIsJudgedAgain()
     {
         Stage stage;
         const QString library = stage.test.path("mine.so");
@@ -211,7 +211,7 @@ private slots:
         QVERIFY(!QFile::exists(stage.test.path("example.c")));
     }
 
-    void thereIsOneWindowAtMost()
+    void thereIsAtMostOneWindow()
     {
         Stage stage;
         stage.test.action("judge")->trigger();

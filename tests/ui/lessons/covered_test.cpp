@@ -13,7 +13,7 @@
 
 namespace {
 
-/// The microscope's page on the screen, with a course that is read beside it.
+/// The microscope's page on the screen, with a course beside it.
 struct Stage {
     Stage()
     {
@@ -27,7 +27,7 @@ struct Stage {
         return page.findChild<Widget*>();
     }
 
-    /// Every text that a person or a screen reader meets on the page.
+    /// Every text on the page, for users and screen readers.
     QStringList texts() const
     {
         QStringList all;
@@ -44,7 +44,7 @@ struct Stage {
                 all << model->index(row, column).data().toString();
         return all;
     }
-    /// What of the page must not depend on the steps: all but the line itself.
+    /// The part of the page that must not depend on the steps: all but the line itself.
     std::vector<QImage> pictures()
     {
         return {page.steps().grab().toImage(), page.variables().grab().toImage(),
@@ -77,12 +77,12 @@ QRegularExpression countOf(const app::Narration& narration)
 
 } // namespace
 
-/// While a question is open, nothing on the screen answers it.
+/// While a question is open, nothing on the screen gives the answer away.
 class CoveredTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void noTextAnswers()
+    void noTextGivesTheAnswerAway()
     {
         Stage stage;
         app::Course& course = stage.session.course;
@@ -129,7 +129,7 @@ private slots:
         for (std::size_t i = 0; i < open.size(); ++i)
             QVERIFY2(open[i] != first[i], qPrintable(QString::number(i)));
     }
-    /// The line as it was given, without any mark of what becomes of it.
+    /// The given line, without any mark of its result.
     void theFigureShowsTheGivenLine()
     {
         Stage stage;
@@ -143,7 +143,7 @@ private slots:
         microscope.open(tracedLine(cut), 1000);
         QVERIFY(stage.page.view().grab().toImage() != one);
     }
-    void keysAndPlayingStayBeforeTheVeil()
+    void keysAndPlayingStopAtTheCoveredSteps()
     {
         Stage stage;
         app::Microscope& microscope = stage.session.microscope;

@@ -93,7 +93,7 @@ private slots:
         stage.press(Qt::Key_PageUp);
         QCOMPARE(stage.microscope.tracedLine(), first);
     }
-    void aWrongAnswerBringsAHintAndASecondTry()
+    void aWrongAnswerGivesAHintAndASecondTry()
     {
         Stage stage;
         stage.course.begin(1); // which outcode?
@@ -112,7 +112,7 @@ private slots:
         QVERIFY(stage.says("Right.") && stage.says(stage.course.question()->reason));
         QCOMPARE(stage.choices().buttons()[right]->accessibleDescription(), "right");
     }
-    void readingThroughEarnsNoTick()
+    void readingWithoutAnsweringEarnsNoTick()
     {
         Stage stage;
         const app::Lesson& lesson = app::lessons()[1];
@@ -155,7 +155,7 @@ private slots:
         answerAll(true);
         QVERIFY(stage.says("Passed: ") && !repeat()->isVisible());
     }
-    void pointsAreThereAtTheNextStart()
+    void pointsAreKeptForTheNextStart()
     {
         const app::Lesson& lesson = app::lessons()[1];
         Stage first;

@@ -37,13 +37,13 @@ class LookTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void textCanBeRead_data()
+    void textHasEnoughContrast_data()
     {
         QTest::addColumn<int>("theme");
         QTest::newRow("light") << int(Theme::Light);
         QTest::newRow("dark") << int(Theme::Dark);
     }
-    void textCanBeRead()
+    void textHasEnoughContrast()
     {
         QFETCH(int, theme);
         applyTheme(*qApp, Theme(theme));

@@ -47,7 +47,7 @@ private slots:
         exports_->setQuestions(std::move(answers));
     }
 
-    void writesEveryFormat()
+    void everyFormatIsWritten()
     {
         for (const app::TraceFormat& row : app::traceFormats()) {
             const QString name = QString::fromLatin1(row.ending.data());
@@ -85,14 +85,14 @@ private slots:
         QVERIFY(QFileInfo(first).size() > 1000);
     }
 
-    void cancelledIsNothing()
+    void cancellingWritesNothing()
     {
         QSignalSpy told(exports_.get(), &StepExports::told);
         exports_->write(format("pdf"), trace());
         QVERIFY(told.isEmpty());
     }
 
-    void saysWhatCannotBeWritten()
+    void anUnwritableFileIsReported()
     {
         answers_->save = folder_.filePath("none/steps.pdf");
         QSignalSpy told(exports_.get(), &StepExports::told);

@@ -78,7 +78,7 @@ QByteArray docksOf(const MainWindow& window)
     return text;
 }
 
-/// Qt remembers any place for those that are behind another.
+/// Qt stores an arbitrary place for panels behind another.
 QByteArray docksInFront(const MainWindow& window)
 {
     QByteArrayList lines = docksOf(window).split('\n');
@@ -126,12 +126,12 @@ private slots:
         QVERIFY(!s.microscope().isOpen());
         QVERIFY(s.t.window->canvas().isVisible());
     }
-    void nothingIsMadeBeforeItIsOpened()
+    void nothingIsCreatedBeforeItIsOpened()
     {
         TestWindow t;
         QVERIFY(!t.window->microscopePage());
     }
-    void keysGoBothWaysToTheSame()
+    void keysReachTheSameStepsInBothDirections()
     {
         Stage s;
         const auto last = s.microscope().narration().steps.size() - 1;
@@ -156,7 +156,7 @@ private slots:
         s.key(Qt::Key_Home);
         QCOMPARE(s.microscope().step(), std::size_t(0));
     }
-    void keysStepWhereverTheFocusIs()
+    void keysStepWithAnyFocus()
     {
         Stage s;
         int widgets = 0;
@@ -198,7 +198,7 @@ private slots:
         s.key(Qt::Key_F2);
         QVERIFY(!s.page().steps().playback().playing());
     }
-    void aDraggedEndChangesTheTraceAlone()
+    void aDraggedEndChangesOnlyTheTrace()
     {
         Stage s;
         const app::Document before = s.t.window->session().now();
@@ -227,7 +227,7 @@ private slots:
         s.drag(s.microscope().tracedLine().line.b, corner, Qt::ControlModifier);
         QVERIFY(s.microscope().tracedLine().line.b != app::Point(75, 75));
     }
-    void escapeTakesADragBack()
+    void escapeUndoesADrag()
     {
         Stage s;
         const auto line = s.microscope().tracedLine().line;
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(s.microscope().tracedLine().line, line);
         QVERIFY(s.microscope().isOpen());
     }
-    void arrowKeysMoveTheChosenEnd()
+    void arrowKeysMoveTheSelectedEnd()
     {
         Stage s;
         const auto line = s.microscope().tracedLine().line;
@@ -262,7 +262,7 @@ private slots:
         s.key(Qt::Key_Escape);
         QVERIFY(!s.microscope().isOpen());
     }
-    void aLineIsTyped()
+    void aTypedLineIsTraced()
     {
         Stage s;
         LineField& field = s.page().bar().lineField();
@@ -288,7 +288,7 @@ private slots:
         QVERIFY(!s.page().steps().sentence().isEmpty());
         s.page().grab(); // and can be painted
     }
-    void theWheelZoomsWhereThePointerIs()
+    void theWheelZoomsAroundThePointer()
     {
         Stage s;
         const QPointF place(200, 150);
@@ -307,7 +307,7 @@ private slots:
         QVERIFY(std::abs((s.view().frame().seen.max.x - s.view().frame().seen.min.x) / width - 1)
                 < 1e-9);
     }
-    void theTimelineIsClicked()
+    void aClickOnTheTimelineChoosesTheStep()
     {
         Stage s;
         auto* timeline = s.page().findChild<Timeline*>();
@@ -337,7 +337,7 @@ private slots:
                     QStringLiteral("step %1 of %1").arg(s.microscope().narration().steps.size()));
             }
     }
-    void theDocksComeBackAsTheyWere()
+    void thePanelsAreRestored()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -348,15 +348,15 @@ private slots:
         QTRY_VERIFY(std::exchange(before, docksOf(*t.window)) == before);
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
         QVERIFY(docksOf(*t.window) != before);
-        t.window->resize(1200, 790); // while it is open nothing is rearranged
+        t.window->resize(1200, 790); // nothing is rearranged while it is open
         t.window->resize(1280, 800);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
         QTRY_COMPARE(docksOf(*t.window), before);
         QVERIFY(t.window->canvas().isAncestorOf(QApplication::focusWidget())
                 || QApplication::focusWidget() == &t.window->canvas());
     }
-    /// The microscope looks at a line by itself if none was clicked: that is over when it closes.
-    void withoutAClickedLineThePanelsComeBackAsTheyWere()
+    /// Without a selected line the microscope chooses one; that choice ends when it closes.
+    void thePanelsAreRestoredWithoutASelectedLine()
     {
         TestWindow t;
         t.show();
@@ -371,12 +371,12 @@ private slots:
         QTRY_COMPARE(docksInFront(*t.window), before);
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
         QTest::qWait(60);
-        t.window->drawnLine().look(0); // now a person chose it: it stays
+        t.window->drawnLine().look(0); // now the user chose it, so it stays
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
         QVERIFY(t.window->session().inspected());
         QTRY_VERIFY(noPanelCoversAnother(*t.window));
     }
-    void aLayoutOfOnesOwnIsKeptAndSavedAsItIs()
+    void aUserLayoutIsKeptAndSaved()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -402,7 +402,7 @@ private slots:
         QVERIFY(!again.findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(again.findChild<QDockWidget*>("line")->isHidden());
     }
-    void theLinePanelAndADoubleClickOpenIt()
+    void theLinePanelAndADoubleClickOpenTheMicroscope()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -422,7 +422,7 @@ private slots:
         QVERIFY(t.window->session().microscope.isOpen());
         QCOMPARE(t.window->drawnLine().line(), std::size_t(0));
     }
-    void f8LooksAtTheNextLine()
+    void f8ShowsTheNextLine()
     {
         Stage s;
         const auto first = s.t.window->drawnLine().line();

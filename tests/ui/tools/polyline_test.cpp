@@ -10,12 +10,12 @@
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
 
-// A polyline in hand: Undo and Redo go by corners, and nothing that ends it loses what is drawn.
+// While a polyline is drawn, Undo and Redo go by corners, and no way of ending it loses corners.
 class PolylineTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void undoTakesBackACornerAndRedoRestoresIt()
+    void undoRemovesACornerAndRedoRestoresIt()
     {
         Hand hand;
         hand.window.session().history.push(
@@ -73,7 +73,7 @@ private slots:
             QVERIFY(!hand.t.action("redo")->isEnabled());
         }
     }
-    void aNewCornerForgetsWhatWasTakenBack()
+    void aNewCornerDiscardsRemovedCorners()
     {
         Hand hand;
         hand.click(2);
@@ -92,7 +92,7 @@ private slots:
         hand.key(Qt::Key_Return);
         QCOMPARE(hand.corners(0), hand.placed(3));
     }
-    void whateverEndsItKeepsIt()
+    void everyEndKeepsThePolyline()
     {
         for (const auto& [name, end] : endings())
             for (const int count : name.startsWith('E') ? std::vector{3, 2, 1} : std::vector{3}) {
@@ -108,7 +108,7 @@ private slots:
                 QVERIFY2(!hand.window.canvas().objectInHand(), qPrintable(name));
             }
     }
-    void savingAndClosingSeeIt()
+    void savingAndClosingIncludeThePolyline()
     {
         Hand hand;
         hand.click(3);
@@ -121,14 +121,14 @@ private slots:
         QCOMPARE(hand.t.answers->asked, 1);
         QCOMPARE(hand.shapes().size(), std::size_t(2));
     }
-    void anotherDrawingGetsNothingOfIt()
+    void thePolylineIsNotAddedToAnotherDrawing()
     {
         Hand hand;
         hand.click(3);
         hand.window.session().load({app::documentOf(app::Sheet()), {}});
         QVERIFY(hand.shapes().empty() && hand.window.session().history.isClean());
     }
-    void undoInTheMiddleOfADragDropsTheDragAlone()
+    void undoDuringADragCancelsOnlyTheDrag()
     {
         for (const char* const tool :
              {"line", "rectangle", "ellipse", "pencil", "window", "select"}) {
@@ -148,7 +148,7 @@ private slots:
                      tool);
         }
     }
-    void aMoveThatChangesNothingTellsNothing()
+    void aMoveWithoutChangeSignalsNothing()
     {
         Hand hand;
         hand.click(2);
@@ -161,8 +161,8 @@ private slots:
         hand.key(Qt::Key_Backspace);
         QCOMPARE(told.count(), 2);
     }
-    // All of it is copied each time.
-    void aLongFreehandLineIsToldNowAndThen()
+    // Each signal copies the whole line.
+    void aLongFreehandLineIsSignalledRarely()
     {
         constexpr int moves = 400;
         Stage stage(ui::Backend::Raster);
@@ -174,20 +174,20 @@ private slots:
         for (int i = 1; i <= moves; ++i)
             stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
         QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
-        QTRY_VERIFY(told.count() > 0); // while the hand rests
+        QTRY_VERIFY(told.count() > 0); // while the pointer rests
         QCOMPARE(stage.canvas->objectInHand()->object.path.subpaths()[0].segments.size(),
                  std::size_t(moves));
         stage.release({100, 60});
         QVERIFY(!stage.canvas->objectInHand());
     }
-    void theHintSaysSo()
+    void theHintExplainsUndo()
     {
         const QString hint = ui::findTool("polyline")->hint;
         QVERIFY2(hint.contains("Ctrl+Z") && !hint.contains("cancel"), qPrintable(hint));
     }
 
 private:
-    /// A window with an empty drawing, and a hand that places corners.
+    /// A window with an empty drawing, and functions that place corners.
     struct Hand {
         Hand() : window(*t.window)
         {

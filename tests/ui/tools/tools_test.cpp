@@ -11,7 +11,7 @@
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/canvas/stage.h"
 
-// Every tool with real events, and what a person sees of it in the drawing and in the undo list.
+// Every tool with real events, and its effect on the drawing and the undo list.
 class ToolsTest : public QObject {
     Q_OBJECT
 
@@ -47,7 +47,7 @@ private slots:
         QCOMPARE(stage.session.history.count(), 2); // a click is no line
     }
 
-    void escapeLeavesNothing()
+    void escapeCancelsTheGesture()
     {
         for (const char* const tool : {"line", "rectangle", "ellipse", "pencil", "polyline"}) {
             Stage stage(raster, {});
@@ -145,7 +145,7 @@ private slots:
         QVERIFY(shapes(stage)[4].paths[0].segments[0].to != app::Point(10, 50));
     }
 
-    void clicksSelect()
+    void aClickSelects()
     {
         Stage stage(raster,
                     {line({10, 10}, {60, 10}), line({10, 30}, {40, 30}), line({10, 90}, {60, 90})});
@@ -160,7 +160,7 @@ private slots:
         QVERIFY(stage.session.selection().empty() && !stage.session.inspected());
     }
 
-    void boxesContainOrTouch()
+    void boxesSelectContainedOrTouchedObjects()
     {
         Stage stage(raster, {line({100, 40}, {140, 42}), line({90, 60}, {190, 60}),
                              line({10, 95}, {60, 95})});
@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(shapes(stage)[0].paths[0].start, app::Point(60, 40));
     }
 
-    void areasAreSelectedByAClickAndBoxedThrough()
+    void areasAreSelectedByAClickAndBoxesStartOnThem()
     {
         app::Shape ground = line({0, 0}, {200, 0});
         ground.paths[0].segments.insert(ground.paths[0].segments.end(), {{{200, 100}}, {{0, 100}}});
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(stage.session.history.count(), 0);
     }
 
-    void theSelectionsBoxResizesIt()
+    void theSelectionBoxResizesTheSelection()
     {
         Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
         stage.session.select({0, 1}); // 70, 40 to 90, 60
@@ -222,9 +222,9 @@ private slots:
         QCOMPARE(bounds(stage, 0), (clipping::Window{{70, 40}, {90, 40}}));
     }
 
-    // Hovering and painting take the box that is known, however many objects are selected. A box of
-    // no selection, put in its place, stays until something changes.
-    void theSelectionsBoxIsCalculatedOnce()
+    // Hovering and painting use the stored box, however many objects are selected. A different box,
+    // put in its place, stays until something changes.
+    void theSelectionBoxIsCalculatedOnce()
     {
         Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
         stage.session.select({0, 1});
@@ -264,8 +264,8 @@ private slots:
         QVERIFY(stage.canvas->toolHint().contains("Drawing"));
     }
 
-    // The hint is asked for in the middle of the change.
-    void theLayerOfThePenMayGo()
+    // The hint is requested during the change.
+    void theLayerToDrawOnMayDisappear()
     {
         Stage stage(raster);
         app::Session& session = stage.session;
@@ -288,7 +288,7 @@ private slots:
         QVERIFY(penIsOnALayer());
     }
 
-    void theHintNamesWhatThePointerIsOn()
+    void theHintNamesTheHoveredLine()
     {
         Stage stage(raster);
         const QString usual = stage.canvas->toolHint();
@@ -298,7 +298,7 @@ private slots:
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
 
-    void aLineThatIsDraggedAtOnceIsInspected()
+    void aLineDraggedAtOnceIsInspected()
     {
         Stage stage(raster, {line({10, 10}, {60, 10}), line({10, 90}, {60, 90})});
         stage.drag({30, 11}, {40, 31});
@@ -322,7 +322,7 @@ private slots:
         QVERIFY(stage.canvas->toolHint().startsWith("The Line panel shows line 2."));
     }
 
-    void withoutAWindowADragDrawsOneAndTheOfferLaysOne()
+    void withoutAClipWindowADragOrTheOfferMakesOne()
     {
         Stage stage(raster, {});
         app::Session& session = stage.session;
@@ -344,7 +344,7 @@ private slots:
         QCOMPARE(session.history.undoText(), "Draw clip window");
     }
 
-    void aDoubleClickOnTheOfferIsNotTheTools()
+    void aDoubleClickOnTheOfferDoesNotReachTheTool()
     {
         Stage stage(raster, {line({10, 50}, {190, 50}), line({-300, 121}, {500, 121})});
         app::Session& session = stage.session;
@@ -354,7 +354,8 @@ private slots:
         const QPoint under = stage.at({100, 121}); // on the offer, which hides the second line
         const auto doubleClick = [&] {
             QTest::mouseClick(&stage.surface(), Qt::LeftButton, {}, under);
-            QTest::mouseDClick(&stage.surface(), Qt::LeftButton, {}, under); // its second press
+            QTest::mouseDClick(&stage.surface(), Qt::LeftButton, {},
+                               under); // the second press of the double click
             QTest::mouseRelease(&stage.surface(), Qt::LeftButton, {}, under);
         };
         for (int twice = 0; twice < 2; ++twice) {
@@ -372,7 +373,7 @@ private slots:
         QVERIFY(session.microscope.isOpen());
     }
 
-    void theSnapMarkGoesWithTheDrag()
+    void theSnapMarkDisappearsAfterTheDrag()
     {
         Stage stage(raster, {});
         stage.key(Qt::Key_L);
@@ -412,7 +413,7 @@ private slots:
         QVERIFY(std::abs(stage.canvas->view().zoom - 20) < 1);
     }
 
-    void hoveringSaysWhatWouldBeTaken()
+    void aHoveredLineIsHighlighted()
     {
         Stage stage(raster);
         const QColor before = stage.colourAt({100, 50});

@@ -52,14 +52,14 @@ private slots:
         QCOMPARE(view_->currentRow(), std::optional<std::size_t>(2));
         QVERIFY(view_->grab().toImage() != before);
     }
-    void itTellsWhatIsKnownOfARow()
+    void theTooltipGivesTheDetailsOfARow()
     {
         QHelpEvent help(QEvent::ToolTip, middleOfRow(1), view_->mapToGlobal(middleOfRow(1)));
         QApplication::sendEvent(view_.get(), &help);
         QCOMPARE(QToolTip::text(), view_->chart().rows[1].detail);
         QVERIFY(QToolTip::text().contains("Cohen-Sutherland"));
     }
-    void keysGoThroughTheRows()
+    void keysMoveThroughTheRows()
     {
         view_->activateWindow();
         view_->setFocus();
@@ -72,24 +72,24 @@ private slots:
         QTest::keyClick(view_.get(), Qt::Key_Up);
         QCOMPARE(view_->currentRow(), std::optional<std::size_t>(5));
     }
-    void whoCannotSeeItIsTold()
+    void screenReadersGetTitleAndContent()
     {
         QCOMPARE(view_->accessibleName(), view_->chart().title);
         QVERIFY(view_->accessibleDescription().contains("Liang-Barsky"));
     }
-    void itFollowsTheTheme()
+    void theChartFollowsTheTheme()
     {
         const QColor light = view_->grab().toImage().pixelColor(2, 2);
         applyTheme(*qApp, Theme::Dark);
         const QColor dark = view_->grab().toImage().pixelColor(2, 2);
         QVERIFY(light.lightness() > 200 && dark.lightness() < 80);
     }
-    void narrowerIsHigher()
+    void aNarrowChartIsHigher()
     {
         QVERIFY(view_->heightForWidth(220) >= view_->heightForWidth(700));
         QVERIFY(view_->minimumSizeHint().height() < view_->sizeHint().height());
     }
-    void itsMenuExports()
+    void theMenuExportsTheChart()
     {
         QSignalSpy spy(view_.get(), &ChartView::exportWanted);
         QTimer::singleShot(0, [] {

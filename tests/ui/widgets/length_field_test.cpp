@@ -9,7 +9,7 @@
 
 using namespace ui;
 
-// What is typed into a field for a length: it is taken, or the field says why not.
+// Typed lengths are accepted, or the field says why not.
 class LengthFieldTest : public QObject {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ private slots:
             QVERIFY(field.refused.isEmpty());
         }
     }
-    void whatIsNoLengthIsRefusedInWords_data()
+    void invalidLengthsAreRefusedWithAMessage_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("sentence");
@@ -54,7 +54,7 @@ private slots:
         row("", "the sum ends without a number");
         QTest::newRow("said once") << "ten" << QString::fromUtf8("Width: “ten” is not a number.");
     }
-    void whatIsNoLengthIsRefusedInWords()
+    void invalidLengthsAreRefusedWithAMessage()
     {
         QFETCH(QString, text);
         QFETCH(QString, sentence);
@@ -63,12 +63,12 @@ private slots:
             field.type(text, end);
             QCOMPARE(field.refused.size(), 1);
             QCOMPARE(field.refused[0][0].toString(), sentence);
-            QCOMPARE(field.edited.size(), end == Qt::Key_Up ? 1 : 0); // from the number before
+            QCOMPARE(field.edited.size(), end == Qt::Key_Up ? 1 : 0); // from the previous number
             QCOMPARE(field->text(), end == Qt::Key_Up ? "101.00" : "100.00");
             QCOMPARE(field.entered.size(), 0);
         }
     }
-    void aNumberThatDoesNotFitShowsItsBeginning()
+    void aLongNumberShowsItsBeginning()
     {
         Field field;
         field->setFixedSize(90, 26);
@@ -86,7 +86,7 @@ private slots:
         field.other.setFocus();
         QCOMPARE(field->seenText(), "5.00");
     }
-    void escapeBacksOutOfTheTextAndThenOfTheField()
+    void escapeRestoresTheTextThenLeavesTheField()
     {
         Field field;
         field.type("12+", Qt::Key_Escape);
@@ -98,7 +98,7 @@ private slots:
     }
 
 private:
-    /// A width of 100 mm, and something to go to.
+    /// A field with a width of 100 mm, and another widget to focus.
     struct Field {
         Field()
             : field("Width", LengthField::Range::Any, LengthField::Suffix::None, &window),
@@ -115,7 +115,7 @@ private:
             field.setFocus();
             field.selectAll();
             QTest::keyClick(&field, Qt::Key_Delete);
-            for (const QChar c : text) { // QTest knows Latin keys alone
+            for (const QChar c : text) { // QTest supports only Latin keys
                 QKeyEvent key(QEvent::KeyPress, 0, Qt::NoModifier, QString(c));
                 QApplication::sendEvent(&field, &key);
             }

@@ -32,7 +32,7 @@ class PageCaptionTest : public QObject {
 private slots:
     void initTestCase() { applyTheme(*qApp, Theme::Light); }
 
-    void itIsThereWithoutAClipWindow()
+    void theCaptionIsShownWithoutAClipWindow()
     {
         app::Session session;
         ::load(session.document, sheetAt({{10, 10}, {50, 50}}));
@@ -45,7 +45,7 @@ private slots:
         QVERIFY(caption.isHidden());
     }
 
-    void everyPanelThatComparesHasOne_data()
+    void everyComparingPanelHasACaption_data()
     {
         QTest::addColumn<Maker>("make");
         QTest::addRow("algorithm") << Maker(made<AlgorithmPanel>);
@@ -54,7 +54,7 @@ private slots:
         QTest::addRow("differences") << Maker(made<DifferencePanel>);
         QTest::addRow("exactness") << Maker(made<ExactnessPanel>);
     }
-    void everyPanelThatComparesHasOne()
+    void everyComparingPanelHasACaption()
     {
         QFETCH(Maker, make);
         app::Session session;

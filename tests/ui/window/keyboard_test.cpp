@@ -18,7 +18,7 @@ class KeyboardTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void placesAreThoseOfAnAmericanKeyboard()
+    void placesAreThoseOfAUsKeyboard()
     {
         using ui::keyAtItsPlace;
         QCOMPARE(keyAtItsPlace(pressed(Qt::Key_Ampersand, 10, "&")), QKeyCombination(Qt::Key_1));

@@ -131,7 +131,7 @@ private slots:
         QCOMPARE(t.window->canvas().tool(), std::string_view("window"));
         QVERIFY(t.action("tool-window")->isChecked());
     }
-    void dropsOpen()
+    void aDroppedFileIsOpened()
     {
         TestWindow t;
         t.show();
@@ -144,7 +144,7 @@ private slots:
         QApplication::sendEvent(t.window.get(), &drop);
         QTRY_COMPARE(t.window->session().scene.lines().size(), std::size_t(2));
     }
-    void unsavedChangesAreAskedAbout()
+    void itAsksAboutUnsavedChanges()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -170,7 +170,7 @@ private slots:
         QVERIFY(sheetOf(t.window->session().document).shapes.empty());
         QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
     }
-    void savingOverSomebodyElsesChangeIsAsked()
+    void itAsksBeforeOverwritingAnotherProgramsChange()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -201,7 +201,7 @@ private slots:
         QVERIFY(QFile::exists(t.path("new.svg")));
         QVERIFY(t.window->files().save()); // now it is ours
     }
-    void onlySvgHoldsAWholeDrawing()
+    void drawingsAreSavedOnlyAsSvg()
     {
         TestWindow t;
         t.show();
@@ -228,7 +228,7 @@ private slots:
         QCOMPARE(scene.lines().size(), std::size_t(1));
         QCOMPARE(scene.lines()[0], (clipping::Segment{{25, 50}, {75, 50}}));
     }
-    void cropsAndUndoes()
+    void croppingCanBeUndone()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -256,7 +256,7 @@ private slots:
         QCOMPARE(t.window->session().history.count(), before);
         QCOMPARE(t.window->message(), "Nothing was cropped. Left alone on locked layers: 1.");
     }
-    void saysOnceThatTheOldestStepsAreForgotten()
+    void forgottenStepsAreReportedOnce()
     {
         TestWindow t;
         QSettings().setValue("undoMegabytes", 2);
@@ -286,7 +286,7 @@ private slots:
         QCoreApplication::processEvents();
         QVERIFY(t.window->message().isEmpty());
         session.load(
-            {app::documentOf(sheetOf(session.document)), {}}); // another drawing: said again
+            {app::documentOf(sheetOf(session.document)), {}}); // another drawing: reported again
         restyle();
         restyle();
         QTRY_VERIFY(!t.window->message().isEmpty());
@@ -318,7 +318,7 @@ private slots:
         QCOMPARE(chosen(), QStringList());
         QCOMPARE(t.window->session().history.limit(), std::size_t(123'000'000));
     }
-    void whatADrawingHasNoRoomForIsSaid()
+    void aFullListOfClipWindowsIsReported()
     {
         TestWindow t;
         app::ClipWindows windows;
@@ -334,16 +334,17 @@ private slots:
         QVERIFY(t.window->message().startsWith("No clip window was drawn."));
         QCOMPARE(t.window->session().history.count(), 0);
     }
-    void croppingWhatIsInsideIsNoStep()
+    void croppingWithoutEffectIsNoStep()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
         t.show();
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().history.count(), 0);
-        QCOMPARE(t.window->message(), "Nothing was cropped: the clip window keeps all of the drawing.");
+        QCOMPARE(t.window->message(),
+                 "Nothing was cropped: the clip window keeps all of the drawing.");
     }
-    void keysOfTheSelectionSayThatNothingIsSelected()
+    void selectionKeysReportAnEmptySelection()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -367,7 +368,7 @@ private slots:
             QCOMPARE(t.window->statusBar()->currentMessage(), QString());
         }
     }
-    void withoutAClipWindowThereIsNoneToFit()
+    void fitClipWindowNeedsAClipWindow()
     {
         TestWindow t;
         t.show();
@@ -378,7 +379,7 @@ private slots:
         setWindow(t, middle);
         QVERIFY(t.action("fit-window")->isEnabled());
     }
-    void aWarningOfTheClipboardGoesWithTheNextPaste()
+    void theClipboardWarningDisappearsWithTheNextPaste()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
@@ -435,7 +436,7 @@ private slots:
         QVERIFY(!lookOf(t.window->palette()).dark);
         QCOMPARE(QSettings().value("theme").toInt(), int(Theme::Light));
     }
-    void picturesOfTheOptionBarFollowTheTheme()
+    void iconsOfTheOptionBarFollowTheTheme()
     {
         TestWindow t;
         t.show();
@@ -450,12 +451,13 @@ private slots:
         TestWindow fresh;
         fresh.show();
         fresh.window->setTheme(Theme::Dark);
-        fresh.window = std::make_unique<MainWindow>(Backend::Raster); // that was never light
+        fresh.window =
+            std::make_unique<MainWindow>(Backend::Raster); // that never was in the light theme
         fresh.window->resize(t.window->size());
         fresh.show();
         QCOMPARE(switched, pictureIn(*fresh.window));
     }
-    void startShowsASampleAndLeadsOn()
+    void startShowsASampleAndThenTheAlgorithmPanel()
     {
         TestWindow t;
         t.window->showStart();
@@ -471,7 +473,7 @@ private slots:
         QVERIFY(QSettings().value("windowDragged").toBool());
         QTRY_VERIFY(!t.window->findChild<WindowNote*>());
     }
-    void theNoteOfTheFirstStartSaysHowToGetAWindow()
+    void theFirstStartNoteSaysHowToGetAClipWindow()
     {
         TestWindow t;
         t.window->showStart();
@@ -487,7 +489,7 @@ private slots:
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
     }
-    void theNoteOfTheFirstStartHidesNothing()
+    void theFirstStartNoteHidesNothing()
     {
         TestWindow t;
         t.window->showStart();
@@ -511,7 +513,7 @@ private slots:
         t.window->session().microscope.close();
         QVERIFY(note->isVisible());
     }
-    void aSampleIsOnlyAskedAboutWhenItWasDrawnIn()
+    void itAsksAboutASampleOnlyIfItWasChanged()
     {
         TestWindow t;
         t.window->showStart();
@@ -525,7 +527,7 @@ private slots:
         t.window->files().startNew();
         QCOMPARE(t.answers->asked, 1);
     }
-    void startComesBack()
+    void startIsShownAgain()
     {
         TestWindow t;
         t.window->showStart();
@@ -537,7 +539,7 @@ private slots:
         QTRY_VERIFY(inFront(start));
         QVERIFY(start->width() < 600 && start->x() > 600);
     }
-    void panelsHaveTheirTitlesWhereTheyAreStacked()
+    void stackedPanelsHaveTitles()
     {
         TestWindow t;
         t.window->files().open(t.twoLines());
