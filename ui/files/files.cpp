@@ -245,7 +245,7 @@ void Files::crop()
 {
     emit documentWanted();
     app::CutOptions options = cutOptions();
-    options.reach = app::CutScope::Editable;
+    options.scope = app::CutScope::Editable;
     auto command = std::make_unique<app::CropToWindow>(session_.document, options);
     const app::CutCounts counts = command->counts();
     if (const QString leftAlone = app::leftAloneText(counts); !command->changes())

@@ -138,7 +138,7 @@ private:
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
         options.region = app::regionOf(now().windows());
-        options.reach = app::CutScope::Editable;
+        options.scope = app::CutScope::Editable;
         return new app::CropToWindow(document_, options);
     }
 

@@ -30,15 +30,15 @@ bool isProper(const HardCase& hard)
 }
 
 /// By the oracle, which knows of proper input only; of all else nothing is visible.
-Truth<2> exactnessOf(const HardCase& hard)
+Truth<2> truthOf(const HardCase& hard)
 {
-    return isProper(hard) ? ::exactnessOf(inputOf(hard)) : std::nullopt;
+    return isProper(hard) ? ::truthOf(inputOf(hard)) : std::nullopt;
 }
 
 /// What a published form or a known misprint does wrong, worked out from the oracle's truth alone.
 Ruling ruling(const HardCase& hard, const Variant& variant)
 {
-    const auto truth = exactnessOf(hard);
+    const auto truth = truthOf(hard);
     const auto piece = clipped(variant, hard.line, hard.window);
     const auto& uses = clipping::usesOf(*variant.algorithm, variant.form);
     if (!piece && !variant.misprint
@@ -109,7 +109,7 @@ private slots:
     {
         QFETCH(int, index);
         const HardCase& hard = hardCases()[std::size_t(index)];
-        const auto truth = exactnessOf(hard);
+        const auto truth = truthOf(hard);
         QCOMPARE(hard.visible.has_value(), truth.has_value());
         if (truth) {
             const auto& [a, b] = truth->line;
