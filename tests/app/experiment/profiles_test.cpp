@@ -48,7 +48,7 @@ const Row& find(const std::vector<Row>& rows, std::string_view abbreviation, For
 oracle::Line lineOf(const Segment& s) { return {{s.a.x, s.a.y}, {s.b.x, s.b.y}}; }
 oracle::Box boxOf(const clipping::Window& w) { return {{w.min.x, w.min.y}, {w.max.x, w.max.y}}; }
 
-std::optional<oracle::Part> exactnessOf(const Segment& s, const clipping::Window& w)
+std::optional<oracle::Part> truthOf(const Segment& s, const clipping::Window& w)
 {
     return oracle::inside(lineOf(s), boxOf(w));
 }
@@ -65,7 +65,7 @@ app::Accuracy byOracle(const Variant& variant, std::span<const Segment> lines)
     const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
     app::Accuracy sum{.variant = variant};
     for (const Segment& line : lines) {
-        const auto truth = exactnessOf(line, w);
+        const auto truth = truthOf(line, w);
         const auto found = uses.clip(line, w);
         sum.visible += truth.has_value();
         sum.lost += truth && !found;
