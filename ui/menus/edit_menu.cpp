@@ -77,72 +77,77 @@ void complete(MainWindow& window, QMenu& menu)
 MenuInfo editMenu()
 {
     using K = QKeySequence;
-    return {tr("&Edit"),
+    return {
+        .title = tr("&Edit"),
+        .rows =
             {
-                {"cut",
-                 tr("Cu&t"),
-                 keys(K::Cut),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) {
-                     cutSelection(w.session());
-                     withdrawWarning(w);
-                 },
-                 someSelected,
-                 {},
-                 {},
-                 nothingSelected()},
-                {"copy",
-                 tr("&Copy"),
-                 keys(K::Copy),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) {
-                     copySelection(w.session());
-                     withdrawWarning(w);
-                 },
-                 someSelected,
-                 {},
-                 {},
-                 nothingSelected()},
-                {"paste", tr("&Paste"), keys(K::Paste), Reach::Window, {}, pasteOrWarn},
-                {"duplicate",
-                 tr("Dup&licate"),
-                 {K("Ctrl+D")},
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { duplicateSelection(w.session()); },
-                 someSelected,
-                 {},
-                 {},
-                 nothingSelected()},
-                {"delete",
-                 tr("&Delete"),
-                 {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
-                 Reach::Canvas,
-                 "bin",
-                 [](MainWindow& w) { deleteSelection(w.session()); },
-                 someSelected,
-                 {},
-                 {},
-                 nothingSelected()},
+                {
+                    .key = "cut",
+                    .text = tr("Cu&t"),
+                    .keys = keys(K::Cut),
+                    .run =
+                        [](MainWindow& w) {
+                            cutSelection(w.session());
+                            withdrawWarning(w);
+                        },
+                    .enabled = someSelected,
+                    .needs = nothingSelected(),
+                },
+                {
+                    .key = "copy",
+                    .text = tr("&Copy"),
+                    .keys = keys(K::Copy),
+                    .run =
+                        [](MainWindow& w) {
+                            copySelection(w.session());
+                            withdrawWarning(w);
+                        },
+                    .enabled = someSelected,
+                    .needs = nothingSelected(),
+                },
+                {
+                    .key = "paste",
+                    .text = tr("&Paste"),
+                    .keys = keys(K::Paste),
+                    .run = pasteOrWarn,
+                },
+                {
+                    .key = "duplicate",
+                    .text = tr("Dup&licate"),
+                    .keys = {K("Ctrl+D")},
+                    .run = [](MainWindow& w) { duplicateSelection(w.session()); },
+                    .enabled = someSelected,
+                    .needs = nothingSelected(),
+                },
+                {
+                    .key = "delete",
+                    .text = tr("&Delete"),
+                    .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
+                    .reach = Reach::Canvas,
+                    .icon = "bin",
+                    .run = [](MainWindow& w) { deleteSelection(w.session()); },
+                    .enabled = someSelected,
+                    .needs = nothingSelected(),
+                },
                 {},
-                {"select-all",
-                 tr("Select &all"),
-                 keys(K::SelectAll),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { selectAll(w.session()); },
-                 [](const MainWindow& w) { return !w.session().now().objects().empty(); }},
-                {"deselect",
-                 tr("D&eselect"),
-                 keys(K::Deselect, {K("Ctrl+Shift+A")}),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.session().select({}); },
-                 someSelected},
+                {
+                    .key = "select-all",
+                    .text = tr("Select &all"),
+                    .keys = keys(K::SelectAll),
+                    .run = [](MainWindow& w) { selectAll(w.session()); },
+                    .enabled =
+                        [](const MainWindow& w) { return !w.session().now().objects().empty(); },
+                },
+                {
+                    .key = "deselect",
+                    .text = tr("D&eselect"),
+                    .keys = keys(K::Deselect, {K("Ctrl+Shift+A")}),
+                    .run = [](MainWindow& w) { w.session().select({}); },
+                    .enabled = someSelected,
+                },
             },
-            complete};
+        .complete = complete,
+    };
 }
 
 } // namespace ui

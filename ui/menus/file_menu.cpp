@@ -45,48 +45,63 @@ void complete(MainWindow& window, QMenu& menu)
 MenuInfo fileMenu()
 {
     using K = QKeySequence;
-    return {tr("&File"),
+    return {
+        .title = tr("&File"),
+        .rows =
             {
-                {"new", tr("&New"), keys(K::New), Reach::Window, "page",
-                 [](MainWindow& w) { w.files().startNew(); }},
-                {"open", tr("&Open…"), keys(K::Open), Reach::Window, "folder",
-                 [](MainWindow& w) { w.files().open(); }},
+                {
+                    .key = "new",
+                    .text = tr("&New"),
+                    .keys = keys(K::New),
+                    .icon = "page",
+                    .run = [](MainWindow& w) { w.files().startNew(); },
+                },
+                {
+                    .key = "open",
+                    .text = tr("&Open…"),
+                    .keys = keys(K::Open),
+                    .icon = "folder",
+                    .run = [](MainWindow& w) { w.files().open(); },
+                },
                 {},
-                {"save",
-                 tr("&Save"),
-                 keys(K::Save),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.files().save(); }},
-                {"save-as",
-                 tr("Save &as…"),
-                 keys(K::SaveAs, {K("Ctrl+Shift+S")}),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.files().saveAs(); }},
+                {
+                    .key = "save",
+                    .text = tr("&Save"),
+                    .keys = keys(K::Save),
+                    .run = [](MainWindow& w) { w.files().save(); },
+                },
+                {
+                    .key = "save-as",
+                    .text = tr("Save &as…"),
+                    .keys = keys(K::SaveAs, {K("Ctrl+Shift+S")}),
+                    .run = [](MainWindow& w) { w.files().saveAs(); },
+                },
                 {},
-                {"export",
-                 tr("&Export cut drawing…"),
-                 {K("Ctrl+E")},
-                 Reach::Window,
-                 "export",
-                 [](MainWindow& w) { w.files().exportCut(); },
-                 [](const MainWindow& w) { return w.session().scene.lines().size() > 0; }},
+                {
+                    .key = "export",
+                    .text = tr("&Export cut drawing…"),
+                    .keys = {K("Ctrl+E")},
+                    .icon = "export",
+                    .run = [](MainWindow& w) { w.files().exportCut(); },
+                    .enabled =
+                        [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+                },
                 {},
-                {"close",
-                 tr("&Close"),
-                 {K("Ctrl+W")},
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.close(); }},
-                {"quit",
-                 tr("&Quit"),
-                 keys(K::Quit, {K("Ctrl+Q")}),
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { w.close(); }},
+                {
+                    .key = "close",
+                    .text = tr("&Close"),
+                    .keys = {K("Ctrl+W")},
+                    .run = [](MainWindow& w) { w.close(); },
+                },
+                {
+                    .key = "quit",
+                    .text = tr("&Quit"),
+                    .keys = keys(K::Quit, {K("Ctrl+Q")}),
+                    .run = [](MainWindow& w) { w.close(); },
+                },
             },
-            complete};
+        .complete = complete,
+    };
 }
 
 } // namespace ui

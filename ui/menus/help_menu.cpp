@@ -17,34 +17,36 @@ QString tr(const char* text) { return QCoreApplication::translate("HelpMenu", te
 MenuInfo helpMenu()
 {
     using K = QKeySequence;
-    return {tr("&Help"),
+    return {
+        .title = tr("&Help"),
+        .rows =
             {
-                {"start",
-                 tr("Show &start panel"),
-                 {},
-                 Reach::Window,
-                 "book",
-                 [](MainWindow& w) { w.raisePanel("start"); }},
-                {"shortcuts",
-                 tr("&Keyboard shortcuts"),
-                 {K("Ctrl+?")},
-                 Reach::Window,
-                 "keyboard",
-                 [](MainWindow& w) { showShortcuts(w); }},
+                {
+                    .key = "start",
+                    .text = tr("&Start"),
+                    .icon = "book",
+                    .run = [](MainWindow& w) { w.raisePanel("start"); },
+                },
+                {
+                    .key = "shortcuts",
+                    .text = tr("&Keyboard shortcuts"),
+                    .keys = {K("Ctrl+?")},
+                    .icon = "keyboard",
+                    .run = [](MainWindow& w) { showShortcuts(w); },
+                },
                 {},
-                {"about",
-                 tr("A&bout Clearcut"),
-                 {},
-                 Reach::Window,
-                 {},
-                 [](MainWindow& w) { showAbout(w); }},
-                {"about-qt",
-                 tr("About &Qt"),
-                 {},
-                 Reach::Window,
-                 {},
-                 [](MainWindow&) { QApplication::aboutQt(); }},
-            }};
+                {
+                    .key = "about",
+                    .text = tr("A&bout Clearcut"),
+                    .run = [](MainWindow& w) { showAbout(w); },
+                },
+                {
+                    .key = "about-qt",
+                    .text = tr("About &Qt"),
+                    .run = [](MainWindow&) { QApplication::aboutQt(); },
+                },
+            },
+    };
 }
 
 } // namespace ui
