@@ -62,25 +62,43 @@ QAction* makeAction(MainWindow& window, const ActionInfo& row)
     return action;
 }
 
+using Groups = std::map<std::string_view, QActionGroup*>;
+
+void addRow(MainWindow& window, const ActionInfo& row, QMenu& menu, Groups& groups)
+{
+    if (row.text.isEmpty()) {
+        menu.addSeparator();
+    } else if (row.fill) {
+        row.fill(window, *menu.addMenu(row.text));
+    } else {
+        QAction* action = makeAction(window, row);
+        menu.addAction(action);
+        if (row.group.empty())
+            return;
+        QActionGroup*& group = groups[row.group];
+        if (!group)
+            group = new QActionGroup(&window);
+        group->addAction(action);
+    }
+}
+
 } // namespace
 
 void addMenus(MainWindow& window)
 {
-    std::map<std::string_view, QActionGroup*> groups;
+    Groups groups;
     for (const MenuInfo& info : menus()) {
         QMenu* menu = window.menuBar()->addMenu(info.title);
-        for (const ActionInfo& row : info.rows)
-            if (row.key.empty()) {
-                menu->addSeparator();
-            } else {
-                QAction* action = makeAction(window, row);
-                menu->addAction(action);
-                if (!row.group.empty())
-                    groups.try_emplace(row.group, new QActionGroup(&window))
-                        .first->second->addAction(action);
-            }
-        if (info.complete)
-            info.complete(window, *menu);
+        if (info.begin)
+            info.begin(window, *menu);
+        QMenu* submenu = nullptr; // of the row before
+        for (const ActionInfo& row : info.rows) {
+            if (row.submenu.isEmpty())
+                submenu = nullptr;
+            else if (!submenu || submenu->title() != row.submenu)
+                submenu = menu->addMenu(row.submenu);
+            addRow(window, row, submenu ? *submenu : *menu, groups);
+        }
     }
 }
 

@@ -23,8 +23,9 @@ enum class Reach : std::uint8_t { Window, Canvas };
 /// One row of the catalogue of commands. Menus, tool bars, the list of shortcuts and the tests loop
 /// over it.
 struct ActionInfo {
-    std::string_view key; ///< the action's objectName; empty: a separator
-    QString text;         ///< with its mnemonic; ends in "…" if the command opens a dialog
+    std::string_view key = {}; ///< the action's objectName; empty: a submenu or a separator
+    /// With its mnemonic; ends in "…" if the command opens a dialog. Empty: a separator.
+    QString text = {};
     QList<QKeySequence> keys = {};
     Reach reach = Reach::Window;
     std::string_view icon = {};
@@ -34,13 +35,16 @@ struct ActionInfo {
     std::string_view group = {}; ///< exclusive: one of its actions is checked; empty: none
     /// Why it is disabled, and what to do first; its disabled shortcut shows this too.
     QString needs = {};
+    QString submenu = {}; ///< the title of the submenu that holds the command; empty: none
+    /// Fills the submenu that this row is, from another catalogue (algorithms, panels …).
+    void (*fill)(MainWindow& window, QMenu& menu) = nullptr;
 };
 
-/// One menu: its commands, and entries from another catalogue (tools, algorithms …).
+/// One menu: its commands, below entries that are not rows (tools, Undo).
 struct MenuInfo {
     QString title;
-    std::vector<ActionInfo> rows;
-    void (*complete)(MainWindow& window, QMenu& menu) = nullptr;
+    std::vector<ActionInfo> rows = {};
+    void (*begin)(MainWindow& window, QMenu& menu) = nullptr; ///< adds the entries above the rows
 };
 
 /// Every menu, in the order of the menu bar.

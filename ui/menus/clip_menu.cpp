@@ -50,12 +50,6 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
     }
 }
 
-void complete(MainWindow& window, QMenu& menu)
-{
-    menu.addSeparator();
-    addAlgorithms(window, *menu.addMenu(tr("&Algorithm")));
-}
-
 template <app::Keep keep>
 bool keeps(const MainWindow& window)
 {
@@ -160,8 +154,12 @@ MenuInfo clipMenu()
                     .checked = shows<RemovedPart::Shown>,
                     .group = "removed",
                 },
+                {},
+                {
+                    .text = tr("&Algorithm"),
+                    .fill = addAlgorithms,
+                },
             },
-        .complete = complete,
     };
 }
 

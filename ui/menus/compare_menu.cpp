@@ -9,7 +9,6 @@
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
-#include <QMenu>
 
 namespace ui {
 
@@ -115,18 +114,6 @@ void closePane(MainWindow& window)
     window.canvas().setPanes(panes);
 }
 
-/// Moves the pane commands into a submenu.
-void gatherPanes(MainWindow&, QMenu& menu)
-{
-    auto* panes = new QMenu(tr("Pan&es"), &menu);
-    for (QAction* action : menu.actions())
-        if (action->objectName().contains(QStringLiteral("pane"))) {
-            menu.removeAction(action);
-            panes->addAction(action);
-        }
-    menu.addMenu(panes);
-}
-
 bool someLines(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
 
 } // namespace
@@ -134,6 +121,7 @@ bool someLines(const MainWindow& window) { return window.session().scene.lines()
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 MenuInfo compareMenu()
 {
+    const QString panes = tr("Pan&es");
     return {
         .title = tr("Co&mpare"),
         .rows =
@@ -247,6 +235,7 @@ MenuInfo compareMenu()
                     .run = showPanes<1>,
                     .checked = showsPanes<1>,
                     .group = "panes",
+                    .submenu = panes,
                 },
                 {
                     .key = "panes-2",
@@ -255,6 +244,7 @@ MenuInfo compareMenu()
                     .run = showPanes<2>,
                     .checked = showsPanes<2>,
                     .group = "panes",
+                    .submenu = panes,
                 },
                 {
                     .key = "panes-4",
@@ -264,6 +254,7 @@ MenuInfo compareMenu()
                     .run = showPanes<4>,
                     .checked = showsPanes<4>,
                     .group = "panes",
+                    .submenu = panes,
                 },
                 {
                     .key = "panes-all",
@@ -272,6 +263,7 @@ MenuInfo compareMenu()
                     .run = showAllPanes,
                     .checked = [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
                     .group = "panes",
+                    .submenu = panes,
                 },
                 {
                     .key = "next-pane",
@@ -279,6 +271,7 @@ MenuInfo compareMenu()
                     .keys = {QKeySequence("F6")},
                     .run = [](MainWindow& w) { activatePane(w, 1); },
                     .enabled = severalPanes,
+                    .submenu = panes,
                 },
                 {
                     .key = "previous-pane",
@@ -286,6 +279,7 @@ MenuInfo compareMenu()
                     .keys = {QKeySequence("Shift+F6")},
                     .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
                     .enabled = severalPanes,
+                    .submenu = panes,
                 },
                 {
                     .key = "close-pane",
@@ -293,9 +287,9 @@ MenuInfo compareMenu()
                     .keys = {QKeySequence("Ctrl+Shift+W")},
                     .run = closePane,
                     .enabled = severalPanes,
+                    .submenu = panes,
                 },
             },
-        .complete = gatherPanes,
     };
 }
 

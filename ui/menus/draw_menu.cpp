@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/actions.h"
+#include "ui/tools/tool.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -11,18 +12,19 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("DrawMenu", text); }
 
+/// Adds the tools, grouped as in their catalogue.
+void addTools(MainWindow& window, QMenu& menu)
+{
+    const QList<QAction*> actions = window.toolActions();
+    for (qsizetype i = 0; i < actions.size(); ++i) {
+        if (tools()[std::size_t(i)].group == ToolInfo::Group::New)
+            menu.addSeparator();
+        menu.addAction(actions[i]);
+    }
+}
+
 } // namespace
 
-/// The Draw menu: the tools, from their own catalogue.
-MenuInfo drawMenu()
-{
-    return {tr("&Draw"), {}, [](MainWindow& window, QMenu& menu) {
-                for (QAction* tool : window.toolActions()) {
-                    if (tool->property("newGroup").toBool())
-                        menu.addSeparator();
-                    menu.addAction(tool);
-                }
-            }};
-}
+MenuInfo drawMenu() { return {.title = tr("&Draw"), .begin = addTools}; }
 
 } // namespace ui

@@ -56,7 +56,7 @@ QAction* stepAction(Canvas& canvas, QMenu& menu, const StepEntry& entry)
     return action;
 }
 
-void complete(MainWindow& window, QMenu& menu)
+void addSteps(MainWindow& window, QMenu& menu)
 {
     QAction* undo =
         stepAction(window.canvas(), menu,
@@ -66,9 +66,8 @@ void complete(MainWindow& window, QMenu& menu)
         stepAction(window.canvas(), menu,
                    {"redo", tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
-    QAction* first = menu.actions().front();
-    menu.insertActions(first, {undo, redo});
-    menu.insertSeparator(first);
+    menu.addActions({undo, redo});
+    menu.addSeparator();
 }
 
 } // namespace
@@ -146,7 +145,7 @@ MenuInfo editMenu()
                     .enabled = someSelected,
                 },
             },
-        .complete = complete,
+        .begin = addSteps,
     };
 }
 

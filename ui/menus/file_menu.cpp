@@ -30,14 +30,11 @@ void fillRecent(MainWindow& window, QMenu& menu)
     forget->setEnabled(number > 1);
 }
 
-/// Inserts "Open recent" after "Open…".
-void complete(MainWindow& window, QMenu& menu)
+void addRecent(MainWindow& window, QMenu& menu)
 {
-    auto* recent = new QMenu(tr("Open &recent"), &menu);
-    recent->setToolTipsVisible(true);
-    QObject::connect(recent, &QMenu::aboutToShow, recent,
-                     [&window, recent] { fillRecent(window, *recent); });
-    menu.insertMenu(menu.actions().value(2), recent);
+    menu.setToolTipsVisible(true);
+    QObject::connect(&menu, &QMenu::aboutToShow, &menu,
+                     [&window, &menu] { fillRecent(window, menu); });
 }
 
 } // namespace
@@ -62,6 +59,10 @@ MenuInfo fileMenu()
                     .keys = keys(K::Open),
                     .icon = "folder",
                     .run = [](MainWindow& w) { w.files().open(); },
+                },
+                {
+                    .text = tr("Open &recent"),
+                    .fill = addRecent,
                 },
                 {},
                 {
@@ -100,7 +101,6 @@ MenuInfo fileMenu()
                     .run = [](MainWindow& w) { w.close(); },
                 },
             },
-        .complete = complete,
     };
 }
 

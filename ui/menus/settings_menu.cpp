@@ -64,10 +64,20 @@ void addUndoMemories(MainWindow& window, QMenu& menu)
 
 MenuInfo settingsMenu()
 {
-    return {tr("&Settings"), {}, [](MainWindow& window, QMenu& menu) {
-                addUnits(window, *menu.addMenu(tr("&Units")));
-                addUndoMemories(window, *menu.addMenu(tr("&Memory for undo")));
-            }};
+    return {
+        .title = tr("&Settings"),
+        .rows =
+            {
+                {
+                    .text = tr("&Units"),
+                    .fill = addUnits,
+                },
+                {
+                    .text = tr("&Memory for undo"),
+                    .fill = addUndoMemories,
+                },
+            },
+    };
 }
 
 } // namespace ui

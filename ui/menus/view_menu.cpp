@@ -49,21 +49,7 @@ void addThemes(MainWindow& window, QMenu& menu)
     }
 }
 
-/// Inserts theme and panels before "Presentation".
-void complete(MainWindow& window, QMenu& menu)
-{
-    QAction* before = nullptr;
-    for (QAction* action : menu.actions())
-        if (action->objectName() == QStringLiteral("presentation"))
-            before = action;
-    auto* themes = new QMenu(tr("T&heme"), &menu);
-    addThemes(window, *themes);
-    auto* panels = new QMenu(tr("Pane&ls"), &menu);
-    for (QAction* toggle : window.panelToggles())
-        panels->addAction(toggle);
-    menu.insertMenu(before, themes);
-    menu.insertMenu(before, panels);
-}
+void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelToggles()); }
 
 } // namespace
 
@@ -141,6 +127,14 @@ MenuInfo viewMenu()
                 },
                 {},
                 {
+                    .text = tr("T&heme"),
+                    .fill = addThemes,
+                },
+                {
+                    .text = tr("Pane&ls"),
+                    .fill = addPanels,
+                },
+                {
                     .key = "presentation",
                     .text = tr("Pres&entation"),
                     .keys = {K("F11")},
@@ -163,7 +157,6 @@ MenuInfo viewMenu()
                     .run = [](MainWindow& w) { w.resetLayout(); },
                 },
             },
-        .complete = complete,
     };
 }
 

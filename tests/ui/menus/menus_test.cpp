@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/latin.h"
+#include "ui/menus/actions.h"
+#include "ui/tools/tool.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+#include "tests/not_empty.h"
+#include "tests/ui/test_window.h"
+
+// The menus of the window against the rows of their catalogues.
+
+namespace ui {
+
+class MenusTest : public QObject {
+    Q_OBJECT
+
+    /// The names of a menu's commands, the titles of its submenus, and "-" for a separator.
+    static QStringList entriesOf(const QMenu& menu)
+    {
+        QStringList entries;
+        for (const QAction* action : menu.actions())
+            entries << (action->isSeparator() ? QStringLiteral("-")
+                        : action->menu()      ? action->text()
+                                              : action->objectName());
+        return entries;
+    }
+
+    static QStringList wantedOf(const MenuInfo& info)
+    {
+        QStringList entries;
+        for (const ActionInfo& row : info.rows)
+            if (row.text.isEmpty())
+                entries << QStringLiteral("-");
+            else if (row.submenu.isEmpty())
+                entries << (row.fill ? row.text : app::latin(row.key));
+            else if (!entries.contains(row.submenu))
+                entries << row.submenu;
+        return entries;
+    }
+
+    static const QMenu* menuOf(const TestWindow& t, const QString& title)
+    {
+        for (const QAction* top : t.window->menuBar()->actions())
+            if (top->text() == title)
+                return top->menu();
+        return nullptr;
+    }
+
+private slots:
+    void everyMenuHasTheEntriesOfItsRows()
+    {
+        const TestWindow t;
+        for (const MenuInfo& info : notEmpty(menus())) {
+            const QMenu* menu = menuOf(t, info.title);
+            QVERIFY2(menu, qPrintable(info.title));
+            const QStringList wanted = wantedOf(info);
+            QCOMPARE(entriesOf(*menu).mid(menu->actions().size() - wanted.size()), wanted);
+            QVERIFY2(info.begin || wanted.size() == menu->actions().size(), qPrintable(info.title));
+        }
+    }
+
+    void everyRowIsACommandOrFillsASubmenu()
+    {
+        for (const MenuInfo& info : notEmpty(menus()))
+            for (const ActionInfo& row : info.rows)
+                QCOMPARE(int(row.run != nullptr) + int(row.fill != nullptr),
+                         int(!row.text.isEmpty()));
+    }
+
+    void undoAndRedoStandAboveTheRowsOfEdit()
+    {
+        const TestWindow t;
+        QCOMPARE(entriesOf(*menuOf(t, "&Edit")).mid(0, 4),
+                 QStringList({"undo", "redo", "-", "cut"}));
+    }
+
+    void theCommandsOfPanesAreInASubmenu()
+    {
+        const TestWindow t;
+        const QMenu* panes = menuOf(t, "Co&mpare")->actions().back()->menu();
+        QVERIFY(panes);
+        QCOMPARE(panes->title(), "Pan&es");
+        QCOMPARE(entriesOf(*panes), QStringList({"panes-1", "panes-2", "panes-4", "panes-all",
+                                                 "next-pane", "previous-pane", "close-pane"}));
+    }
+
+    void theToolsAreGroupedAsInTheirCatalogue()
+    {
+        const TestWindow t;
+        QStringList wanted;
+        for (const ToolInfo& tool : notEmpty(tools())) {
+            if (tool.group == ToolInfo::Group::New)
+                wanted << QStringLiteral("-");
+            wanted << QStringLiteral("tool-") + app::latin(tool.key);
+        }
+        QVERIFY(wanted.contains("-"));
+        QCOMPARE(entriesOf(*menuOf(t, "&Draw")), wanted);
+    }
+};
+
+} // namespace ui
+
+QTEST_MAIN(ui::MenusTest)
+#include "menus_test.moc"
