@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings/seal.h"
-#include "ui/experiment/experiment_window.h"
-#include "ui/explanation/explanation_window.h"
-#include "ui/hard_cases/hard_cases_window.h"
-#include "ui/judge/judge_window.h"
 #include "ui/look/saved_theme.h"
 
 #include <QDirIterator>
@@ -107,10 +103,8 @@ private slots:
         QVERIFY(fits(window));
         QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
                 || savedTheme() == Theme::Dark);
-        showExperiment(window);
-        showHardCases(window);
-        showJudge(window);
-        showExplanation(clipping::algorithms().front(), window);
+        for (const char* key : {"reproduce-paper", "hard-cases", "judge", "about-algorithm"})
+            window.findChild<QAction*>(key)->trigger();
         QVERIFY(window.files().recent().empty());
         int dialogs = 0;
         for (const QDialog* dialog : window.findChildren<QDialog*>())

@@ -6,11 +6,9 @@
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"
 #include "ui/experiment/results.h"
-#include "ui/files/files.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/window_place.h"
-#include "ui/window/main_window.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -326,17 +324,6 @@ void ExperimentWindow::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Escape && measuring_.active())
         return cancel();
     QDialog::keyPressEvent(event);
-}
-
-void showExperiment(MainWindow& window)
-{
-    auto* experiment = window.findChild<ExperimentWindow*>();
-    if (!experiment)
-        experiment = new ExperimentWindow(
-            window.session(), [&window] { return window.files().name(); }, &window);
-    experiment->show();
-    experiment->raise();
-    experiment->activateWindow();
 }
 
 } // namespace ui

@@ -73,7 +73,7 @@ private:
     Measuring measuring_;
 };
 
-/// Shows the experiment window of a main window, which has at most one.
+// Until ui/window only asks for it: defined in ui/menus/other_windows.cpp.
 class MainWindow;
 void showExperiment(MainWindow& window);
 

@@ -134,6 +134,14 @@ void TablesPage::resizeEvent(QResizeEvent* event)
     place();
 }
 
+TableView* TablesPage::viewOf(QStringView key) const
+{
+    for (const Block& block : blocks_)
+        if (block.view->table().key == key)
+            return block.view;
+    return nullptr;
+}
+
 void TablesPage::copy() const
 {
     if (last_)

@@ -24,6 +24,8 @@ public:
 
     /// The table that last had the focus, by default the first; null: none.
     const app::Table* current() const { return last_ ? &last_->table() : nullptr; }
+    /// The view of the table with this key, until the next show(); null: there is none.
+    TableView* viewOf(QStringView key) const;
     void copy() const; ///< copies current() to the clipboard
 
     /// Puts a widget above the tables; show() keeps it.

@@ -9,12 +9,10 @@
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/page_view.h"
 #include "ui/explanation/title_painter.h"
-#include "ui/hard_cases/hard_cases_window.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/keep_choice.h"
-#include "ui/window/main_window.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
@@ -32,10 +30,10 @@ constexpr int listWidth = 252, fieldWidth = 220;
 
 } // namespace
 
-ExplanationWindow::ExplanationWindow(MainWindow& window)
-    : QDialog(&window, Qt::Window), window_(window), questions_(std::make_unique<Questions>(*this)),
-      list_(new QListView), page_(new PageView), wanted_(new QLineEdit), found_(new QLabel),
-      strip_(new MessageStrip)
+ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
+    : QDialog(&window, Qt::Window), session_(session), window_(window),
+      questions_(std::make_unique<Questions>(*this)), list_(new QListView), page_(new PageView),
+      wanted_(new QLineEdit), found_(new QLabel), strip_(new MessageStrip)
 {
     setObjectName(QStringLiteral("explanation"));
     list_->setModel(new AlgorithmModel(list_));
@@ -122,9 +120,9 @@ QWidget* ExplanationWindow::bar()
     });
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
     connect(look, &QToolButton::clicked, this, [this] {
-        app::TracedLine tracedLine = app::firstTracedLine(window_.session());
+        app::TracedLine tracedLine = app::firstTracedLine(session_);
         tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
-        window_.session().microscope.open(tracedLine);
+        session_.microscope.open(tracedLine);
         window_.raise();
         window_.activateWindow();
     });
@@ -192,15 +190,15 @@ void ExplanationWindow::showPlace()
 void ExplanationWindow::follow(const QUrl& link)
 {
     if (const auto tracedLine = app::tracedLineOf(link)) {
-        window_.session().microscope.open(*tracedLine);
+        session_.microscope.open(*tracedLine);
         window_.raise();
         window_.activateWindow();
     } else if (link.scheme() != QStringLiteral("clearcut")) {
         QDesktopServices::openUrl(link);
     } else if (const auto* hard = app::findHardCase(link.path().section(u'/', 1))) {
-        showHardCases(window_).choose(*hard);
+        emit hardCaseWanted(*hard);
     } else if (link.path().startsWith(QStringLiteral("fails/"))) {
-        showHardCases(window_).chooseFailing(link.path().section(u'/', 1));
+        emit failingWanted(link.path().section(u'/', 1));
     }
 }
 
@@ -249,26 +247,6 @@ void ExplanationWindow::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         return; // there is no default button
     QDialog::keyPressEvent(event);
-}
-
-ExplanationWindow& showExplanation(const clipping::Algorithm& algorithm, MainWindow& window)
-{
-    auto* explanation = window.findChild<ExplanationWindow*>();
-    if (!explanation)
-        explanation = new ExplanationWindow(window);
-    explanation->show(algorithm);
-    explanation->raise();
-    explanation->activateWindow();
-    return *explanation;
-}
-
-ExplanationWindow& showExplanation(MainWindow& window)
-{
-    const app::Session& session = window.session();
-    return showExplanation(session.microscope.isOpen()
-                               ? *session.microscope.tracedLine().variant.algorithm
-                               : *session.display().variant.algorithm,
-                           window);
 }
 
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/hard_cases/hard_case.h"
+#include "app/session/session.h"
 #include "clipping/algorithm.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
@@ -14,7 +16,6 @@
 
 namespace ui {
 
-class MainWindow;
 class PageView;
 
 /// The pages about the algorithms: a list of algorithms at the left, a page at the right. Not
@@ -23,13 +24,19 @@ class ExplanationWindow : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ExplanationWindow(MainWindow& window);
+    /// Opens examples in the microscope of `session`, and brings the editor's `window` to the
+    /// front.
+    ExplanationWindow(app::Session& session, QWidget& window);
     ~ExplanationWindow() override;
 
     /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
     void show(const clipping::Algorithm& algorithm);
     PageView& page() { return *page_; }
+
+signals:
+    void hardCaseWanted(const app::HardCase& hard);
+    void failingWanted(const QString& variant); ///< the cases that this variant gets wrong
 
 protected:
     void hideEvent(QHideEvent* event) override;
@@ -45,7 +52,8 @@ private:
     void savePdf();
     void showPlace();
 
-    MainWindow& window_;
+    app::Session& session_;
+    QWidget& window_;
     std::unique_ptr<Questions> questions_;
     QListView* list_;
     PageView* page_;
@@ -56,9 +64,8 @@ private:
     QToolButton *back_ = nullptr, *forward_ = nullptr;
 };
 
-/// Shows the explanation window of `window`, which has at most one, at an algorithm's page.
-ExplanationWindow& showExplanation(const clipping::Algorithm& algorithm, MainWindow& window);
-/// The same at the page of the microscope's algorithm, or else of the one that clips.
-ExplanationWindow& showExplanation(MainWindow& window);
+// Until ui/window only asks for it: defined in ui/menus/other_windows.cpp.
+class MainWindow;
+void showExplanation(const clipping::Algorithm& algorithm, MainWindow& window);
 
 } // namespace ui

@@ -7,7 +7,6 @@
 #include "ui/hard_cases/case_view.h"
 #include "ui/look/look.h"
 #include "ui/look/window_place.h"
-#include "ui/window/main_window.h"
 
 #include <QHBoxLayout>
 #include <QShortcut>
@@ -22,10 +21,11 @@ constexpr int leastLeft = 330;
 
 } // namespace
 
-HardCasesWindow::HardCasesWindow(MainWindow& window)
-    : QDialog(&window, Qt::Window), window_(window), search_(new QLineEdit), choice_(new QComboBox),
-      nothing_(new QLabel(tr("No hard case matches. Change the search or the choice above."))),
-      list_(new CaseList), view_(new CaseView), choices_(app::caseChoices())
+HardCasesWindow::HardCasesWindow(app::Session& session, Files& files, QWidget& window)
+    : QDialog(&window, Qt::Window), session_(session), files_(files), window_(window),
+      search_(new QLineEdit), choice_(new QComboBox),
+      nothing_(new QLabel(tr("No hard case is like that."))), list_(new CaseList),
+      view_(new CaseView), choices_(app::caseChoices())
 {
     setObjectName(QStringLiteral("hard-cases"));
     setWindowTitle(tr("Hard cases"));
@@ -99,7 +99,7 @@ void HardCasesWindow::chooseFailing(const QString& variant)
 
 void HardCasesWindow::openMicroscope(const app::HardCase& hard, const app::Variant& variant)
 {
-    window_.session().microscope.open(app::tracedLineOf(hard, variant));
+    session_.microscope.open(app::tracedLineOf(hard, variant));
     window_.raise();
     window_.activateWindow();
 }
@@ -109,11 +109,11 @@ void HardCasesWindow::openMicroscope(const app::HardCase& hard, const app::Varia
 void HardCasesWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
     const auto document = app::documentOf(hard);
-    if (!document || !window_.files().openMade(*document.value, hard.title))
+    if (!document || !files_.openMade(*document.value, hard.title))
         return;
-    app::Display display = window_.session().display();
+    app::Display display = session_.display();
     display.variant = {variant.algorithm, variant.form};
-    window_.session().setDisplay(display);
+    session_.setDisplay(display);
     window_.raise();
     window_.activateWindow();
 }
@@ -122,17 +122,6 @@ void HardCasesWindow::hideEvent(QHideEvent* event)
 {
     rememberPlace(*this, QStringLiteral("zooGeometry"));
     QDialog::hideEvent(event);
-}
-
-HardCasesWindow& showHardCases(MainWindow& window)
-{
-    auto* casesWindow = window.findChild<HardCasesWindow*>();
-    if (!casesWindow)
-        casesWindow = new HardCasesWindow(window);
-    casesWindow->show();
-    casesWindow->raise();
-    casesWindow->activateWindow();
-    return *casesWindow;
 }
 
 } // namespace ui

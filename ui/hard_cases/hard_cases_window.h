@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/hard_cases/case_filter.h"
+#include "app/session/session.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -12,7 +13,7 @@ namespace ui {
 
 class CaseList;
 class CaseView;
-class MainWindow;
+class Files;
 
 /// The gallery of hard cases: their list at the left, the selected case at the right. Not modal:
 /// the editor stays usable.
@@ -20,7 +21,9 @@ class HardCasesWindow : public QDialog {
     Q_OBJECT
 
 public:
-    explicit HardCasesWindow(MainWindow& window);
+    /// Opens a case in the microscope of `session` or, by `files`, as its drawing, and brings the
+    /// editor's `window` to the front.
+    HardCasesWindow(app::Session& session, Files& files, QWidget& window);
 
     /// Clears the search and the filter if they hide the case.
     void choose(const app::HardCase& hard);
@@ -39,7 +42,9 @@ private:
     void openMicroscope(const app::HardCase& hard, const app::Variant& variant);
     void draw(const app::HardCase& hard, const app::Variant& variant);
 
-    MainWindow& window_;
+    app::Session& session_;
+    Files& files_;
+    QWidget& window_;
     QLineEdit* search_;
     QComboBox* choice_;
     QLabel* nothing_;
@@ -47,8 +52,5 @@ private:
     CaseView* view_;
     std::vector<app::CaseChoice> choices_;
 };
-
-/// Shows the gallery of `window`, which has at most one.
-HardCasesWindow& showHardCases(MainWindow& window);
 
 } // namespace ui

@@ -7,7 +7,6 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/window_place.h"
-#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -317,16 +316,6 @@ void JudgeWindow::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Escape && judging_.active())
         return cancel();
     QDialog::keyPressEvent(event);
-}
-
-void showJudge(MainWindow& window)
-{
-    auto* judge = window.findChild<JudgeWindow*>();
-    if (!judge)
-        judge = new JudgeWindow(window.session(), &window);
-    judge->show();
-    judge->raise();
-    judge->activateWindow();
 }
 
 } // namespace ui

@@ -71,7 +71,4 @@ private:
     Judging judging_;
 };
 
-/// Shows the judge window of `window`, which has at most one.
-void showJudge(MainWindow& window);
-
 } // namespace ui

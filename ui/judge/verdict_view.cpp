@@ -84,9 +84,8 @@ void VerdictView::show(const std::shared_ptr<const app::plug_in::Verdict>& verdi
         entries.push_back({std::move(table), rows});
     }
     tables_->show(std::move(entries));
-    for (TableView* view : tables_->findChildren<TableView*>())
-        if (view->table().key == u"findings")
-            follow(view);
+    if (TableView* findings = tables_->viewOf(u"findings"))
+        follow(findings);
     look_->setVisible(findings_ != nullptr);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
+#include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -36,7 +37,7 @@ std::span<const MenuInfo> menus()
 
 namespace {
 
-QAction* makeAction(MainWindow& window, const ActionInfo& row)
+QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& row)
 {
     auto* action = new QAction(row.text, &window);
     action->setObjectName(app::latin(row.key));
@@ -48,8 +49,11 @@ QAction* makeAction(MainWindow& window, const ActionInfo& row)
         window.canvas().addAction(action);
     }
     action->setCheckable(row.checked != nullptr);
-    QObject::connect(action, &QAction::triggered, &window, [&window, run = row.run] {
-        run(window);
+    QObject::connect(action, &QAction::triggered, &window, [&window, &others, &row] {
+        if (row.show)
+            (others.*row.show)();
+        else
+            row.run(window);
         window.refreshActions();
     });
     const auto refresh = [action, &row, &window] {
@@ -64,14 +68,15 @@ QAction* makeAction(MainWindow& window, const ActionInfo& row)
 
 using Groups = std::map<std::string_view, QActionGroup*>;
 
-void addRow(MainWindow& window, const ActionInfo& row, QMenu& menu, Groups& groups)
+void addRow(MainWindow& window, OtherWindows& others, const ActionInfo& row, QMenu& menu,
+            Groups& groups)
 {
     if (row.text.isEmpty()) {
         menu.addSeparator();
     } else if (row.fill) {
         row.fill(window, *menu.addMenu(row.text));
     } else {
-        QAction* action = makeAction(window, row);
+        QAction* action = makeAction(window, others, row);
         menu.addAction(action);
         if (row.group.empty())
             return;
@@ -86,6 +91,7 @@ void addRow(MainWindow& window, const ActionInfo& row, QMenu& menu, Groups& grou
 
 void addMenus(MainWindow& window)
 {
+    auto* others = new OtherWindows(window);
     Groups groups;
     for (const MenuInfo& info : menus()) {
         QMenu* menu = window.menuBar()->addMenu(info.title);
@@ -97,7 +103,7 @@ void addMenus(MainWindow& window)
                 submenu = nullptr;
             else if (!submenu || submenu->title() != row.submenu)
                 submenu = menu->addMenu(row.submenu);
-            addRow(window, row, submenu ? *submenu : *menu, groups);
+            addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }
 }

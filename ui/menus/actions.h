@@ -15,6 +15,7 @@ class QMenu;
 namespace ui {
 
 class MainWindow;
+class OtherWindows;
 
 /// Where a command's keys work: everywhere in the window, or only while the canvas has the focus
 /// (single letters and digits, which fields need for typing).
@@ -30,6 +31,7 @@ struct ActionInfo {
     Reach reach = Reach::Window;
     std::string_view icon = {};
     void (*run)(MainWindow& window) = nullptr;
+    void (OtherWindows::*show)() = nullptr;              ///< instead of run
     bool (*enabled)(const MainWindow& window) = nullptr; ///< null: always
     bool (*checked)(const MainWindow& window) = nullptr; ///< null: not checkable
     std::string_view group = {}; ///< exclusive: one of its actions is checked; empty: none

@@ -4,8 +4,8 @@
 #include "app/view/looking.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
-#include "ui/experiment/experiment_window.h"
 #include "ui/menus/actions.h"
+#include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -225,7 +225,7 @@ MenuInfo compareMenu()
                     .text = tr("Reproduce t&he paper…"),
                     .keys = {QKeySequence("Ctrl+F7")},
                     .icon = "chart",
-                    .run = showExperiment,
+                    .show = &OtherWindows::showExperiment,
                 },
                 {},
                 {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/explanation/explanation_window.h"
-#include "ui/hard_cases/hard_cases_window.h"
-#include "ui/judge/judge_window.h"
 #include "ui/menus/actions.h"
-#include "ui/microscope/export_steps.h"
+#include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -21,16 +18,6 @@ void toggleMicroscope(MainWindow& window)
         session.microscope.close();
     else
         window.drawnLine().look();
-}
-
-void exportSteps(MainWindow& window)
-{
-    auto* exports = window.findChild<StepExports*>();
-    if (!exports) {
-        exports = new StepExports(window, window.session().microscope);
-        QObject::connect(exports, &StepExports::told, &window, &MainWindow::tell);
-    }
-    exports->ask();
 }
 
 void toggleOverlay(MainWindow& window)
@@ -61,7 +48,7 @@ MenuInfo learnMenu()
                     .key = "export-steps",
                     .text = tr("Export s&teps…"),
                     .icon = "export",
-                    .run = exportSteps,
+                    .show = &OtherWindows::exportSteps,
                     .enabled = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
                 },
                 {
@@ -99,19 +86,19 @@ MenuInfo learnMenu()
                     .text = tr("About this &algorithm"),
                     .keys = keys(QKeySequence::HelpContents, {QKeySequence("F1")}),
                     .icon = "book",
-                    .run = [](MainWindow& w) { showExplanation(w); },
+                    .show = &OtherWindows::explainCurrent,
                 },
                 {
                     .key = "hard-cases",
                     .text = tr("&Hard cases…"),
                     .keys = {QKeySequence("Ctrl+F2")},
-                    .run = [](MainWindow& w) { showHardCases(w); },
+                    .show = &OtherWindows::showHardCases,
                 },
                 {
                     .key = "judge",
                     .text = tr("&Judge your own algorithm…"),
                     .keys = {QKeySequence("Ctrl+F3")},
-                    .run = showJudge,
+                    .show = &OtherWindows::showJudge,
                 },
             },
     };

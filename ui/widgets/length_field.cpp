@@ -49,12 +49,11 @@ private:
 } // namespace
 
 LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent)
-    : QDoubleSpinBox(parent), name_(name), range_(range)
+    : QDoubleSpinBox(parent), name_(name), range_(range), suffix_(suffix)
 {
     setAccessibleName(name);
     setLineEdit(new NumberEdit);
     setAlignment(suffix == Suffix::Unit ? Qt::AlignLeft : Qt::AlignRight);
-    setProperty("withUnit", suffix == Suffix::Unit);
     setRange(-limit, limit); // refused values are reported, not silently changed
     setKeyboardTracking(false);
     setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
@@ -159,7 +158,7 @@ double LengthField::valueFromText(const QString& text) const
 QString LengthField::textFromValue(double value) const
 {
     QString number = app::numberText(value, decimals());
-    if (!property("withUnit").toBool())
+    if (suffix_ == Suffix::None)
         return number;
     const auto suffix = app::infoOf(unit_).suffix;
     return number + u' ' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));

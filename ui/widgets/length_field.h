@@ -51,6 +51,7 @@ private:
 
     QString name_;
     Range range_;
+    Suffix suffix_;
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;

@@ -65,7 +65,8 @@ private slots:
     {
         for (const MenuInfo& info : notEmpty(menus()))
             for (const ActionInfo& row : info.rows)
-                QCOMPARE(int(row.run != nullptr) + int(row.fill != nullptr),
+                QCOMPARE(int(row.run != nullptr) + int(row.show != nullptr)
+                             + int(row.fill != nullptr),
                          int(!row.text.isEmpty()));
     }
 

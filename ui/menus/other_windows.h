@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "clipping/algorithm.h"
+
+#include <QObject>
+
+namespace ui {
+
+class ExperimentWindow;
+class ExplanationWindow;
+class HardCasesWindow;
+class JudgeWindow;
+class MainWindow;
+class StepExports;
+
+/// The windows beside the main window. Each is made when it is first shown, and is kept as long as
+/// the main window.
+class OtherWindows : public QObject {
+    Q_OBJECT
+
+public:
+    explicit OtherWindows(MainWindow& window); ///< belongs to the main window
+
+    void showExperiment();
+    void showHardCases();
+    void showJudge();
+    void explain(const clipping::Algorithm& algorithm);
+    /// Explains the algorithm of the open microscope, else the one that clips.
+    void explainCurrent();
+    /// Opens the export dialog for the microscope's trace.
+    void exportSteps();
+
+private:
+    MainWindow& window_;
+    ExperimentWindow* experiment_ = nullptr;
+    HardCasesWindow* hardCases_ = nullptr;
+    JudgeWindow* judge_ = nullptr;
+    ExplanationWindow* explanation_ = nullptr;
+    StepExports* stepExports_ = nullptr;
+};
+
+} // namespace ui
