@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+// The rooms of app/ and of ui/ as their CMakeLists.txt list them, against what their files include.
+// The compiler refuses most of what is found here (app.rooms.header_from_above); this names it in a
+// sentence.
+
+namespace {
+
+QString contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// Of each room, all that it stands on, itself included. In `order` from the ground up.
+struct Rooms {
+    QStringList order{};
+    QMap<QString, QSet<QString>> below{};
+    QStringList faults{}; ///< of the list itself
+};
+
+Rooms roomsIn(const QString& cmake)
+{
+    static const QRegularExpression row(
+        QStringLiteral("^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?: USES [^)]*| DATA [^)]*)?\\)"),
+        QRegularExpression::MultilineOption);
+    Rooms rooms;
+    for (auto match = row.globalMatch(cmake); match.hasNext();) {
+        const auto found = match.next();
+        const QString name = found.captured(1);
+        QSet<QString>& below = rooms.below[name];
+        below << name;
+        for (const QString& on : found.captured(2).split(u' ', Qt::SkipEmptyParts)) {
+            if (!rooms.order.contains(on))
+                rooms.faults
+                    << QStringLiteral("%1 stands on %2, which is not below it").arg(name, on);
+            below += rooms.below.value(on);
+        }
+        rooms.order << name;
+    }
+    return rooms;
+}
+
+/// What a file of a room includes and does not stand on: one sentence each. Every room of ui stands
+/// on app, and none of app on ui.
+QStringList upward(const Rooms& rooms, const QString& path, const QString& text)
+{
+    static const QRegularExpression include(QStringLiteral("^#include \"(app|ui)/(\\w+)"),
+                                            QRegularExpression::MultilineOption);
+    const QString layer = path.section(u'/', 0, 0);
+    const QString room = path.section(u'/', 1, 1);
+    QStringList found;
+    for (auto match = include.globalMatch(text); match.hasNext();) {
+        const auto line = match.next();
+        const bool stands = line.captured(1) == layer ? rooms.below[room].contains(line.captured(2))
+                                                      : layer == u"ui";
+        if (!stands)
+            found << QStringLiteral("%1 includes %2/%3: %4 does not stand on that")
+                         .arg(path, line.captured(1), line.captured(2), room);
+    }
+    return found;
+}
+
+} // namespace
+
+class RoomsTest : public QObject {
+    Q_OBJECT
+    const QDir source_{QStringLiteral(SOURCE_DIR)};
+
+    Rooms roomsOf(const QString& layer) const
+    {
+        return roomsIn(contentOf(source_.filePath(layer + QStringLiteral("/CMakeLists.txt"))));
+    }
+
+    /// All headers and sources of the folder and below it, from the root of the repository.
+    QStringList filesOf(const QString& folder) const
+    {
+        QStringList files;
+        for (QDirIterator it(source_.filePath(folder), {"*.h", "*.cpp"}, QDir::Files,
+                             QDirIterator::Subdirectories);
+             it.hasNext();)
+            files << source_.relativeFilePath(it.next());
+        files.sort();
+        return files;
+    }
+
+private slots:
+    void theListIsInOrder_data()
+    {
+        QTest::addColumn<QString>("layer");
+        QTest::addColumn<QStringList>("outside"); // the files that are in no room
+        QTest::addColumn<int>("rooms"), QTest::addColumn<int>("files"); // there are more
+        QTest::newRow("app") << "app" << QStringList() << 20 << 500;
+        QTest::newRow("ui") << "ui" << QStringList{"ui/main.cpp"} << 15 << 200;
+    }
+
+    void theListIsInOrder()
+    {
+        QFETCH(QString, layer);
+        QFETCH(int, rooms);
+        const Rooms listed = roomsOf(layer);
+        QVERIFY(listed.order.size() > rooms);
+        QCOMPARE(listed.faults, QStringList());
+        QCOMPARE(listed.order.size(), listed.below.size()); // none is listed twice
+    }
+
+    void everyFolderIsARoom_data() { theListIsInOrder_data(); }
+    void everyFolderIsARoom()
+    {
+        QFETCH(QString, layer);
+        QFETCH(QStringList, outside);
+        QStringList folders, loose;
+        for (const QString& file : filesOf(layer))
+            if (const QStringList parts = file.split(u'/'); parts.size() > 2)
+                folders << parts[1];
+            else
+                loose << file;
+        folders.removeDuplicates();
+        folders.sort();
+        QStringList rooms = roomsOf(layer).order;
+        rooms.sort();
+        QCOMPARE(folders, rooms);
+        QCOMPARE(loose, outside);
+    }
+
+    void theReadmeListsThemInOrder_data() { theListIsInOrder_data(); }
+    void theReadmeListsThemInOrder()
+    {
+        QFETCH(QString, layer);
+        static const QRegularExpression row(QStringLiteral("^\\| `(\\w+)/` \\|"),
+                                            QRegularExpression::MultilineOption);
+        QStringList listed;
+        const QString readme = contentOf(source_.filePath(layer + QStringLiteral("/README.md")));
+        for (auto match = row.globalMatch(readme); match.hasNext();)
+            listed << match.next().captured(1);
+        QCOMPARE(listed, roomsOf(layer).order);
+    }
+
+    void nothingIncludesWhatIsAbove_data() { theListIsInOrder_data(); }
+    void nothingIncludesWhatIsAbove()
+    {
+        QFETCH(QString, layer);
+        QFETCH(QStringList, outside);
+        QFETCH(int, files);
+        const Rooms rooms = roomsOf(layer);
+        const QStringList paths = filesOf(layer);
+        QStringList found;
+        for (const QString& path : paths)
+            if (!outside.contains(path))
+                found += upward(rooms, path, contentOf(source_.filePath(path)));
+        QVERIFY(paths.size() > files);
+        QEXPECT_FAIL("ui", "The main window still makes the menus and opens windows.", Continue);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+    }
+
+    void anIncludeThatPointsUpIsNamed()
+    {
+        const Rooms rooms = roomsIn(QStringLiteral("room(base)\nroom(document ON base)\n"
+                                                   "room(view ON document USES X::y)\n"));
+        const auto from = [&](const char* room, const char* text) {
+            return upward(rooms, QLatin1StringView(room) + QStringLiteral("/x.h"),
+                          QString::fromUtf8(text));
+        };
+        QCOMPARE(from("app/view", "#include \"app/base/number.h\"\n#include \"app/view/view.h\"\n"),
+                 QStringList());
+        QCOMPARE(
+            from("app/document", "#include \"app/view/view.h\"\n"),
+            QStringList{"app/document/x.h includes app/view: document does not stand on that"});
+        QCOMPARE(from("ui/document", "#include \"ui/view/view.h\"\n#include \"app/view/view.h\"\n"),
+                 QStringList{"ui/document/x.h includes ui/view: document does not stand on that"});
+        QCOMPARE(from("app/view", "#include \"ui/base/look.h\"\n"),
+                 QStringList{"app/view/x.h includes ui/base: view does not stand on that"});
+    }
+
+    void aRoomOnOneAboveItIsNamed()
+    {
+        QCOMPARE(roomsIn(QStringLiteral("room(base ON view)\nroom(view ON base)\n")).faults,
+                 QStringList{"base stands on view, which is not below it"});
+    }
+};
+
+QTEST_GUILESS_MAIN(RoomsTest)
+#include "rooms_test.moc"
