@@ -108,7 +108,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "window-on-page",
-                    .text = tr("&Window on page"),
+                    .text = tr("&Lay window on page"),
                     .run = windowOnPage,
                 },
                 {

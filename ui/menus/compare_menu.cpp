@@ -138,7 +138,7 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "form-published",
-                    .text = tr("Form as &published"),
+                    .text = tr("&Published form"),
                     .run = [](MainWindow& w) { choose(w, clipping::Form::Published); },
                     .enabled =
                         [](const MainWindow& w) {
@@ -153,7 +153,7 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "agree",
-                    .text = tr("Do all &algorithms agree?"),
+                    .text = tr("Compare &all algorithms"),
                     .keys = {QKeySequence("F7")},
                     .icon = "tick",
                     .run =
@@ -187,7 +187,7 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "misprint",
-                    .text = tr("The paper's &misprinted Step 2"),
+                    .text = tr("Show the paper's &misprint (Step 2)"),
                     .run = showMisprint,
                 },
                 {

@@ -23,7 +23,7 @@ MenuInfo helpMenu()
             {
                 {
                     .key = "start",
-                    .text = tr("&Start"),
+                    .text = tr("Show &start panel"),
                     .icon = "book",
                     .run = [](MainWindow& w) { w.raisePanel("start"); },
                 },

@@ -75,7 +75,7 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "zoom-100",
-                    .text = tr("&Real size"),
+                    .text = tr("&Actual size"),
                     .keys = {K("Ctrl+0")},
                     .run = [](MainWindow& w) { w.canvas().setZoom(1); },
                 },
@@ -121,7 +121,7 @@ MenuInfo viewMenu()
                 {},
                 {
                     .key = "as-printed",
-                    .text = tr("Paper: as prin&ted"),
+                    .text = tr("Show colours as prin&ted"),
                     .run = [](MainWindow& w) { toggle(w, &app::Display::asPrinted); },
                     .checked = [](const MainWindow& w) { return w.session().display().asPrinted; },
                 },
